@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* C interface to .pro files. Safe for untrusted files: a file that opens has passed every structural
+ * check, so all indices reachable through a pro_view are in range. */
+#ifndef POINTRT_PRO_H
+#define POINTRT_PRO_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "pointrt/pro_layout.h"
+
+#if defined(__GNUC__)
+#define PRO_API __attribute__((visibility("default")))
+#else
+#define PRO_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum pro_result {
+    PRO_OK = 0,
+    PRO_CANNOT_READ = 1,   /* missing, no permission, not a regular file, empty */
+    PRO_INVALID = 2,       /* a structural or checksum finding; message has its number */
+    PRO_UNSUPPORTED = 3,   /* newer major version, or an unknown section marked required */
+    PRO_CANNOT_WRITE = 4,  /* output folder missing, disk full, no permission */
+    PRO_OUT_OF_MEMORY = 5,
+    PRO_BAD_ARGUMENT = 6   /* a caller's bug: null pointer, count out of range */
+} pro_result;
+
+/* One line for people, without the file's name; always terminated. */
+typedef struct pro_message {
+    uint32_t finding; /* stable number from SPEC.md, 0 where none applies */
+    char text[252];
+} pro_message;
+
+/* What the header says, in input units where marked. */
+typedef struct pro_info {
+    uint32_t version_major, version_minor;
+    uint64_t file_bytes;
+    uint32_t flags;     /* PRO_FLAG_* */
+    uint32_t max_depth; /* 0 to PRO_MAX_DEPTH */
+    uint32_t splat_count, node_count, leaf_count, ref_count, material_count;
+    float radius_max;  /* cube units */
+    float radius_step; /* octaves per code */
+    float blend_slab;  /* over the radius */
+    double origin[3];  /* input units */
+    double scale;      /* input units per cube edge */
+    double bounds_min[3], bounds_max[3]; /* input units */
+} pro_info;
+
+/* The sections, pointing into the file's bytes. order is NULL and metadata_bytes 0 where absent. */
+typedef struct pro_view {
+    const uint32_t* nodes;     /* [node_count] */
+    const uint32_t* leaves;    /* [leaf_count][4] */
+    const uint32_t* refs;      /* [ref_count] */
+    const uint32_t* splats;    /* [splat_count][4] */
+    const float* materials;    /* [material_count][16] */
+    const uint32_t* order;     /* [splat_count] or NULL */
+    const char* metadata;      /* JSON, not terminated */
+    uint64_t metadata_bytes;
+} pro_view;
+
+/* A splat in plain numbers: cube units, unit normal, sRGB bytes. */
+typedef struct pro_splat {
+    float position[3];
+    float normal[3];
+    float radius;
+    uint8_t color[3];
+    uint8_t material;
+} pro_splat;
+
+typedef struct pro_file pro_file;
+
+/* PRO_OPEN_SKIP_CHECKSUMS leaves the sections' XXH3 out; the structure is checked all the same. */
+enum { PRO_OPEN_SKIP_CHECKSUMS = 1 };
+
+/* Maps path read-only and validates it. On success *file is set and must be closed with pro_close. */
+PRO_API pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_message* message);
+
+/* The same over bytes the caller keeps alive and unchanged until pro_close; data must be 8-byte aligned. */
+PRO_API pro_result pro_open_memory(const void* data, size_t bytes, uint32_t open_flags, pro_file** file,
+                                   pro_message* message);
+PRO_API void pro_close(pro_file* file);
+
+PRO_API void pro_get_info(const pro_file* file, pro_info* info);
+PRO_API void pro_get_view(const pro_file* file, pro_view* view);
+/* The whole file as mapped (page aligned when it came from pro_open). */
+PRO_API const void* pro_bytes(const pro_file* file, size_t* bytes);
+
+/* Every finding in the bytes, not only the first; calls report for each and returns how many. */
+typedef void (*pro_report)(const pro_message* finding, void* user);
+PRO_API size_t pro_verify_memory(const void* data, size_t bytes, pro_report report, void* user);
+PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, size_t* findings, pro_message* message);
+
+/* Writes info and view as a .pro: temporary beside path, synced, renamed over path.
+ * version_*, file_bytes of info are ignored. Nothing is left behind on failure. */
+PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message);
+
+/* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */
+PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);
+PRO_API void pro_splat_decode(const uint32_t words[4], float radius_max, float radius_step, pro_splat* splat);
+
+/* "pro_open: not a .pro file" style names for results. */
+PRO_API const char* pro_result_name(pro_result result);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * The layout of a .pro file: the one place that knows an offset, a shift or a mask.
+ * Valid in C99, C++ and GLSL; format/SPEC.md explains every field.
+ *
+ *   byte 0        header, PRO_HEADER_BYTES long (section table at PRO_TABLE_OFFSET)
+ *   byte 4096 k   sections, each starting on PRO_SECTION_ALIGNMENT:
+ *                   NODE  uint32[node_count]      full octree, groups of 8, breadth first
+ *                   LEAF  uint32[leaf_count][4]   members and references of each filled leaf
+ *                   REFS  uint32[ref_count]       tentative splats of the leaves
+ *                   SPLT  uint32[splat_count][4]  packed splats, in leaf order
+ *                   MATL  float[material_count][16]
+ *                   ORDR  uint32[splat_count]     input index of each splat
+ *                   META  bytes                   UTF-8 JSON, provenance
+ *
+ * All values are little-endian. Positions and lengths are in units of the cube edge ("cube units"):
+ * input coordinate = origin + scale * cube coordinate, with origin and scale in double.
+ */
+#ifndef POINTRT_PRO_LAYOUT_H
+#define POINTRT_PRO_LAYOUT_H
+
+#define PRO_VERSION_MAJOR 1
+#define PRO_VERSION_MINOR 0
+
+#define PRO_MAGIC_BYTES 8
+#define PRO_HEADER_BYTES 4096
+#define PRO_SECTION_ALIGNMENT 4096
+
+/* Header fields: byte offsets. Unlisted bytes are reserved and 0. */
+#define PRO_OFF_MAGIC 0            /* 8 bytes, PRO_MAGIC */
+#define PRO_OFF_VERSION_MAJOR 8    /* uint32 */
+#define PRO_OFF_VERSION_MINOR 12   /* uint32 */
+#define PRO_OFF_FILE_BYTES 16      /* uint64 */
+#define PRO_OFF_HEADER_XXH3 24     /* uint64, XXH3-64 of bytes 32 to 4095 */
+#define PRO_OFF_SECTION_COUNT 32   /* uint32 */
+#define PRO_OFF_SECTION_STRIDE 36  /* uint32, PRO_SECTION_BYTES */
+#define PRO_OFF_FLAGS 40           /* uint32, PRO_FLAG_* */
+#define PRO_OFF_MAX_DEPTH 44       /* uint32, depth of the deepest leaf; the root has depth 0 */
+#define PRO_OFF_SPLAT_COUNT 48     /* uint32 */
+#define PRO_OFF_NODE_COUNT 52      /* uint32, a multiple of 8 */
+#define PRO_OFF_LEAF_COUNT 56      /* uint32, filled leaves */
+#define PRO_OFF_REF_COUNT 60       /* uint32 */
+#define PRO_OFF_MATERIAL_COUNT 64  /* uint32, 1 to 256 */
+#define PRO_OFF_RADIUS_MAX 68      /* float, cube units */
+#define PRO_OFF_RADIUS_STEP 72     /* float, octaves per radius code */
+#define PRO_OFF_BLEND_SLAB 76      /* float, half height of a splat's blending slab over its radius */
+#define PRO_OFF_ORIGIN 80          /* double[3], input coordinates of the cube's lowest corner */
+#define PRO_OFF_SCALE 104          /* double, cube edge in input units */
+#define PRO_OFF_BOUNDS_MIN 112     /* double[3], splat centres, input coordinates */
+#define PRO_OFF_BOUNDS_MAX 136     /* double[3] */
+
+#define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
+#define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
+#define PRO_FLAG_PRUNED 4u   /* references were pruned by probe rays */
+#define PRO_FLAGS_KNOWN 7u
+
+/* Section table: PRO_OFF_SECTION_COUNT records of PRO_SECTION_BYTES. */
+#define PRO_TABLE_OFFSET 512
+#define PRO_SECTION_BYTES 64
+#define PRO_SECTION_MAX 56
+#define PRO_SEC_OFF_KIND 0    /* uint32, PRO_KIND_* */
+#define PRO_SEC_OFF_STRIDE 4  /* uint32, bytes per element */
+#define PRO_SEC_OFF_COUNT 8   /* uint64, elements */
+#define PRO_SEC_OFF_OFFSET 16 /* uint64, from the start of the file */
+#define PRO_SEC_OFF_LENGTH 24 /* uint64, bytes: stride * count */
+#define PRO_SEC_OFF_XXH3 32   /* uint64, XXH3-64 of the section's bytes */
+#define PRO_SEC_OFF_FLAGS 40  /* uint32, PRO_SECTION_REQUIRED or 0 */
+
+#define PRO_SECTION_REQUIRED 1u /* a reader that does not know the kind must refuse the file */
+
+/* Four ASCII characters, the first in the lowest byte. */
+#define PRO_KIND_NODE 0x45444F4Eu
+#define PRO_KIND_LEAF 0x4641454Cu
+#define PRO_KIND_REFS 0x53464552u
+#define PRO_KIND_SPLT 0x544C5053u
+#define PRO_KIND_MATL 0x4C54414Du
+#define PRO_KIND_ORDR 0x5244524Fu
+#define PRO_KIND_META 0x4154454Du
+
+/*
+ * NODE: one word. 0 is an empty leaf; with PRO_NODE_INNER set the other bits are the number of the
+ * group that holds the 8 children (words 8g to 8g+7); anything else is the leaf's index plus 1.
+ * Group 0 holds the root in slot 0 and seven zeros, so that every group is 32-byte aligned.
+ * The k-th inner node in array order (k from 0) names group k+1: the tree cannot have cycles.
+ * Slot of a child: bit 0 is its upper half in x, bit 1 in y, bit 2 in z.
+ */
+#define PRO_NODE_INNER 0x80000000u
+#define PRO_NODE_GROUP_MASK 0x7FFFFFFFu
+#define PRO_NODE_EMPTY 0u
+#define PRO_GROUP_SIZE 8u
+
+/*
+ * LEAF: four words. Leaves stand in Morton order of their cells; members are the splats
+ * first_member .. +member_count, references the REFS words first_ref .. +ref_count, and both ranges
+ * of a leaf follow those of the leaf before it.
+ */
+#define PRO_LEAF_WORDS 4u
+#define PRO_LEAF_FIRST_MEMBER 0u
+#define PRO_LEAF_FIRST_REF 1u
+#define PRO_LEAF_COUNTS 2u /* members in the low half, references in the high half */
+#define PRO_LEAF_RESERVED 3u
+#define PRO_LEAF_MEMBER_MASK 0xFFFFu
+#define PRO_LEAF_REF_SHIFT 16u
+#define PRO_LEAF_LIST_MAX 0xFFFFu
+
+/*
+ * SPLT: four words.
+ *   word 0  x[0..20] | y[0..10] << 21
+ *   word 1  y[11..20] | z[0..20] << 10 | reserved bit 31
+ *   word 2  octahedral normal u[0..11] | v[0..11] << 12 | material << 24
+ *   word 3  red | green << 8 | blue << 16 | radius code << 24
+ * position = (code + 0.5) / 2^21; radius = radius_max * 2^(-code * radius_step); colours are sRGB.
+ */
+#define PRO_SPLAT_WORDS 4u
+#define PRO_POSITION_BITS 21u
+#define PRO_POSITION_MASK 0x1FFFFFu
+#define PRO_POSITION_STEPS 2097152.0f /* 2^21 */
+#define PRO_POSITION_STEP 4.76837158203125e-7f /* 2^-21 */
+#define PRO_Y_LOW_BITS 11u
+#define PRO_Y_LOW_MASK 0x7FFu
+#define PRO_Y_HIGH_BITS 10u
+#define PRO_Y_HIGH_MASK 0x3FFu
+#define PRO_NORMAL_BITS 12u
+#define PRO_NORMAL_MASK 0xFFFu
+#define PRO_NORMAL_STEPS 4095.0f
+#define PRO_MATERIAL_SHIFT 24u
+#define PRO_COLOR_MASK 0xFFFFFFu
+#define PRO_RADIUS_SHIFT 24u
+#define PRO_RADIUS_CODE_MAX 255u
+
+#define PRO_MAX_DEPTH PRO_POSITION_BITS
+
+/* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */
+#define PRO_MATERIAL_FLOATS 16u
+#define PRO_MAT_BASE_COLOR 0u   /* 3 floats, multiplies the splat's colour */
+#define PRO_MAT_REFLECTIVITY 3u /* 0 matte to 1 perfect mirror */
+#define PRO_MAT_SPECULAR 4u     /* weight of the Phong highlight, 0 to 1 */
+#define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
+
+#endif
