@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// What to render and what comes out: the plain structs between the command line, the tracer and the image files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/vec.h"
+
+namespace pointrt {
+
+enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
+enum class Room { kNone, kMirror, kMatte };
+
+/// What the user said of the camera, in input coordinates; what is missing is framed by frameCamera.
+struct CameraRequest {
+    std::optional<Vec3> eye, target, up;
+    double fov_deg = 40; ///< vertical, in (0, 180)
+};
+
+/// A complete pinhole camera in input coordinates; right, up and forward are orthonormal.
+struct Camera {
+    Vec3 eye, right, up, forward;
+    double fov_deg = 40; ///< vertical
+};
+
+struct RenderSettings {
+    std::uint32_t width = 512, height = 512; ///< pixels, 1 to 16384
+    std::uint32_t spp = 4;                   ///< samples a pixel, at least 1
+    std::uint32_t seed = 0;
+    CameraRequest camera;
+    Integrator integrator = Integrator::kWhitted;
+    std::uint32_t bounces = 4; ///< secondary rays in a path, 0 to 64
+    Room room = Room::kNone;
+    std::uint32_t lights = 3; ///< point lights on the ring, 0 to 16
+    bool shadows = true;
+    bool blend = true;                 ///< off: each hit is one splat's flat disc
+    std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
+};
+
+/// Rays counted on the device while tracing.
+struct RayCounts {
+    std::uint64_t primary = 0, shadow = 0, secondary = 0;
+};
+
+/// Row-major pixels, y down. The first-hit arrays belong to the pixel's centre ray.
+struct Film {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;     ///< 4 a pixel, linear light, averaged over the samples
+    std::vector<float> depth;    ///< 1 a pixel, along the ray from the eye, input units; +infinity: nothing hit
+    std::vector<float> normal;   ///< 3 a pixel, unit, towards the eye; 0 where nothing is hit
+    std::vector<float> position; ///< 3 a pixel, input coordinates; 0 where nothing is hit
+};
+
+} // namespace pointrt
