@@ -30,13 +30,14 @@ struct RenderSettings {
     std::uint32_t spp = 4;                   ///< samples a pixel, at least 1
     std::uint32_t seed = 0;
     CameraRequest camera;
-    Integrator integrator = Integrator::kWhitted;
+    Integrator integrator = Integrator::kPhong;
     std::uint32_t bounces = 4; ///< secondary rays in a path, 0 to 64
     Room room = Room::kNone;
     std::uint32_t lights = 3; ///< point lights on the ring, 0 to 16
     bool shadows = true;
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
+    bool first_hits = false; ///< also fill the Film's depth, normal and position
 };
 
 /// Rays counted on the device while tracing.

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* C interface to .pro files. Safe for untrusted files: a file that opens has passed every structural
- * check, so all indices reachable through a pro_view are in range. */
+ * check, so all indices reachable through a pro_view are in range. Nothing here throws or keeps global state;
+ * a pro_file may be read from several threads. */
 #ifndef POINTRT_PRO_H
 #define POINTRT_PRO_H
 
@@ -76,7 +77,8 @@ typedef struct pro_file pro_file;
 /* PRO_OPEN_SKIP_CHECKSUMS leaves the sections' XXH3 out; the structure is checked all the same. */
 enum { PRO_OPEN_SKIP_CHECKSUMS = 1 };
 
-/* Maps path read-only and validates it. On success *file is set and must be closed with pro_close. */
+/* Maps path read-only and validates it. On success *file is set and must be closed with pro_close; otherwise it is NULL.
+ * message may be NULL. The file must not be written in place or cut short while it is open. */
 PRO_API pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_message* message);
 
 /* The same over bytes the caller keeps alive and unchanged until pro_close; data must be 8-byte aligned. */
@@ -89,20 +91,24 @@ PRO_API void pro_get_view(const pro_file* file, pro_view* view);
 /* The whole file as mapped (page aligned when it came from pro_open). */
 PRO_API const void* pro_bytes(const pro_file* file, size_t* bytes);
 
-/* Every finding in the bytes, not only the first; calls report for each and returns how many. */
+/* Every finding in the bytes, not only the first, with checks that safety does not need; calls report (may be NULL) for
+ * each and returns how many. A finding met at many places of a section is reported once, with the first and their
+ * number. data must be 8-byte aligned. pro_verify returns PRO_OK when the file could be read, findings or not. */
 typedef void (*pro_report)(const pro_message* finding, void* user);
 PRO_API size_t pro_verify_memory(const void* data, size_t bytes, pro_report report, void* user);
 PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, size_t* findings, pro_message* message);
 
-/* Writes info and view as a .pro: temporary beside path, synced, renamed over path.
- * version_*, file_bytes of info are ignored. Nothing is left behind on failure. */
+/* Writes info and view as a .pro: temporary beside path, synced, renamed over path. Nothing is left behind on failure.
+ * version_* and file_bytes of info are ignored; order may be NULL, metadata_bytes 0. The content passes the checks of
+ * pro_open first: what it would refuse is PRO_BAD_ARGUMENT here, and the message has the finding's number.
+ * The same content gives the same bytes. */
 PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */
 PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);
 PRO_API void pro_splat_decode(const uint32_t words[4], float radius_max, float radius_step, pro_splat* splat);
 
-/* "pro_open: not a .pro file" style names for results. */
+/* What a result means in a few words. */
 PRO_API const char* pro_result_name(pro_result result);
 
 #ifdef __cplusplus

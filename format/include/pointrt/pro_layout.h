@@ -22,12 +22,14 @@
 #define PRO_VERSION_MAJOR 1
 #define PRO_VERSION_MINOR 0
 
-#define PRO_MAGIC_BYTES 8
+/* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
+#define PRO_MAGIC_WORD0 0x4F525089u
+#define PRO_MAGIC_WORD1 0x0A1A0A0Du
 #define PRO_HEADER_BYTES 4096
 #define PRO_SECTION_ALIGNMENT 4096
 
 /* Header fields: byte offsets. Unlisted bytes are reserved and 0. */
-#define PRO_OFF_MAGIC 0            /* 8 bytes, PRO_MAGIC */
+#define PRO_OFF_MAGIC 0            /* uint32[2], PRO_MAGIC_WORD0 and 1 */
 #define PRO_OFF_VERSION_MAJOR 8    /* uint32 */
 #define PRO_OFF_VERSION_MINOR 12   /* uint32 */
 #define PRO_OFF_FILE_BYTES 16      /* uint64 */
@@ -48,6 +50,7 @@
 #define PRO_OFF_SCALE 104          /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112     /* double[3], splat centres, input coordinates */
 #define PRO_OFF_BOUNDS_MAX 136     /* double[3] */
+#define PRO_FIELDS_END 160
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -127,6 +130,7 @@
 #define PRO_COLOR_MASK 0xFFFFFFu
 #define PRO_RADIUS_SHIFT 24u
 #define PRO_RADIUS_CODE_MAX 255u
+#define PRO_RADIUS_MIN 8.67361737988403547e-19f /* 2^-60: no splat is smaller, so that its square is a normal float */
 
 #define PRO_MAX_DEPTH PRO_POSITION_BITS
 

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# What demo.sh and test.sh share. Sourced from the repository's root, after `set -euo pipefail`.
+
+# The build and the scripts read and write plain ASCII numbers whatever the user's language is.
+export LC_ALL=C.UTF-8
+
+say() { printf '==> %s\n' "$*"; }
+die() {
+    printf '%s: error: %s\n' "${0##*/}" "$*" >&2
+    exit 3
+}
+
+# listedPackages USE...: the packages of .ci/packages.txt for these uses, one a line.
+listedPackages() {
+    awk -v uses=" $* " '/^[^#]/ && index(uses, " " substr($3, 1, length($3) - 1) " ") { print $1 }' .ci/packages.txt
+}
+
+# missingPackages USE...: those of them that are not installed.
+missingPackages() {
+    local package
+    for package in $(listedPackages "$@"); do
+        [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
+    done
+}
+
+# installPackages USE...: installs what is missing, and touches apt only then.
+installPackages() {
+    local missing as_root=""
+    if ! command -v dpkg-query >/dev/null; then
+        say "no dpkg here: expecting the libraries of .ci/packages.txt to be there"
+        return
+    fi
+    missing=$(missingPackages "$@" | tr '\n' ' ')
+    [ -n "$missing" ] || return 0
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || die "run this as root, or as root install: $missing"
+        as_root="sudo"
+    fi
+    say "installing $missing"
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q update
+    # shellcheck disable=SC2086 # a list of words
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o Dpkg::Use-Pty=0 install --no-install-recommends $missing
+}
+
+# memoryMiB: what can be used now, by this machine and by this container.
+memoryMiB() {
+    local available limit
+    available=$(awk '$1 == "MemAvailable:" { print int($2 / 1024) }' /proc/meminfo 2>/dev/null || true)
+    available=${available:-2048}
+    limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
+    if [ "$limit" != max ] && [ $((limit / 1048576)) -lt "$available" ]; then
+        available=$((limit / 1048576))
+    fi
+    echo "$available"
+}
+
+# buildJobs: all cores, but 1.5 GiB of memory for each compiler: what the PCL and CGAL headers take.
+buildJobs() {
+    local cores jobs
+    cores=$(nproc)
+    jobs=$(($(memoryMiB) / 1536))
+    [ "$jobs" -ge 1 ] || jobs=1
+    [ "$jobs" -le "$cores" ] || jobs=$cores
+    echo "$jobs"
+}
+
+# buildPreset PRESET: configures and builds into build/PRESET.
+buildPreset() {
+    local started=$SECONDS output
+    say "building with the $1 preset, $(buildJobs) at a time"
+    output=$(cmake --preset "$1" 2>&1) || {
+        printf '%s\n' "$output" >&2
+        die "cmake could not configure the build"
+    }
+    cmake --build --preset "$1" --parallel "$(buildJobs)"
+    say "built in $((SECONDS - started)) s"
+}

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+# pointrt_embed_shaders(TARGET FILE.comp.glsl...): compiles each shader and lets TARGET's sources include the result:
+#   #include "shaders/NAME.spv.h"     defines const uint32_t NAME_spv[]
+# NAME is the file's name up to the first dot. Rebuilt when the shader or anything it includes changes; checked by
+# spirv-val where that is installed.
+find_program(POINTRT_GLSLANG glslangValidator REQUIRED DOC "GLSL compiler")
+find_program(POINTRT_SPIRV_VAL spirv-val DOC "SPIR-V validator, optional")
+
+function(pointrt_embed_shaders target)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  set(flags --quiet --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_SOURCE_DIR}/format/include)
+  file(MAKE_DIRECTORY ${folder}/shaders)
+  foreach(source IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    get_filename_component(name ${source} NAME_WE)
+    set(output ${folder}/shaders/${name}.spv)
+    set(validate "")
+    if(POINTRT_SPIRV_VAL)
+      set(validate COMMAND ${POINTRT_SPIRV_VAL} --target-env vulkan1.2 ${output})
+    endif()
+    # --vn writes text, which spirv-val does not read, so that the shader is compiled twice.
+    add_custom_command(
+      OUTPUT ${output}.h
+      BYPRODUCTS ${output}
+      COMMAND ${POINTRT_GLSLANG} ${flags} -V -o ${output} ${source}
+      ${validate}
+      COMMAND ${POINTRT_GLSLANG} ${flags} -V --vn ${name}_spv --depfile ${output}.h.d -o ${output}.h ${source}
+      DEPENDS ${source}
+      DEPFILE ${output}.h.d
+      COMMENT "Compiling shader ${name}"
+      VERBATIM)
+    target_sources(${target} PRIVATE ${output}.h)
+  endforeach()
+  target_include_directories(${target} PRIVATE ${folder})
+endfunction()

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+# What a build gets when the user names nothing else: an optimised build, and ccache where there is one.
+
+get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT is_multi_config AND NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+
+find_program(POINTRT_CCACHE ccache)
+mark_as_advanced(POINTRT_CCACHE)
+if(POINTRT_CCACHE)
+  foreach(language C CXX)
+    if(NOT CMAKE_${language}_COMPILER_LAUNCHER)
+      set(CMAKE_${language}_COMPILER_LAUNCHER ${POINTRT_CCACHE})
+    endif()
+  endforeach()
+endif()

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// C++20 over pro.h: spans, and exceptions instead of results.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "pointrt/pro.h"
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+/// Throws Error with "FILE: text (finding NNNN)" and the tools' exit code unless result is PRO_OK.
+inline void checkPro(pro_result result, const std::string& path, const pro_message& message) {
+    if (result == PRO_OK) return;
+    std::string text = path + ": " + (message.text[0] ? message.text : pro_result_name(result));
+    if (message.finding != 0) text += " (finding " + std::to_string(message.finding) + ")";
+    switch (result) {
+    case PRO_CANNOT_WRITE:
+        throw Error(ExitCode::kCannotWrite, text);
+    case PRO_OUT_OF_MEMORY:
+    case PRO_BAD_ARGUMENT:
+        throw Error(ExitCode::kCannotRun, text);
+    default:
+        throw Error(ExitCode::kBadInput, text);
+    }
+}
+
+/// A mapped and validated .pro file. Moves, does not copy; spans live as long as it does.
+class ProFile {
+public:
+    /// Throws Error (kBadInput) when the file cannot be read or has a finding.
+    /// @param open_flags PRO_OPEN_*
+    explicit ProFile(const std::string& path, std::uint32_t open_flags = 0) {
+        pro_file* file = nullptr;
+        pro_message message{};
+        checkPro(pro_open(path.c_str(), open_flags, &file, &message), path, message);
+        file_.reset(file);
+        pro_get_info(file, &info_);
+        pro_get_view(file, &view_);
+    }
+
+    const pro_info& info() const { return info_; }
+    const pro_view& view() const { return view_; }
+
+    std::span<const std::uint32_t> nodes() const { return {view_.nodes, info_.node_count}; }
+    /// PRO_LEAF_WORDS a leaf.
+    std::span<const std::uint32_t> leaves() const {
+        return {view_.leaves, std::size_t{info_.leaf_count} * PRO_LEAF_WORDS};
+    }
+    std::span<const std::uint32_t> refs() const { return {view_.refs, info_.ref_count}; }
+    /// PRO_SPLAT_WORDS a splat.
+    std::span<const std::uint32_t> splats() const {
+        return {view_.splats, std::size_t{info_.splat_count} * PRO_SPLAT_WORDS};
+    }
+    /// PRO_MATERIAL_FLOATS a row.
+    std::span<const float> materials() const {
+        return {view_.materials, std::size_t{info_.material_count} * PRO_MATERIAL_FLOATS};
+    }
+    /// Input index of each splat; empty where the file does not say.
+    std::span<const std::uint32_t> order() const { return {view_.order, view_.order ? info_.splat_count : 0}; }
+    /// UTF-8 JSON, or empty.
+    std::string_view metadata() const { return {view_.metadata, view_.metadata_bytes}; }
+    /// The whole file, page aligned.
+    std::span<const std::byte> bytes() const {
+        std::size_t size = 0;
+        const void* data = pro_bytes(file_.get(), &size);
+        return {static_cast<const std::byte*>(data), size};
+    }
+
+    /// In cube units. @param index below info().splat_count
+    pro_splat splat(std::size_t index) const {
+        pro_splat result;
+        pro_splat_decode(view_.splats + index * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step, &result);
+        return result;
+    }
+
+private:
+    struct Close {
+        void operator()(pro_file* file) const { pro_close(file); }
+    };
+    std::unique_ptr<pro_file, Close> file_;
+    pro_info info_{};
+    pro_view view_{};
+};
+
+/// pro_write; throws Error (kCannotWrite) with "FILE: reason" when the file cannot be written.
+inline void writePro(const std::string& path, const pro_info& info, const pro_view& view) {
+    pro_message message{};
+    checkPro(pro_write(path.c_str(), &info, &view, &message), path, message);
+}
+
+} // namespace pointrt

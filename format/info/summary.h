@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pointrt-info tells of a file, counted once for both ways of printing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pointrt/pro.hpp"
+
+namespace pointrt {
+
+/// Nodes at one depth of the octree.
+struct LevelSummary {
+    std::uint64_t inner = 0, filled = 0, empty = 0;
+};
+
+struct SectionSummary {
+    std::string kind;
+    std::uint32_t stride = 0;
+    std::uint64_t count = 0, offset = 0, bytes = 0;
+    bool required = false;
+};
+
+struct Summary {
+    pro_info info{};
+    std::vector<LevelSummary> levels; ///< by depth, the root's first
+    std::vector<SectionSummary> sections;
+    std::uint64_t nodes = 0; ///< 1 + 8 * inner
+    std::uint64_t empty_leaves = 0;
+    std::uint64_t border_leaves = 0; ///< filled with references only
+    std::uint64_t references = 0;    ///< members + refs
+    double references_per_splat = 0, bytes_per_splat = 0;
+    double position_error = 0; ///< largest distance of a stored from a given position, input units
+    double radius_error = 0;   ///< largest growth of a radius, as a share of it
+};
+
+Summary summarize(const ProFile& file);
+
+} // namespace pointrt

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The checks on what a file says, apart from how it is laid out: the same for reading and before writing.
+#pragma once
+
+#include <string_view>
+
+#include "findings.h"
+
+namespace pointrt::format {
+
+/// kOpen makes every index reachable through a view safe. kVerify adds what only a correct bake needs.
+enum class Level { kOpen, kVerify };
+
+/// Header values: counts, finite numbers, ranges.
+void checkRanges(const pro_info& info, Findings& findings);
+
+/// NODE: true when the words are one octree over all leaves. Needs view.nodes.
+bool checkTree(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// LEAF: true when members and references are partitioned. Needs view.leaves.
+bool checkLeaves(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// REFS: indices in range. Needs view.refs.
+bool checkRefs(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// REFS against members. Needs all lists and a file that passed checkLeaves and checkRefs.
+void checkRefsOfLeaves(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// SPLT: reserved bits, materials, radii. Needs view.splats.
+bool checkSplats(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// Centres in their leaves' cells and in the bounds. Needs a file that passed all checks of kOpen.
+void checkCentres(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// MATL: ranges, reserved floats. Needs view.materials.
+void checkMaterials(const pro_info& info, const pro_view& view, Findings& findings);
+
+/// ORDR: no input index twice. Indices of splat_count and above are compared only at kVerify. Needs view.order.
+void checkOrder(const pro_info& info, const pro_view& view, Level level, Findings& findings);
+
+/// META.
+bool isUtf8(std::string_view text);
+
+/// All of the above that the pointers in view allow; null sections are left out.
+void checkContent(const pro_info& info, const pro_view& view, Level level, Findings& findings);
+
+} // namespace pointrt::format

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole file in memory, read-only.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "pointrt/pro.h"
+
+namespace pointrt::format {
+
+/// Unmaps when destroyed. The bytes change if another process writes into the file, and reading past a file that
+/// was cut short raises SIGBUS: .pro files are replaced by renaming, never written in place.
+class MappedFile {
+public:
+    MappedFile() = default;
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+    ~MappedFile();
+
+    /// Maps path once. PRO_CANNOT_READ with a reason in message for what is no regular file or is empty.
+    pro_result map(const char* path, pro_message* message);
+
+    std::span<const std::byte> bytes() const { return {data_, size_}; }
+
+private:
+    const std::byte* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+} // namespace pointrt::format

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/bake.h"
+
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "pointrt/tool.hpp"
+#include "preprocess/interrupt.h"
+#include "preprocess/progress.h"
+
+namespace pointrt {
+
+namespace {
+
+/// What a scan without colours is made of: a pale plaster, with a soft highlight.
+constexpr std::array<float, 3> kPlaster{0.72f, 0.69f, 0.64f};
+constexpr float kSpecular = 0.15f;
+constexpr float kShininess = 24.0f;
+
+std::size_t threadCount(int requested) {
+    return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Found out before the work, not after it.
+void checkOutput(const BakeOptions& options) {
+    const std::filesystem::path path(options.output);
+    const auto fail = [&](const std::string& reason) { throw Error(ExitCode::kCannotWrite, options.output + ": " + reason); };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail("is a directory");
+    if (!options.force && std::filesystem::exists(path, ignored)) fail("exists already; --force overwrites it");
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder, ignored)) fail("no such folder: " + folder.string());
+    if (access(folder.c_str(), W_OK) != 0) fail(std::string("cannot write there: ") + std::strerror(errno));
+}
+
+std::string sourceName(const BakeOptions& options) {
+    return options.inputs.size() == 1 ? options.inputs.front()
+                                      : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
+}
+
+/// Reasons found later than the reader belong to the inputs as a whole: they get their name here.
+Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, Progress& progress) {
+    std::string stage;
+    const std::uint64_t points = cloud.positions.size();
+    const auto show = [&](const char* name, double share) {
+        if (stage != name) progress.begin(stage = name, points);
+        progress.update(share);
+    };
+    try {
+        return estimateSplats(std::move(cloud), options.surface, report.surface, show);
+    } catch (const Error& error) {
+        throw Error(error.code, sourceName(options) + ": " + error.what());
+    }
+}
+
+std::vector<std::uint32_t> leafWords(const std::vector<Leaf>& leaves) {
+    std::vector<std::uint32_t> words;
+    words.reserve(leaves.size() * PRO_LEAF_WORDS);
+    for (const Leaf& leaf : leaves) {
+        const std::uint32_t counts = leaf.member_count | leaf.ref_count << PRO_LEAF_REF_SHIFT;
+        words.insert(words.end(), {leaf.first_member, leaf.first_ref, counts, 0u});
+    }
+    return words;
+}
+
+std::array<float, PRO_MATERIAL_FLOATS> materialRow(const BakeOptions& options, bool has_color) {
+    std::array<float, PRO_MATERIAL_FLOATS> row{};
+    for (std::size_t c = 0; c < 3; ++c) row[PRO_MAT_BASE_COLOR + c] = has_color ? 1.0f : kPlaster[c];
+    row[PRO_MAT_REFLECTIVITY] = options.reflectivity;
+    row[PRO_MAT_SPECULAR] = kSpecular;
+    row[PRO_MAT_SHININESS] = kShininess;
+    return row;
+}
+
+void countLeaves(const Octree& octree, const std::vector<std::uint32_t>& nodes, BakeReport& report) {
+    report.filled_leaves = octree.leaves.size();
+    report.nodes = nodes.size() - (PRO_GROUP_SIZE - 1); // the root's group is padded
+    const std::uint64_t inner = nodes.size() / PRO_GROUP_SIZE - 1;
+    report.empty_leaves = report.nodes - inner - report.filled_leaves;
+    report.border_leaves = static_cast<std::uint64_t>(std::count_if(
+        octree.leaves.begin(), octree.leaves.end(), [](const Leaf& leaf) { return leaf.member_count == 0; }));
+    report.references = report.splats + octree.refs.size();
+}
+
+void writePro(const BakeOptions& options, PackedSplats& splats, const Octree& octree, BakeReport& report) {
+    std::uint32_t max_depth = 0;
+    const auto nodes = encodeNodes(octree.leaves, max_depth);
+    countLeaves(octree, nodes, report);
+    report.max_depth = max_depth;
+    const auto leaves = leafWords(octree.leaves);
+    const auto material = materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0);
+    const std::string metadata = metadataJson(options);
+
+    pro_info info = splats.frame;
+    info.flags |= options.prune ? PRO_FLAG_PRUNED : 0u;
+    info.max_depth = max_depth;
+    info.splat_count = static_cast<std::uint32_t>(splats.words.size());
+    info.node_count = static_cast<std::uint32_t>(nodes.size());
+    info.leaf_count = static_cast<std::uint32_t>(octree.leaves.size());
+    info.ref_count = static_cast<std::uint32_t>(octree.refs.size());
+    info.material_count = 1;
+    pro_view view{};
+    view.nodes = nodes.data();
+    view.leaves = leaves.data();
+    view.refs = octree.refs.data();
+    view.splats = splats.words.front().data();
+    view.materials = material.data();
+    view.order = splats.input_index.data();
+    view.metadata = metadata.data();
+    view.metadata_bytes = metadata.size();
+
+    const InterruptGuard guard;
+    pro_message message{};
+    const pro_result result = pro_write(options.output.c_str(), &info, &view, &message);
+    if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (result != PRO_OK) throw Error(ExitCode::kCannotWrite, options.output + ": " + message.text);
+    report.bytes = std::filesystem::file_size(options.output);
+}
+
+} // namespace
+
+BakeReport bake(const BakeOptions& options) {
+    checkOutput(options);
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
+    Progress progress(options.verbosity);
+    const auto show = [&](double share) { progress.update(share); };
+    BakeReport report;
+
+    progress.begin("read", 0);
+    Cloud cloud = readInputs(options.inputs, options.read, show);
+    progress.setPoints(cloud.positions.size());
+    report.input_points = cloud.points_read;
+    report.points_non_finite = cloud.points_non_finite;
+
+    Splats splats = estimateNamed(std::move(cloud), options, report, progress);
+    progress.begin("quantize", splats.positions.size());
+    PackedSplats packed = quantizeSplats(std::move(splats));
+    report.merged = packed.merged;
+    report.splats = packed.words.size();
+
+    progress.begin("octree", report.splats);
+    Octree octree = buildOctree(packed, options.octree, show);
+    report.references_unpruned = report.splats + octree.refs.size();
+    if (options.prune) {
+        progress.begin("prune", report.splats);
+        pruneOctree(packed, options.probes, octree, show);
+    }
+    progress.begin("write", report.splats);
+    writePro(options, packed, octree, report);
+    progress.finish();
+    report.seconds = progress.seconds();
+    report.seconds_total = progress.totalSeconds();
+    return report;
+}
+
+} // namespace pointrt

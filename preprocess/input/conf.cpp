@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The .conf files of the Stanford 3D Scanning Repository: which scan lies where.
+#include <Eigen/Geometry>
+#include <filesystem>
+
+#include "preprocess/input/detect.h"
+#include "preprocess/input/readers.h"
+#include "preprocess/input/text.h"
+
+namespace pointrt {
+namespace {
+
+struct Placement {
+    std::string file;
+    Pose world_from_scan;
+    std::string line; ///< its number
+};
+
+/// "bmesh FILE tx ty tz qx qy qz qw". The quaternions of these files turn the world into the scan.
+Placement parsePlacement(const Source& source, std::string_view line) {
+    const char* const place = line.data();
+    Placement placement;
+    placement.file = nextWord(line);
+    double v[7] = {};
+    for (double& value : v)
+        if (!wholeNumber(nextWord(line), value)) refuseLine(source, place, "bmesh takes a file name and 7 numbers");
+    const Eigen::Quaterniond scan_from_world(v[6], v[3], v[4], v[5]);
+    const double length = scan_from_world.norm();
+    if (!std::isfinite(length) || length < 1e-6) refuseLine(source, place, "the quaternion is no rotation");
+    placement.world_from_scan.rotation = scan_from_world.normalized().toRotationMatrix().transpose();
+    placement.world_from_scan.translation = {v[0], v[1], v[2]};
+    placement.line = std::to_string(1 + std::count(source.begin(), place, '\n'));
+    return placement;
+}
+
+std::vector<Placement> parsePlacements(const Source& source) {
+    std::vector<Placement> placements;
+    std::string_view rest = source.bytes, line;
+    while (nextLine(rest, line))
+        if (nextWord(line) == "bmesh") placements.push_back(parsePlacement(source, line));
+    if (placements.empty()) refuse(source, "has no bmesh line");
+    return placements;
+}
+
+/// The scanner sweeps a sheet of light in parallel over the object and looks along -Z of the scan's frame. A sensor
+/// this many diagonals of the scan away sees all of it within 3 degrees of that direction (atan(0.5 / 10)).
+constexpr double kSensorDiagonals = 10;
+
+Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from_scan) {
+    Eigen::AlignedBox3d box; // in the scan's frame
+    for (std::size_t i = 0; i < scan.position_count; ++i) {
+        const Vec3d world = cloud.origin + cloud.positions[scan.first_position + i].cast<double>();
+        box.extend(world_from_scan.rotation.transpose() * (world - world_from_scan.translation));
+    }
+    const Vec3d sensor = box.center() + Vec3d(0, 0, kSensorDiagonals * box.diagonal().norm());
+    return world_from_scan.rotation * sensor + world_from_scan.translation;
+}
+
+void readScan(const Placement& placement, const std::filesystem::path& folder, Sink& sink) {
+    const Source scan = openSource((folder / placement.file).string());
+    const Reader reader = chooseReader(scan, "");
+    if (reader == readConf) refuse(scan, "a .conf file cannot be a scan of another");
+    sink.world_from_scan = placement.world_from_scan;
+    reader(scan, sink);
+    setSensor(sink.cloud, sink.scans.back(), sensorOf(sink.cloud, sink.scans.back(), placement.world_from_scan));
+}
+
+} // namespace
+
+void readConf(const Source& source, Sink& sink) {
+    const std::vector<Placement> placements = parsePlacements(source);
+    const auto whole_progress = sink.progress;
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        if (whole_progress)
+            sink.progress = [&, i](double share) {
+                whole_progress((static_cast<double>(i) + share) / static_cast<double>(placements.size()));
+            };
+        try {
+            readScan(placements[i], std::filesystem::path(source.name).parent_path(), sink);
+        } catch (const Error& error) {
+            throw Error(error.code, fmt::format("{}:{}: {}", source.name, placements[i].line, error.what()));
+        }
+    }
+    sink.world_from_scan.reset();
+    sink.progress = whole_progress;
+}
+
+} // namespace pointrt

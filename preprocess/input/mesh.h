@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes as clouds: normals of their vertices, points spread over their faces.
+#pragma once
+
+#include <cstdint>
+
+#include "preprocess/cloud.h"
+#include "preprocess/input/sink.h"
+
+namespace pointrt {
+
+/// Gives each vertex of a face that has no normal (no array, or zero) the area-weighted mean of the normals of its
+/// faces, unit length. Vertices without faces, or whose faces cancel, keep zero.
+void addMeshNormals(Cloud& cloud);
+
+/// Replaces the vertices of scans with faces by sample_count points spread evenly over all faces, with unit normals and
+/// interpolated colours; points of other scans stay, in front. The faces go. The same seed gives the same points.
+/// cloud.normals must hold a normal per vertex (addMeshNormals). Throws Error when the faces have no area.
+void sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, std::uint64_t sample_count, std::uint64_t seed);
+
+} // namespace pointrt

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points spread over the faces of a mesh.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "preprocess/input/mesh.h"
+
+namespace pointrt {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// A vertex normal further from the face's than this belongs to a sharp edge, not to a smooth surface.
+const double kSharpEdgeCos = std::cos(40 * M_PI / 180);
+
+/// splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014): one step from any state.
+std::uint64_t mixBits(std::uint64_t state) {
+    state += 0x9e3779b97f4a7c15u;
+    state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9u;
+    state = (state ^ (state >> 27)) * 0x94d049bb133111ebu;
+    return state ^ (state >> 31);
+}
+
+/// In [0, 1), a multiple of 2^-53.
+double unitShare(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+/// The place of each bit in a number with two zeros between any two bits, for the lowest 21 bits.
+std::uint64_t spreadBits(std::uint64_t value) {
+    value &= 0x1fffff;
+    value = (value | value << 32) & 0x1f00000000ffff;
+    value = (value | value << 16) & 0x1f0000ff0000ff;
+    value = (value | value << 8) & 0x100f00f00f00f00f;
+    value = (value | value << 4) & 0x10c30c30c30c30c3;
+    return (value | value << 2) & 0x1249249249249249;
+}
+
+/// Faces along a Morton curve through their centres, so that strata of equal area are compact patches.
+std::vector<std::uint32_t> coherentOrder(const Cloud& cloud) {
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& position : cloud.positions) box.extend(position);
+    const double scale = 0x1fffff / std::max<double>(box.sizes().maxCoeff(), 1e-300);
+    std::vector<std::uint64_t> keys;
+    keys.reserve(cloud.triangles.size());
+    for (const auto& [a, b, c] : cloud.triangles) {
+        const Vec3d centre = (cloud.positions[a].cast<double>() + cloud.positions[b].cast<double>() +
+                              cloud.positions[c].cast<double>()) /
+                             3;
+        const Vec3d cell = (centre - box.min().cast<double>()).cwiseMax(0) * scale;
+        std::uint64_t key = 0;
+        for (int axis = 0; axis < 3; ++axis) key |= spreadBits(static_cast<std::uint64_t>(cell[axis])) << axis;
+        keys.push_back(key);
+    }
+    std::vector<std::uint32_t> order(keys.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
+    return order;
+}
+
+Vec3d faceNormal(const Cloud& cloud, const Triangle& face) {
+    const Vec3d corner = cloud.positions[face[0]].cast<double>();
+    return (cloud.positions[face[1]].cast<double>() - corner).cross(cloud.positions[face[2]].cast<double>() - corner);
+}
+
+/// Unit square to barycentric coordinates, areas kept (Heitz, "A low-distortion map between triangle and square",
+/// 2019).
+Vec3d barycentric(double u, double v) {
+    if (v > u) {
+        u *= 0.5;
+        v -= u;
+    } else {
+        v *= 0.5;
+        u -= v;
+    }
+    return {u, v, 1 - u - v};
+}
+
+/// The normals at the corners of a face, the face's own where the vertex has none or lies on a sharp edge.
+std::array<Vec3d, 3> cornerNormals(const Cloud& cloud, const Triangle& face) {
+    Vec3d flat = faceNormal(cloud, face).stableNormalized();
+    std::array<Vec3d, 3> normals;
+    for (int i = 0; i < 3; ++i) normals[i] = cloud.normals[face[i]].cast<double>().stableNormalized();
+    // Files may give normals against the winding of their faces.
+    if (flat.dot(normals[0] + normals[1] + normals[2]) < 0) flat = -flat;
+    for (Vec3d& normal : normals)
+        if (!(normal.dot(flat) >= kSharpEdgeCos)) normal = flat;
+    return normals;
+}
+
+void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cloud& samples) {
+    const std::array<Vec3d, 3> corner_normals = cornerNormals(mesh, face);
+    Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero(), color = Vec3d::Constant(0.5);
+    for (int i = 0; i < 3; ++i) {
+        position += weights[i] * mesh.positions[face[i]].cast<double>();
+        normal += weights[i] * corner_normals[i];
+        if (mesh.colors.empty()) continue;
+        const Rgb8& rgb = mesh.colors[face[i]];
+        color += weights[i] * Vec3d(rgb[0], rgb[1], rgb[2]);
+    }
+    samples.positions.push_back(position.cast<float>());
+    samples.normals.push_back(normal.stableNormalized().cast<float>());
+    if (!mesh.colors.empty()) {
+        const auto rounded = color.cast<std::uint8_t>();
+        samples.colors.push_back({rounded[0], rounded[1], rounded[2]});
+    }
+    if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
+}
+
+template <typename Item>
+void copyRange(const std::vector<Item>& from, const ScanRange& range, std::vector<Item>& to) {
+    if (from.empty()) return;
+    const auto first = from.begin() + static_cast<std::ptrdiff_t>(range.first_position);
+    to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(range.position_count));
+}
+
+/// All but the vertices of meshes.
+Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans) {
+    Cloud points;
+    points.origin = cloud.origin;
+    points.sensors = cloud.sensors;
+    points.points_read = cloud.points_read;
+    points.points_non_finite = cloud.points_non_finite;
+    for (const ScanRange& scan : scans) {
+        if (scan.has_faces) continue;
+        copyRange(cloud.positions, scan, points.positions);
+        copyRange(cloud.normals, scan, points.normals);
+        copyRange(cloud.colors, scan, points.colors);
+        copyRange(cloud.sensor_of_point, scan, points.sensor_of_point);
+    }
+    return points;
+}
+
+/// A point a stratum of equal area, jittered along the order of the faces; within faces by the R2 sequence (Roberts,
+/// "The unreasonable effectiveness of quasirandom sequences", 2018), of which consecutive points spread evenly.
+void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, Cloud& samples) {
+    constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
+    const std::vector<std::uint32_t> order = coherentOrder(mesh);
+    std::vector<double> area_up_to;
+    double area = 0;
+    for (const std::uint32_t face : order)
+        area_up_to.push_back(area += faceNormal(mesh, mesh.triangles[face]).stableNorm() / 2);
+    if (!(area > 0)) throw Error(ExitCode::kBadInput, "the faces have no area to spread samples over");
+    const double start_u = unitShare(mixBits(seed)), start_v = unitShare(mixBits(seed + 1));
+    std::size_t at = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const double jitter = unitShare(mixBits(mixBits(seed) ^ i));
+        const double target = (static_cast<double>(i) + jitter) / static_cast<double>(count) * area;
+        while (at + 1 < order.size() && area_up_to[at] <= target) ++at;
+        const auto index = static_cast<double>(i);
+        double whole = 0;
+        const Vec3d weights =
+            barycentric(std::modf(start_u + index * kStepU, &whole), std::modf(start_v + index * kStepV, &whole));
+        addSample(mesh, mesh.triangles[order[at]], weights, samples);
+    }
+}
+
+} // namespace
+
+void sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, std::uint64_t sample_count, std::uint64_t seed) {
+    Cloud samples = pointsWithoutFaces(cloud, scans);
+    addSamples(cloud, sample_count, seed, samples);
+    cloud = std::move(samples);
+}
+
+} // namespace pointrt

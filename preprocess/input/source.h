@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One input file as a block of bytes.
+#pragma once
+
+#include <fmt/format.h>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+/// The bytes of one input, valid as long as the Source (or a move of it) lives.
+struct Source {
+    std::string name;       ///< as in messages: the path, or "standard input"
+    std::string_view bytes; ///< unpacked when the file was gzip-compressed
+    std::shared_ptr<const void> owner;
+
+    const char* begin() const { return bytes.data(); }
+    const char* end() const { return bytes.data() + bytes.size(); }
+};
+
+/// Maps or reads path ("-" is standard input) and unpacks gzip.
+/// Throws Error: no such file, a directory, no permission, empty, broken gzip.
+Source openSource(const std::string& path);
+
+/// Throws Error{kBadInput, "name: reason"}.
+[[noreturn]] void refuse(const Source& source, const std::string& reason);
+
+/// Throws Error{kBadInput, "name:place: reason"}.
+[[noreturn]] void refuseAt(const Source& source, const std::string& place, const std::string& reason);
+
+/// As refuseAt, the place being the number of the line that holds `at`.
+[[noreturn]] void refuseLine(const Source& source, const char* at, const std::string& reason);
+
+/// Bytes of a file fit for a one-line message: cut short, without control characters, in quotes.
+std::string quoted(std::string_view text);
+
+} // namespace pointrt

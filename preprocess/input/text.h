@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers and words out of a block of text, without locale and without streams.
+#pragma once
+
+#include <charconv>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace pointrt {
+
+inline bool isBlank(char letter) {
+    return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
+}
+inline bool isSpace(char letter) { return isBlank(letter) || letter == '\n'; }
+
+/// from_chars leaves the value alone when it is out of range; strtod tells 0 from infinity.
+inline double outOfRangeValue(const char* begin, const char* end) {
+    return std::strtod(std::string(begin, end).c_str(), nullptr);
+}
+
+/// Reads the number that text starts with and tells where it ends; nullptr where there is none.
+/// Takes a leading +, inf, nan, -nan(ind) and the 1.#QNAN, 1.#INF, -1.#IND of old C runtimes (all as NaN).
+inline const char* parseNumber(const char* at, const char* end, double& value) {
+    if (at < end && *at == '+') {
+        ++at;
+        if (at < end && *at == '-') return nullptr;
+    }
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error == std::errc::invalid_argument) return nullptr;
+    if (error == std::errc::result_out_of_range) value = outOfRangeValue(at, stop);
+    if (stop < end && *stop == '#') {
+        value = std::numeric_limits<double>::quiet_NaN();
+        const char* after = stop + 1;
+        while (after < end && ((*after >= 'A' && *after <= 'Z') || (*after >= '0' && *after <= '9'))) ++after;
+        return after;
+    }
+    return stop;
+}
+
+/// True when all of word is one number.
+inline bool wholeNumber(std::string_view word, double& value) {
+    const char* const end = word.data() + word.size();
+    return parseNumber(word.data(), end, value) == end && !word.empty();
+}
+
+/// True when all of word is one decimal integer that fits.
+template <typename Integer>
+bool wholeInteger(std::string_view word, Integer& value) {
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    return error == std::errc() && stop == end;
+}
+
+/// Cuts the next line off rest, without its end (LF, CR LF). False at the end of rest.
+inline bool nextLine(std::string_view& rest, std::string_view& line) {
+    if (rest.empty()) return false;
+    const std::size_t length = rest.find('\n');
+    line = rest.substr(0, length);
+    rest.remove_prefix(length == std::string_view::npos ? rest.size() : length + 1);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return true;
+}
+
+/// Cuts the next word off rest, blanks before it skipped. Empty at the end of rest.
+inline std::string_view nextWord(std::string_view& rest) {
+    std::size_t first = 0;
+    while (first < rest.size() && isSpace(rest[first])) ++first;
+    std::size_t last = first;
+    while (last < rest.size() && !isSpace(rest[last])) ++last;
+    const std::string_view word = rest.substr(first, last - first);
+    rest.remove_prefix(last);
+    return word;
+}
+
+} // namespace pointrt

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Top-down construction in two layers. Coarse cells, split by members alone, make independent tasks; each then
+// splits by members and by how many discs touch it, so that a large cell beside a dense wall does not end up as
+// one leaf with thousands of references.
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "pointrt/tool.hpp"
+#include "preprocess/octree/octree.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Members of one task: large enough that the discs crossing its border are few, small enough to share out.
+constexpr std::uint32_t kTaskMembers = 2048;
+
+/// A leaf may list this many splats per allowed member before it splits: an even surface needs about 4.
+constexpr std::uint32_t kListPerMember = 8;
+
+/// Cells do not split below this many mean radii of their splats: smaller ones would all hold the same discs.
+constexpr float kMinEdgeRadii = 1.0f;
+
+/// Half a position step: boxes are tested this much larger, so that rounding never loses a disc that touches.
+constexpr float kTouchSlack = 0.5f * PRO_POSITION_STEP;
+
+struct Range {
+    std::uint32_t begin = 0, end = 0;
+    std::uint32_t size() const { return end - begin; }
+};
+
+/// A cell with its members and the other splats whose slab meets it.
+struct Work {
+    Cell cell;
+    Range members;
+    std::vector<std::uint32_t> touching;
+};
+
+Range membersOf(const std::vector<std::uint64_t>& morton, const Cell& cell, Range within) {
+    const auto first = morton.begin();
+    const auto lo = std::lower_bound(first + within.begin, first + within.end, cell.code);
+    const auto hi = std::lower_bound(lo, first + within.end, cell.code + cellSpan(cell.depth));
+    return {static_cast<std::uint32_t>(lo - first), static_cast<std::uint32_t>(hi - first)};
+}
+
+Box slackBox(const Cell& cell) {
+    Box box = cellBox(cell);
+    box.lo.array() -= kTouchSlack;
+    box.hi.array() += kTouchSlack;
+    return box;
+}
+
+bool slabMeets(const Disc& disc, const Box& box) { return discMeetsBox(disc, growBySlab(box, disc, kBlendSlab)); }
+
+void splitCoarse(const PackedSplats& splats, const OctreeOptions& options, const Work& work, std::vector<Work>& tasks) {
+    const std::uint32_t limit = std::max(kTaskMembers, options.max_leaf_splats);
+    if (work.members.size() <= limit || work.cell.depth >= options.max_depth) {
+        tasks.push_back(work);
+        return;
+    }
+    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
+        const Cell child = childCell(work.cell, slot);
+        splitCoarse(splats, options, {child, membersOf(splats.morton, child, work.members), {}}, tasks);
+    }
+}
+
+/// The tasks [first, last) of a cell's descendants are contiguous; finds by bisection those a disc's slab meets.
+void collectTouched(const Disc& disc, const std::vector<Work>& tasks, const Cell& cell, Range range,
+                    std::vector<std::uint32_t>& touched) {
+    if (!slabMeets(disc, slackBox(cell))) return;
+    if (range.size() == 1 && tasks[range.begin].cell.depth == cell.depth) {
+        touched.push_back(range.begin);
+        return;
+    }
+    std::uint32_t begin = range.begin;
+    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
+        const Cell child = childCell(cell, slot);
+        const std::uint64_t limit = child.code + cellSpan(child.depth);
+        const auto last = std::partition_point(tasks.begin() + begin, tasks.begin() + range.end,
+                                               [&](const Work& task) { return task.cell.code < limit; });
+        const auto end = static_cast<std::uint32_t>(last - tasks.begin());
+        collectTouched(disc, tasks, child, {begin, end}, touched);
+        begin = end;
+    }
+}
+
+/// Hands every splat to the tasks, other than its own, that its slab meets.
+void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> crossing(tasks.size());
+    const Range all{0, static_cast<std::uint32_t>(tasks.size())};
+    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t t) {
+        const Box own = cellBox(tasks[t].cell);
+        std::vector<std::uint32_t> touched;
+        for (std::uint32_t s = tasks[t].members.begin; s < tasks[t].members.end; ++s) {
+            const Disc& disc = splats.discs[s];
+            const Vec3f reach = (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
+            const bool enclosed = ((disc.center - reach).array() >= own.lo.array()).all() &&
+                                  ((disc.center + reach).array() <= own.hi.array()).all();
+            if (enclosed) continue;
+            touched.clear();
+            collectTouched(disc, tasks, Cell{}, all, touched);
+            for (const std::uint32_t other : touched)
+                if (other != t) crossing[t].emplace_back(other, s);
+        }
+    });
+    for (const auto& pairs : crossing) // in splat order, whatever the threads did
+        for (const auto& [task, splat] : pairs) tasks[task].touching.push_back(splat);
+}
+
+/// One task's leaves; first_ref counts from the task's own refs.
+struct Output {
+    std::vector<Leaf> leaves;
+    std::vector<std::uint32_t> refs;
+};
+
+class Subdivider {
+public:
+    Subdivider(const PackedSplats& splats, const OctreeOptions& options, Output& output)
+        : splats_(splats), options_(options), output_(output) {}
+
+    void run(const Work& work) {
+        if (work.members.size() == 0 && !crossedByDisc(work)) return;
+        if (mustSplit(work)) split(work);
+        else emit(work);
+    }
+
+private:
+    /// Only a disc itself can be hit; where nothing but slabs reach, rays find nothing to blend.
+    bool crossedByDisc(const Work& work) const {
+        const Box box = slackBox(work.cell);
+        return std::any_of(work.touching.begin(), work.touching.end(),
+                           [&](std::uint32_t s) { return discMeetsBox(splats_.discs[s], box); });
+    }
+
+    bool mustSplit(const Work& work) const {
+        if (work.cell.depth >= options_.max_depth) return false;
+        const std::size_t listed = work.members.size() + work.touching.size();
+        const bool crowded = work.members.size() > options_.max_leaf_splats ||
+                             listed > std::size_t{kListPerMember} * options_.max_leaf_splats;
+        return crowded && cellEdge(work.cell.depth) > kMinEdgeRadii * meanRadius(work);
+    }
+
+    float meanRadius(const Work& work) const {
+        double sum = 0;
+        for (std::uint32_t s = work.members.begin; s < work.members.end; ++s) sum += splats_.discs[s].radius;
+        for (const std::uint32_t s : work.touching) sum += splats_.discs[s].radius;
+        return static_cast<float>(sum / static_cast<double>(work.members.size() + work.touching.size()));
+    }
+
+    void split(const Work& work) {
+        for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
+            Work child{childCell(work.cell, slot), {}, {}};
+            child.members = membersOf(splats_.morton, child.cell, work.members);
+            const Box box = slackBox(child.cell);
+            for (std::uint32_t s = work.members.begin; s < work.members.end; ++s) {
+                const bool inside = s >= child.members.begin && s < child.members.end;
+                if (!inside && slabMeets(splats_.discs[s], box)) child.touching.push_back(s);
+            }
+            for (const std::uint32_t s : work.touching)
+                if (slabMeets(splats_.discs[s], box)) child.touching.push_back(s);
+            run(child);
+        }
+    }
+
+    void emit(const Work& work) {
+        if (work.members.size() > PRO_LEAF_LIST_MAX || work.touching.size() > PRO_LEAF_LIST_MAX)
+            throw Error(ExitCode::kBadUsage, "a leaf would hold more than 65535 splats: raise --max-depth, or lower "
+                                             "--max-leaf-splats or --radius-scale");
+        const auto first_ref = static_cast<std::uint32_t>(output_.refs.size());
+        output_.leaves.push_back({work.cell, work.members.begin, work.members.size(), first_ref,
+                                  static_cast<std::uint32_t>(work.touching.size())});
+        output_.refs.insert(output_.refs.end(), work.touching.begin(), work.touching.end());
+    }
+
+    const PackedSplats& splats_;
+    const OctreeOptions& options_;
+    Output& output_;
+};
+
+Octree concatenate(std::vector<Output>& outputs) {
+    Octree octree;
+    std::size_t leaf_count = 0, ref_count = 0;
+    for (const Output& output : outputs) {
+        leaf_count += output.leaves.size();
+        ref_count += output.refs.size();
+    }
+    octree.leaves.reserve(leaf_count);
+    octree.refs.reserve(ref_count);
+    for (Output& output : outputs) {
+        const auto base = static_cast<std::uint32_t>(octree.refs.size());
+        for (Leaf leaf : output.leaves) {
+            leaf.first_ref += base;
+            octree.leaves.push_back(leaf);
+        }
+        octree.refs.insert(octree.refs.end(), output.refs.begin(), output.refs.end());
+        output = {};
+    }
+    return octree;
+}
+
+} // namespace
+
+Box cellBox(const Cell& cell) {
+    const Vec3f corner(static_cast<float>(collectBits(cell.code)), static_cast<float>(collectBits(cell.code >> 1)),
+                       static_cast<float>(collectBits(cell.code >> 2)));
+    const Vec3f lo = corner * PRO_POSITION_STEP;
+    return {lo, lo + Vec3f::Constant(cellEdge(cell.depth))};
+}
+
+Octree buildOctree(const PackedSplats& splats, const OctreeOptions& options, const OctreeProgress& progress) {
+    std::vector<Work> tasks;
+    splitCoarse(splats, options, {Cell{}, {0, static_cast<std::uint32_t>(splats.discs.size())}, {}}, tasks);
+    distribute(splats, tasks);
+
+    std::vector<Output> outputs(tasks.size());
+    std::size_t done = 0;
+    std::mutex progress_mutex;
+    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t t) {
+        Subdivider(splats, options, outputs[t]).run(tasks[t]);
+        tasks[t] = {};
+        if (!progress) return;
+        const std::lock_guard lock(progress_mutex);
+        progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
+    });
+    return concatenate(outputs);
+}
+
+} // namespace pointrt

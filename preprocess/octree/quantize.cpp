@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/octree/quantize.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointrt {
+
+namespace {
+
+/// Room left around the discs, as a share of the extent: keeps float rounding from pushing a disc out of the cube.
+constexpr double kCubeMargin = 1.0 / 1024;
+
+/// Codes span at most 16 octaves (65536 : 1); smaller radii are raised to the smallest code.
+constexpr float kRadiusOctavesMax = 16.0f;
+
+struct Bounds {
+    Vec3d lo = Vec3d::Constant(std::numeric_limits<double>::infinity());
+    Vec3d hi = Vec3d::Constant(-std::numeric_limits<double>::infinity());
+    void add(const Vec3d& p) {
+        lo = lo.cwiseMin(p);
+        hi = hi.cwiseMax(p);
+    }
+};
+
+/// Half extents of the disc's bounding box.
+Vec3d discExtent(const Vec3f& normal, float radius) {
+    return radius * (1.0 - normal.cast<double>().array().square()).max(0.0).sqrt().matrix();
+}
+
+void fillFrame(const Splats& splats, pro_info& frame) {
+    Bounds centers, discs;
+    float radius_min = splats.radii.front(), radius_max = radius_min;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        const Vec3d p = splats.positions[i].cast<double>();
+        const Vec3d extent = discExtent(splats.normals[i], splats.radii[i]);
+        centers.add(p);
+        discs.add(p - extent);
+        discs.add(p + extent);
+        radius_min = std::min(radius_min, splats.radii[i]);
+        radius_max = std::max(radius_max, splats.radii[i]);
+    }
+    frame.scale = (discs.hi - discs.lo).maxCoeff() * (1.0 + 2.0 * kCubeMargin);
+    const Vec3d corner = splats.origin + 0.5 * (discs.lo + discs.hi) - Vec3d::Constant(0.5 * frame.scale);
+    for (int axis = 0; axis < 3; ++axis) {
+        frame.origin[axis] = corner[axis];
+        frame.bounds_min[axis] = splats.origin[axis] + centers.lo[axis];
+        frame.bounds_max[axis] = splats.origin[axis] + centers.hi[axis];
+    }
+    frame.radius_max = static_cast<float>(radius_max / frame.scale);
+    const float octaves = std::min(kRadiusOctavesMax, std::log2(radius_max / radius_min));
+    frame.radius_step = octaves / PRO_RADIUS_CODE_MAX;
+    frame.blend_slab = kBlendSlab;
+    frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
+}
+
+struct Keyed {
+    std::uint64_t morton;
+    std::uint32_t index;
+    bool operator<(const Keyed& other) const {
+        return morton != other.morton ? morton < other.morton : index < other.index;
+    }
+};
+
+/// Position in the cube, in [0, 1). The difference of origins is taken in double, once.
+Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
+    const Vec3d unit = (position.cast<double>() + shift) / scale;
+    return unit.cwiseMax(0.0).cwiseMin(1.0 - 1.0 / PRO_POSITION_STEPS).cast<float>();
+}
+
+std::uint64_t mortonOf(const Vec3f& cube_position) {
+    const auto code = [](float v) { return static_cast<std::uint32_t>(v * PRO_POSITION_STEPS); };
+    return spreadBits(code(cube_position.x())) | spreadBits(code(cube_position.y())) << 1 |
+           spreadBits(code(cube_position.z())) << 2;
+}
+
+} // namespace
+
+std::uint64_t spreadBits(std::uint32_t v) {
+    std::uint64_t x = v & PRO_POSITION_MASK;
+    x = (x | x << 32) & 0x001F00000000FFFFu;
+    x = (x | x << 16) & 0x001F0000FF0000FFu;
+    x = (x | x << 8) & 0x100F00F00F00F00Fu;
+    x = (x | x << 4) & 0x10C30C30C30C30C3u;
+    return (x | x << 2) & 0x1249249249249249u;
+}
+
+std::uint32_t collectBits(std::uint64_t v) {
+    v &= 0x1249249249249249u;
+    v = (v | v >> 2) & 0x10C30C30C30C30C3u;
+    v = (v | v >> 4) & 0x100F00F00F00F00Fu;
+    v = (v | v >> 8) & 0x001F0000FF0000FFu;
+    v = (v | v >> 16) & 0x001F00000000FFFFu;
+    return static_cast<std::uint32_t>((v | v >> 32) & PRO_POSITION_MASK);
+}
+
+PackedSplats quantizeSplats(Splats&& splats) {
+    PackedSplats packed;
+    fillFrame(splats, packed.frame);
+    const pro_info& frame = packed.frame;
+    const Vec3d shift = splats.origin - Vec3d(frame.origin[0], frame.origin[1], frame.origin[2]);
+
+    std::vector<Keyed> keys(splats.positions.size());
+    tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
+        keys[i] = {mortonOf(cubePosition(splats.positions[i], shift, frame.scale)), static_cast<std::uint32_t>(i)};
+    });
+    tbb::parallel_sort(keys);
+    const auto last = std::unique(keys.begin(), keys.end(),
+                                  [](const Keyed& a, const Keyed& b) { return a.morton == b.morton; });
+    packed.merged = static_cast<std::size_t>(keys.end() - last);
+    keys.erase(last, keys.end());
+
+    const std::size_t count = keys.size();
+    const bool has_colors = !splats.colors.empty();
+    packed.words.resize(count);
+    packed.discs.resize(count);
+    packed.morton.resize(count);
+    packed.input_index.resize(count);
+    packed.colors.resize(has_colors ? count : 0);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        const std::uint32_t i = keys[k].index;
+        const Vec3f position = cubePosition(splats.positions[i], shift, frame.scale);
+        const Vec3f& normal = splats.normals[i];
+        const Rgb8 color = has_colors ? splats.colors[i] : Rgb8{255, 255, 255};
+        const float radius = static_cast<float>(splats.radii[i] / frame.scale);
+        const pro_splat plain{{position.x(), position.y(), position.z()}, {normal.x(), normal.y(), normal.z()},
+                              radius, {color[0], color[1], color[2]}, 0};
+        pro_splat_encode(&plain, frame.radius_max, frame.radius_step, packed.words[k].data());
+        pro_splat decoded;
+        pro_splat_decode(packed.words[k].data(), frame.radius_max, frame.radius_step, &decoded);
+        packed.discs[k] = {Vec3f(decoded.position), Vec3f(decoded.normal), decoded.radius};
+        packed.morton[k] = keys[k].morton;
+        packed.input_index[k] = splats.input_index[i];
+        if (has_colors) packed.colors[k] = color;
+    });
+    splats = {};
+    return packed;
+}
+
+} // namespace pointrt

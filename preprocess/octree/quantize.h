@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splats to the packed words of the file: the cube frame, 21-bit positions, Morton order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "pointrt/pro.h"
+#include "preprocess/surface/splats.h"
+
+namespace pointrt {
+
+/// A splat as every reader of the file will decode it, in cube units; the octree is built on these.
+struct Disc {
+    Vec3f center;
+    Vec3f normal; ///< unit length
+    float radius;
+};
+
+/// Splats in Morton order of their quantised positions; all arrays have one length.
+struct PackedSplats {
+    pro_info frame{}; ///< origin, scale, bounds, radius coding, flags and blend slab are filled in
+    std::vector<std::array<std::uint32_t, PRO_SPLAT_WORDS>> words;
+    std::vector<Disc> discs;
+    std::vector<Rgb8> colors;               ///< sRGB, or empty
+    std::vector<std::uint64_t> morton;      ///< 63 bits: x in bit 0, y in bit 1, z in bit 2 of each triple
+    std::vector<std::uint32_t> input_index; ///< in the cloud as read
+    std::size_t merged = 0;                 ///< splats dropped because another has the same quantised position
+};
+
+/// Half height of the slab in which splats blend, over the radius. Neighbours on a surface whose radius
+/// of curvature is twice the splat's radius, or on scans whose noise is half of it, still blend.
+constexpr float kBlendSlab = 0.5f;
+
+/// splats is emptied. The cube is centred on the discs and holds all of them.
+PackedSplats quantizeSplats(Splats&& splats);
+
+/// Spreads the low 21 bits of v to every third bit.
+std::uint64_t spreadBits(std::uint32_t v);
+/// Collects every third bit of v into 21 bits; the inverse of spreadBits.
+std::uint32_t collectBits(std::uint64_t v);
+
+} // namespace pointrt

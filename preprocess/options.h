@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line of pointrt-bake.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "preprocess/input/read.h"
+#include "preprocess/octree/octree.h"
+#include "preprocess/surface/estimate.h"
+
+namespace pointrt {
+
+enum class Verbosity { kQuiet, kNormal, kDetailed };
+
+struct BakeOptions {
+    std::vector<std::string> inputs; ///< files, or "-" for standard input
+    std::string output;              ///< ends in .pro
+    bool force = false;              ///< overwrite output
+    int threads = 0;                 ///< 0: all
+    std::string stats_path;          ///< JSON report; "-" is standard output, "" none
+    Verbosity verbosity = Verbosity::kNormal;
+    ReadOptions read;
+    SurfaceOptions surface;
+    OctreeOptions octree;
+    bool prune = true;
+    PruneOptions probes;
+    float reflectivity = 0; ///< of the material, 0 to 1
+};
+
+/// Parses the command line. Returns false when help or version was printed and nothing is left to do.
+/// Throws Error (kBadUsage) naming the option at fault.
+bool parseOptions(int argc, char** argv, BakeOptions& options);
+
+} // namespace pointrt

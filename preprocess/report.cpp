@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+Json toJson(const BakeReport& report) {
+    Json json;
+    json["input_points"] = report.input_points;
+    json["points_non_finite"] = report.points_non_finite;
+    json["duplicates_removed"] = report.surface.duplicates_removed + report.merged;
+    json["outliers_removed"] = report.surface.outliers_removed;
+    json["normals_estimated"] = report.surface.normals_estimated;
+    json["normals_flipped"] = report.surface.normals_flipped;
+    json["splats"] = report.splats;
+    json["nodes"] = report.nodes;
+    json["filled_leaves"] = report.filled_leaves;
+    json["border_leaves"] = report.border_leaves;
+    json["empty_leaves"] = report.empty_leaves;
+    json["max_depth"] = report.max_depth;
+    json["references_unpruned"] = report.references_unpruned;
+    json["references"] = report.references;
+    json["bytes"] = report.bytes;
+    json["peak_rss_bytes"] = peakRssBytes();
+    for (const auto& [stage, seconds] : report.seconds) json["seconds"][stage] = seconds;
+    json["seconds"]["total"] = report.seconds_total;
+    return json;
+}
+
+} // namespace
+
+void writeStats(const BakeReport& report, const std::string& path) {
+    const std::string text = toJson(report).dump(2) + "\n";
+    std::FILE* file = path == "-" ? stdout : std::fopen(path.c_str(), "wb");
+    if (!file) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
+    if (!written || !closed) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+}
+
+std::string summaryLine(const BakeReport& report) {
+    const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
+    return fmt::format("{} points, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
+                       "{} bytes ({:.1f} per splat), {:.2f} s",
+                       report.input_points, report.splats, report.filled_leaves, per_splat(report.references_unpruned),
+                       per_splat(report.references), report.bytes, per_splat(report.bytes), report.seconds_total);
+}
+
+std::string metadataJson(const BakeOptions& options) {
+    Json json;
+    json["writer"] = "pointrt-bake " POINTRT_VERSION;
+    json["sources"] = options.inputs;
+    Json& settings = json["settings"];
+    settings["sample"] = options.read.sample_count;
+    settings["seed"] = options.read.seed;
+    settings["neighbors"] = options.surface.neighbors;
+    settings["normals"] = std::array{"auto", "keep", "estimate"}.at(static_cast<std::size_t>(options.surface.normals));
+    settings["orient"] = std::array{"auto", "sensor", "mst", "none"}.at(static_cast<std::size_t>(options.surface.orient));
+    settings["radius_scale"] = options.surface.radius_scale;
+    settings["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
+    settings["max_leaf_splats"] = options.octree.max_leaf_splats;
+    settings["max_depth"] = options.octree.max_depth;
+    settings["prune"] = options.prune;
+    settings["probe_rays"] = options.probes.probe_rays;
+    settings["reflectivity"] = options.reflectivity;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace); // names need not be UTF-8
+}
+
+} // namespace pointrt

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of a bake, as JSON and as one line for people.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "preprocess/options.h"
+
+namespace pointrt {
+
+struct BakeReport {
+    std::uint64_t input_points = 0, points_non_finite = 0;
+    SurfaceReport surface;
+    std::uint64_t merged = 0; ///< splats at one quantised position
+    std::uint64_t splats = 0, nodes = 0, filled_leaves = 0, border_leaves = 0, empty_leaves = 0;
+    std::uint32_t max_depth = 0;
+    std::uint64_t references_unpruned = 0, references = 0; ///< members included
+    std::uint64_t bytes = 0;
+    std::vector<std::pair<std::string, double>> seconds;
+    double seconds_total = 0;
+};
+
+/// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
+void writeStats(const BakeReport& report, const std::string& path);
+
+/// One line for people.
+std::string summaryLine(const BakeReport& report);
+
+/// Provenance for the file: tool, settings, sources. Holds nothing that differs between runs or thread counts.
+std::string metadataJson(const BakeOptions& options);
+
+} // namespace pointrt

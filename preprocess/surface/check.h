@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do these points span a surface at all?
+#pragma once
+
+#include <vector>
+
+#include "preprocess/cloud.h"
+
+namespace pointrt::surface {
+
+/// Throws Error (kBadInput) when there are fewer than 3 positions, or all are equal or lie on one line to within
+/// a millionth of their extent (and the rounding of float). The message is the reason without a file's name.
+void requireSurface(const std::vector<Vec3f>& positions);
+
+} // namespace pointrt::surface

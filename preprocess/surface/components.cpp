@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/components.h"
+
+#include <numeric>
+
+namespace pointrt::surface {
+
+ParitySets::ParitySets(std::size_t count) : parent_(count), flipped_(count, 0), rank_(count, 0) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+}
+
+std::pair<std::uint32_t, bool> ParitySets::find(std::uint32_t point) {
+    bool flipped = false;
+    while (parent_[point] != point) {
+        const std::uint32_t parent = parent_[point];
+        // Path halving: hang the point under its grandparent (a root's own flag is 0).
+        flipped_[point] ^= flipped_[parent];
+        parent_[point] = parent_[parent];
+        flipped ^= flipped_[point] != 0;
+        point = parent_[point];
+    }
+    return {point, flipped};
+}
+
+bool ParitySets::join(std::uint32_t a, std::uint32_t b, bool flipped) {
+    const auto [root_a, flipped_a] = find(a);
+    const auto [root_b, flipped_b] = find(b);
+    if (root_a == root_b) return false;
+    const bool a_below = rank_[root_a] < rank_[root_b];
+    const std::uint32_t above = a_below ? root_b : root_a, below = a_below ? root_a : root_b;
+    parent_[below] = above;
+    flipped_[below] = flipped != (flipped_a != flipped_b);
+    if (rank_[above] == rank_[below]) ++rank_[above];
+    return true;
+}
+
+} // namespace pointrt::surface

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "preprocess/surface/check.h"
+#include "preprocess/surface/neighbors.h"
+#include "preprocess/surface/normals.h"
+#include "preprocess/surface/orient.h"
+#include "preprocess/surface/outliers.h"
+#include "preprocess/surface/points.h"
+#include "preprocess/surface/radii.h"
+#include "preprocess/surface/stages.h"
+
+namespace pointrt {
+namespace surface {
+namespace {
+
+/// Disc radius over closing radius. The viewer blends discs with the weight (1 - d^2 / r^2)^2, which must stay well
+/// above zero at the corners of the cells too: three discs meet there at d = r / kOverlap, so that their weights sum
+/// up to 3 (1 - 1 / 1.4^2)^2 = 0.72, against about 2 in the middle of a disc.
+constexpr double kOverlap = 1.4;
+
+/// Finds neighbours, and drops strays.
+void prepare(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, const SurfaceOptions& options,
+             SurfaceReport& report, const StageProgress& progress) {
+    const Stopwatch watch(report.seconds_neighbors);
+    const StageShare share{progress, "neighbors"};
+    search.emplace(points.positions);
+    lists = findNeighbors(points, *search, std::size_t(options.neighbors), share);
+    if (!options.remove_outliers) return;
+    const std::vector<std::uint8_t> keep = flagKept(points, lists, {progress, "neighbors", 1, 1});
+    report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
+    if (report.outliers_removed == 0) return;
+    keepPoints(points, keep);
+    search.emplace(points.positions);
+    keepNeighbors(lists, keep, points, *search);
+}
+
+/// Gives points their normals, on the right side; returns whether the side is known.
+bool shape(Points& points, const NeighborLists& lists, const SurfaceOptions& options, SurfaceReport& report,
+           const StageProgress& progress) {
+    std::vector<std::uint8_t> given;
+    {
+        const Stopwatch watch(report.seconds_normals);
+        given = fillNormals(points, lists, options.normals, progress);
+        report.normals_estimated = std::size_t(std::count(given.begin(), given.end(), 0));
+    }
+    const Stopwatch watch(report.seconds_orient);
+    return orientNormals(points, lists, given, options.orient, report.normals_flipped, progress);
+}
+
+/// Back to the cloud's unit.
+Splats toSplats(Points&& points, std::vector<float>&& radii, double radius_scale) {
+    Splats splats;
+    splats.positions = std::move(points.positions);
+    splats.normals = std::move(points.normals);
+    splats.radii = std::move(radii);
+    splats.colors = std::move(points.colors);
+    splats.input_index = std::move(points.input_index);
+    const double unit = std::ldexp(1.0, points.scale_exponent);
+    for (Vec3f& position : splats.positions) position = (position.cast<double>() * unit).cast<float>();
+    for (float& radius : splats.radii) {
+        const double wide = double(radius) * kOverlap * radius_scale * unit;
+        radius = float(std::clamp<double>(wide, std::numeric_limits<float>::min(), std::numeric_limits<float>::max()));
+    }
+    return splats;
+}
+
+} // namespace
+} // namespace surface
+
+Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceReport& report,
+                      const StageProgress& progress) {
+    using namespace surface;
+    report = {};
+    requireSurface(cloud.positions);
+    const Vec3d origin = cloud.origin;
+    const std::size_t input_count = cloud.positions.size();
+
+    Points points = takePoints(std::move(cloud));
+    report.duplicates_removed = input_count - points.size();
+    NeighborLists lists;
+    std::optional<NearestSearch> search;
+    prepare(points, lists, search, options, report, progress);
+    const bool oriented = shape(points, lists, options, report, progress);
+    std::vector<float> radii;
+    {
+        const Stopwatch watch(report.seconds_radii);
+        radii = closingRadii(points, lists, *search, oriented, {progress, "radii"});
+    }
+    Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
+    splats.origin = origin;
+    splats.oriented = oriented;
+    return splats;
+}
+
+} // namespace pointrt

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nearest neighbours: a kd-tree, and the lists of all points' neighbours that the later stages share.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "preprocess/surface/points.h"
+#include "preprocess/surface/stages.h"
+
+namespace pointrt::surface {
+
+/// FLANN's single kd-tree over positions, which must stay unchanged while it lives. Searches are exact and may run on
+/// any number of threads at once; of equally distant points the lower index comes first.
+class NearestSearch {
+  public:
+    explicit NearestSearch(const std::vector<Vec3f>& positions);
+    ~NearestSearch();
+    NearestSearch(NearestSearch&&) noexcept;
+    NearestSearch& operator=(NearestSearch&&) noexcept;
+
+    /// The points nearest to query, nearest first, at most as many as fit into indices.
+    /// squared_distances is as long as indices. Returns how many there are.
+    std::size_t nearest(const Vec3f& query, std::span<std::uint32_t> indices, std::span<float> squared_distances) const;
+
+  private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+/// The k nearest neighbours of every point, nearest first, without the point itself.
+struct NeighborLists {
+    std::size_t k = 0;
+    std::vector<std::uint32_t> indices; ///< [points][k]
+    std::vector<float> distances;       ///< [points][k], in the unit of positions
+
+    std::span<const std::uint32_t> of(std::size_t point) const { return {&indices[point * k], k}; }
+    std::span<const float> distancesOf(std::size_t point) const { return {&distances[point * k], k}; }
+    /// Distance to the k-th neighbour.
+    float reach(std::size_t point) const { return distances[point * k + k - 1]; }
+};
+
+/// Edge of the square that a point has to itself when k neighbours within reach are spread evenly over a plane.
+float spacingFromReach(float reach, std::size_t k);
+
+/// Finds k neighbours of every point, or all others in smaller clouds (of at least 2 points).
+NeighborLists findNeighbors(const Points& points, const NearestSearch& search, std::size_t k, const StageShare& share);
+
+/// After keepPoints(keep): renumbers the lists, and finds those anew that held a point now gone.
+/// search is over the points that are left.
+void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const Points& points,
+                   const NearestSearch& search);
+
+} // namespace pointrt::surface

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/orient.h"
+
+#include <cmath>
+#include <string>
+
+#include "pointrt/tool.hpp"
+#include "preprocess/surface/components.h"
+#include "preprocess/surface/orient_tree.h"
+
+namespace pointrt::surface {
+namespace {
+
+using Flags = std::vector<std::uint8_t>;
+
+/// CGAL's tree takes 15 us and 1.5 KB a point: above this many the wait and the memory are no longer worth it, and
+/// Kruskal's algorithm finds the same tree over our own neighbours.
+constexpr std::size_t kCgalPoints = 100'000;
+
+void requireSensors(const Points& points) {
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) missing += points.sensorOf(i) == nullptr;
+    if (missing == 0) return;
+    throw Error{ExitCode::kBadInput, "the sensor of " + std::to_string(missing) + " of " +
+                                         std::to_string(points.size()) + " points is not known"};
+}
+
+/// Turns a normal towards its sensor. Returns whether the sensor tells for sure: not when there is none, nor at a
+/// grazing angle, where the error of the normal itself (seldom above 11 degrees, sine 0.2) may decide.
+bool faceSensor(Points& points, std::size_t i) {
+    constexpr float kGrazing = 0.2f;
+    const Vec3f* sensor = points.sensorOf(i);
+    if (sensor == nullptr) return false;
+    const float cosine = points.normals[i].dot((*sensor - points.positions[i]).stableNormalized());
+    if (cosine < 0) points.normals[i] = -points.normals[i];
+    return std::abs(cosine) > kGrazing;
+}
+
+/// Flags the points whose side is known without looking at neighbours.
+Flags faceSensors(Points& points, const Flags& given) {
+    Flags known = given;
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (!known[i]) known[i] = faceSensor(points, i);
+    return known;
+}
+
+/// What is summed over a component to tell its outside.
+struct Component {
+    bool has_known_side = false;
+    std::uint32_t top = 0; ///< the point with the highest z
+    double area = 0;
+    Vec3d centroid = Vec3d::Zero(); ///< times area until finished
+    double outward = 0;             ///< integral of normal . (position - centroid)
+    double outward_limit = 0;       ///< the same if every normal pointed away from the centroid
+    double upward = 0;              ///< integral of normal . z
+};
+
+/// The graph's connected components.
+struct Components {
+    std::vector<std::uint32_t> of_point;
+    std::vector<Component> all;
+};
+
+Components findComponents(const NeighborLists& lists, std::size_t count) {
+    ParitySets sets(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const std::uint32_t neighbor : lists.of(i)) sets.join(i, neighbor, false);
+    constexpr std::uint32_t kUnseen = ~0u;
+    std::vector<std::uint32_t> number_of_root(count, kUnseen);
+    Components components;
+    components.of_point.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::uint32_t& number = number_of_root[sets.find(i).first];
+        if (number == kUnseen) {
+            number = std::uint32_t(components.all.size());
+            components.all.emplace_back().top = i;
+        }
+        components.of_point[i] = number;
+    }
+    return components;
+}
+
+double areaOf(const NeighborLists& lists, std::size_t point) {
+    const double spacing = spacingFromReach(lists.reach(point), lists.k);
+    return spacing * spacing;
+}
+
+void placeComponents(Components& components, const Points& points, const NeighborLists& lists, const Flags& known) {
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        Component& component = components.all[components.of_point[i]];
+        component.has_known_side |= known[i] != 0;
+        if (points.positions[i].z() > points.positions[component.top].z()) component.top = i;
+        const double area = areaOf(lists, i);
+        component.area += area;
+        component.centroid += area * points.positions[i].cast<double>();
+    }
+    for (Component& component : components.all) component.centroid /= component.area;
+}
+
+/// Adds a start for each component that has none: its highest point, facing up, as CGAL does.
+Flags addSources(const Components& components, Points& points, Flags known) {
+    for (const Component& component : components.all) {
+        if (component.has_known_side) continue;
+        known[component.top] = 1;
+        Vec3f& normal = points.normals[component.top];
+        if (normal.z() < 0) normal = -normal;
+    }
+    return known;
+}
+
+void measureSides(Components& components, const Points& points, const NeighborLists& lists) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        Component& component = components.all[components.of_point[i]];
+        const Vec3d offset = points.positions[i].cast<double>() - component.centroid;
+        const Vec3d normal = points.normals[i].cast<double>() * areaOf(lists, i);
+        component.outward += normal.dot(offset);
+        component.outward_limit += areaOf(lists, i) * offset.norm();
+        component.upward += normal.z();
+    }
+}
+
+/// Around a closed surface the outward integral is three times its volume (Gauss), over a flat one it vanishes.
+bool facesInwards(const Component& component) {
+    constexpr double kClearly = 0.1; // of the limit, which a sphere reaches; a cube comes to 0.8, terrain near 0
+    if (std::abs(component.outward) > kClearly * component.outward_limit) return component.outward < 0;
+    return component.upward < 0;
+}
+
+void turnComponents(Components& components, Points& points, const NeighborLists& lists) {
+    measureSides(components, points, lists);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Component& component = components.all[components.of_point[i]];
+        if (!component.has_known_side && facesInwards(component)) points.normals[i] = -points.normals[i];
+    }
+}
+
+void followNeighbors(Points& points, const NeighborLists& lists, const Flags& known, const StageShare& share) {
+    Components components = findComponents(lists, points.size());
+    placeComponents(components, points, lists, known);
+    const Flags sources = addSources(components, points, known);
+    share.report(0.2); // of the time, as measured
+    if (points.size() <= kCgalPoints)
+        orientByCgal(points, lists, sources);
+    else
+        orientByKruskal(points, lists, sources);
+    turnComponents(components, points, lists);
+}
+
+std::size_t countTurned(const std::vector<Vec3f>& before, const std::vector<Vec3f>& after) {
+    std::size_t turned = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) turned += before[i].dot(after[i]) < 0;
+    return turned;
+}
+
+} // namespace
+
+bool orientNormals(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& given, OrientMode mode,
+                   std::size_t& flipped_count, const StageProgress& progress) {
+    const StageShare share{progress, "orientation"};
+    const auto all = [](const Flags& flags) { return std::find(flags.begin(), flags.end(), 0) == flags.end(); };
+    if (mode == OrientMode::kNone) return all(given);
+    if (mode == OrientMode::kSensor) requireSensors(points);
+
+    const std::vector<Vec3f> before = points.normals;
+    const Flags nothing(points.size(), 0);
+    const Flags known = mode == OrientMode::kMst ? nothing : faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
+    if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, known, share);
+    flipped_count = countTurned(before, points.normals);
+    share.report(1);
+    return true;
+}
+
+} // namespace pointrt::surface

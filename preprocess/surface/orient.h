@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which side of the surface is out?
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "preprocess/surface/neighbors.h"
+
+namespace pointrt::surface {
+
+/// Turns points.normals by mode, in this order:
+///   1. kAuto: given normals keep their side; the others face their sensor, where one is known.
+///   2. kAuto, kMst: what is left follows its neighbours along a minimum spanning tree (Hoppe et al. 1992). So do
+///      normals that see their sensor at a grazing angle.
+///   3. A component of the neighbour graph that holds no known side is turned as a whole: outwards, seen from its
+///      centroid, where its normals agree on that; the others (terrain, walls) upwards, towards +Z.
+/// given flags the points whose normals came with the cloud. Returns whether the normals are oriented: with kNone
+/// only when all were given. Throws Error (kBadInput) when kSensor lacks a sensor.
+bool orientNormals(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& given, OrientMode mode,
+                   std::size_t& flipped_count, const StageProgress& progress);
+
+} // namespace pointrt::surface

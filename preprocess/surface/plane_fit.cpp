@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/plane_fit.h"
+
+#include <limits>
+#include <pcl/common/eigen.h>
+
+namespace pointrt::surface {
+namespace {
+
+/// Sums equally weighted samples; sums of squares about the first point's place are exact enough in double.
+struct MomentSum {
+    Vec3d first = Vec3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+
+    void add(const Vec3d& mean) {
+        first += mean;
+        second.noalias() += mean * mean.transpose();
+    }
+
+    Moments average(double count) const {
+        const Vec3d mean = first / count;
+        const Eigen::Matrix3d c = second / count - mean * mean.transpose();
+        return {mean.cast<float>(),
+                {float(c(0, 0)), float(c(0, 1)), float(c(0, 2)), float(c(1, 1)), float(c(1, 2)), float(c(2, 2))}};
+    }
+};
+
+Eigen::Matrix3d covarianceOf(const Moments& moments) {
+    const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
+    Eigen::Matrix3d matrix;
+    matrix << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return matrix;
+}
+
+} // namespace
+
+PlaneFit fitPlane(const Moments& moments) {
+    Eigen::Matrix3d vectors;
+    Vec3d values;
+    pcl::eigen33(covarianceOf(moments), vectors, values);
+    PlaneFit fit;
+    const Vec3f normal = vectors.col(0).cast<float>();
+    if (normal.allFinite() && normal.squaredNorm() > 0.5f) fit.normal = normal.normalized();
+    // A strip 30 times as long as wide tells less about its plane than about its line.
+    constexpr double kLine = 1.0 / (30 * 30);
+    const bool line = !(values[1] > kLine * values[2]);
+    fit.misfit = line ? std::numeric_limits<float>::infinity() : float(std::max(0.0, values[0]) / values[1]);
+    return fit;
+}
+
+Moments momentsOf(const Points& points, const NeighborLists& lists, std::size_t point) {
+    MomentSum sum; // the point itself is at zero
+    const Vec3d center = points.positions[point].cast<double>();
+    for (const std::uint32_t neighbor : lists.of(point)) sum.add(points.positions[neighbor].cast<double>() - center);
+    return sum.average(double(lists.k + 1));
+}
+
+Moments spreadMoments(const std::vector<Moments>& moments, const Points& points, const NeighborLists& lists,
+                      std::size_t point) {
+    MomentSum sum;
+    const Vec3f center = points.positions[point];
+    const auto add = [&](std::size_t other) {
+        sum.add((points.positions[other] - center + moments[other].mean).cast<double>());
+        sum.second += covarianceOf(moments[other]);
+    };
+    add(point);
+    for (const std::uint32_t neighbor : lists.of(point)) add(neighbor);
+    return sum.average(double(lists.k + 1));
+}
+
+} // namespace pointrt::surface

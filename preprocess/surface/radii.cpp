@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/radii.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "preprocess/surface/voronoi_cell.h"
+
+namespace pointrt::surface {
+namespace {
+
+/// Half edge of the square that bounds a cell, in local spacings. In a surface of random points an empty circle of
+/// radius r spacings is as likely as exp(-pi r^2): at 2.5 one in 3e8.
+constexpr float kCapSpacings = 2.5f;
+
+/// A point's spacing may exceed the median of its neighbours this many times before it counts as a lone point; where
+/// density jumps it is real.
+constexpr float kLoneSpacings = 4;
+
+struct RadiusJob {
+    const Points& points;
+    const NeighborLists& lists;
+    const NearestSearch& search;
+    bool oriented;
+};
+
+/// Tangent plane of a point.
+struct TangentPlane {
+    Vec3f origin, u, v, normal;
+
+    TangentPlane(const Vec3f& position, const Vec3f& unit_normal)
+        : origin(position), u(unit_normal.unitOrthogonal()), v(unit_normal.cross(u)), normal(unit_normal) {}
+
+    Eigen::Vector2f project(const Vec3f& offset) const { return {u.dot(offset), v.dot(offset)}; }
+    Vec3f at(const Eigen::Vector2f& place) const { return origin + u * place.x() + v * place.y(); }
+};
+
+/// Median of the neighbours' spacings, in scratch.
+float medianSpacing(const NeighborLists& lists, std::size_t point, std::vector<float>& scratch) {
+    scratch.clear();
+    for (const std::uint32_t neighbor : lists.of(point)) scratch.push_back(lists.reach(neighbor));
+    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
+    std::nth_element(scratch.begin(), middle, scratch.end());
+    return spacingFromReach(*middle, lists.k);
+}
+
+float capOf(const RadiusJob& job, std::size_t point, std::vector<float>& scratch) {
+    const float median = medianSpacing(job.lists, point, scratch);
+    const float own = spacingFromReach(job.lists.reach(point), job.lists.k);
+    return kCapSpacings * std::clamp(own, median, kLoneSpacings * median);
+}
+
+/// Whether two points lie on opposite sheets of something thin: normals further apart than any edge folds them.
+bool onOtherSheet(const RadiusJob& job, std::size_t point, std::uint32_t other) {
+    constexpr float kBackToBack = -0.5f; // 120 degrees: an edge as sharp as 60 degrees still joins its faces
+    return job.oriented && job.points.normals[point].dot(job.points.normals[other]) < kBackToBack;
+}
+
+bool clipBy(const RadiusJob& job, std::size_t point, std::uint32_t other, const TangentPlane& plane,
+            VoronoiCell& cell) {
+    if (onOtherSheet(job, point, other)) return false;
+    const Vec3f offset = job.points.positions[other] - plane.origin;
+    return cell.clip(plane.project(offset), plane.normal.dot(offset));
+}
+
+void clipByNeighbors(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell) {
+    const auto neighbors = job.lists.of(point);
+    const auto distances = job.lists.distancesOf(point);
+    float reach = cell.reach();
+    for (std::size_t i = 0; i < neighbors.size() && distances[i] < 2 * reach; ++i)
+        if (clipBy(job, point, neighbors[i], plane, cell)) reach = cell.reach();
+}
+
+/// Clips by a point nearer to the corner than the cell's own, if there is one. A few candidates, because the nearest
+/// may be on another sheet.
+bool clipAtCorner(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell,
+                  const Eigen::Vector2f& corner) {
+    std::array<std::uint32_t, 4> candidates;
+    std::array<float, 4> squared;
+    const std::size_t found = job.search.nearest(plane.at(corner), candidates, squared);
+    for (std::size_t i = 0; i < found && squared[i] < corner.squaredNorm(); ++i)
+        if (candidates[i] != point && clipBy(job, point, candidates[i], plane, cell)) return true;
+    return false;
+}
+
+/// Makes the cell exact where the neighbours on the list do not reach: they are all there is within lists.reach, so
+/// that a corner is settled when the circle round it through the point stays inside.
+void verifyCorners(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell) {
+    const float settled = job.lists.reach(point) / 2;
+    int clips_left = 64; // far more than a cell has edges: only rounding could ask for more
+    for (std::size_t i = 0; i < cell.corners().size();) {
+        const CellCorner corner = cell.corners()[i];
+        const bool known = corner.verified || corner.place.norm() <= settled;
+        if (!known && clips_left > 0 && clipAtCorner(job, point, plane, cell, corner.place)) {
+            --clips_left;
+            i = 0;
+            continue;
+        }
+        cell.markVerified(i++);
+    }
+}
+
+float closingRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std::vector<float>& scratch) {
+    const TangentPlane plane(job.points.positions[point], job.points.normals[point]);
+    cell.reset(capOf(job, point, scratch));
+    clipByNeighbors(job, point, plane, cell);
+    verifyCorners(job, point, plane, cell);
+    // Points along a line have no closed corner: half way to the second neighbour covers the line.
+    const auto distances = job.lists.distancesOf(point);
+    return std::max(cell.closedReach(), distances[std::min<std::size_t>(1, distances.size() - 1)] / 2);
+}
+
+} // namespace
+
+std::vector<float> closingRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
+                                bool oriented, const StageShare& share) {
+    const RadiusJob job{points, lists, search, oriented};
+    std::vector<float> radii(points.size());
+    forRanges(points.size(), share, [&](std::size_t begin, std::size_t end) {
+        VoronoiCell cell;
+        std::vector<float> scratch;
+        for (std::size_t i = begin; i < end; ++i) radii[i] = closingRadius(job, i, cell, scratch);
+    });
+    return radii;
+}
+
+} // namespace pointrt::surface

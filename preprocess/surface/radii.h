@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest discs that close the surface.
+#pragma once
+
+#include <vector>
+
+#include "preprocess/surface/neighbors.h"
+
+namespace pointrt::surface {
+
+/// Radius of each point's disc before overlap, in the unit of positions: the distance to the farthest corner of its
+/// Voronoi cell in the tangent plane, so that the discs of all points together cover it. Corners further away than
+/// the surface's own holes could be (an open border, a lone point) do not count.
+/// oriented says that normals tell the two sides of a thin sheet apart. > 0 and finite for every point.
+std::vector<float> closingRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
+                                bool oriented, const StageShare& share);
+
+} // namespace pointrt::surface

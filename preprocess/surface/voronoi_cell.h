@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A point's Voronoi cell in its tangent plane, by clipping a square.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace pointrt::surface {
+
+/// Corner of a cell. The edge that starts here runs counter-clockwise to the next corner.
+struct CellCorner {
+    Eigen::Vector2f place;    ///< in the tangent plane, the point at the origin
+    bool border_edge = false; ///< the edge is part of the square, not between two points
+    bool verified = false;    ///< no other point is nearer to the corner
+};
+
+/// Convex polygon around the origin.
+class VoronoiCell {
+  public:
+    /// Starts with the square of this half edge; 0 < half_edge.
+    void reset(float half_edge);
+
+    /// Cuts off what is nearer to a neighbour than to the point. place is the neighbour's projection into the plane,
+    /// height its distance from it: the bisector of both points in space meets the plane at
+    /// (|place|^2 + height^2) / (2 |place|), so that neighbours round an edge cut where the edge is.
+    /// Returns whether anything was cut off.
+    bool clip(const Eigen::Vector2f& place, float height);
+
+    const std::vector<CellCorner>& corners() const { return corners_; }
+    void markVerified(std::size_t corner) { corners_[corner].verified = true; }
+
+    /// Distance to the farthest corner.
+    float reach() const;
+    /// Distance to the farthest corner where two bisectors meet; 0 when there is none.
+    float closedReach() const;
+
+  private:
+    std::vector<CellCorner> corners_, clipped_;
+};
+
+} // namespace pointrt::surface

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+// Sine of the angle below which up and view direction count as parallel: far above rounding, far below what is visible.
+constexpr double kParallelSine = 1e-6;
+
+/// The distance at which a sphere of radius just fills the narrower field of view.
+double framingDistance(double radius, double fov_deg, double aspect) {
+    return radius / std::sin(std::min(verticalHalfAngle(fov_deg), horizontalHalfAngle(fov_deg, aspect)));
+}
+
+bool isParallel(Vec3 up, Vec3 forward) { return length(cross(forward, up)) < kParallelSine * length(up); }
+
+Vec3 usableUp(Vec3 up, Vec3 forward) {
+    const Vec3 minus_z{0, 0, -1}, plus_y{0, 1, 0};
+    if (!isParallel(up, forward)) return up;
+    return isParallel(minus_z, forward) ? plus_y : minus_z;
+}
+
+void requireUsable(const CameraRequest& request) {
+    if (!(request.fov_deg > 0 && request.fov_deg < 180))
+        throw Error{ExitCode::kBadUsage, "--fov: must be above 0 and below 180 degrees"};
+    if (request.up && !(length(*request.up) > 0))
+        throw Error{ExitCode::kBadUsage, "--up: the zero vector has no direction"};
+    if (request.eye && request.target && !(length(*request.target - *request.eye) > 0))
+        throw Error{ExitCode::kBadUsage, "--eye and --target: must be different points"};
+}
+
+} // namespace
+
+double verticalHalfAngle(double fov_deg) { return fov_deg / 2 * std::numbers::pi / 180; }
+
+double horizontalHalfAngle(double fov_deg, double aspect) {
+    return std::atan(std::tan(verticalHalfAngle(fov_deg)) * aspect);
+}
+
+Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_max, double aspect) {
+    requireUsable(request);
+    const Vec3 centre = bounds_min + (bounds_max - bounds_min) * 0.5;
+    const double half_diagonal = length(bounds_max - bounds_min) / 2;
+    // A scene of one splat has no extent; any distance shows it.
+    const double radius = half_diagonal > 0 ? half_diagonal : 1;
+    const Vec3 back{0, 0, framingDistance(radius, request.fov_deg, aspect)};
+
+    const Vec3 eye = request.eye.value_or(request.target.value_or(centre) + back);
+    Vec3 target = request.target.value_or(centre);
+    if (!(length(target - eye) > 0)) target = eye - back;
+
+    Camera camera;
+    camera.fov_deg = request.fov_deg;
+    camera.eye = eye;
+    camera.forward = normalize(target - eye);
+    camera.right = normalize(cross(camera.forward, usableUp(request.up.value_or(Vec3{0, 1, 0}), camera.forward)));
+    camera.up = cross(camera.right, camera.forward);
+    return camera;
+}
+
+} // namespace pointrt

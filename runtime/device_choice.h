@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of the Vulkan devices can run the viewer, why the others cannot, and which one is best.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/vulkan.h"
+
+namespace pointrt {
+
+/// A device as enumerated: what choosing and listing it needs.
+struct Candidate {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkPhysicalDeviceProperties properties{};
+    VkPhysicalDeviceMaintenance3Properties maintenance3{};
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    VkPhysicalDeviceMemoryProperties memory{};
+    std::optional<std::uint32_t> queue_family; ///< the first with compute
+    bool external_memory_host = false;
+    std::uint64_t host_import_alignment = 0; ///< bytes
+    bool reads_texels = false;               ///< in the formats the scene is stored in
+    std::string refusal;                     ///< empty when usable
+};
+
+std::vector<Candidate> enumerateCandidates(VkInstance instance);
+
+/// Why the viewer cannot run on candidate; empty when it can. Reads everything but candidate.physical and refusal.
+std::string refusalOf(const Candidate& candidate);
+
+/// The best usable candidate that selector (see DeviceRequest) means.
+/// Throws Error kCannotRun with one line naming every candidate and what is wrong with it.
+const Candidate& chooseCandidate(const std::vector<Candidate>& candidates, const std::string& selector);
+
+/// A line of the device list, with its line end: index, name, type, API version, memory and refusal.
+std::string describeCandidate(const Candidate& candidate, std::size_t index);
+
+} // namespace pointrt

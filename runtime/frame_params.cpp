@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/frame_params.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace pointrt {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Room and lights in multiples of the scene's bounding radius: wide enough to walk around in.
+constexpr double kRoomHalfWidth = 2.4;
+constexpr double kRoomHeight = 3.2;
+constexpr double kRingRadius = 1.4;
+constexpr double kRingHeight = 1.7;
+/// Share left between the eye and a wall behind it.
+constexpr double kEyeMargin = 0.05;
+/// The first light stands this far to the left of the eye, as a key light does.
+constexpr double kKeyLightAngle = -40.0 * pi / 180.0;
+/// Radiance that all lights together give a white surface at the scene's centre that faces them.
+constexpr double kLightSum = 1.9;
+
+struct Staging {
+    Vec3 center, eye, up; ///< cube units; up is an axis
+    double radius = 0;    ///< of the sphere around the splats
+    double floor = 0;     ///< lowest splat along up, measured from center
+};
+
+Vec3 cubePoint(const pro_info& info, Vec3 input) {
+    return (input - Vec3{info.origin[0], info.origin[1], info.origin[2]}) * (1.0 / info.scale);
+}
+
+/// The axis nearest to v: floors are level in scans whose up is not quite.
+Vec3 nearestAxis(Vec3 v) {
+    const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+    if (y >= x && y >= z) return {0, std::copysign(1.0, v.y), 0};
+    return z >= x ? Vec3{0, 0, std::copysign(1.0, v.z)} : Vec3{std::copysign(1.0, v.x), 0, 0};
+}
+
+Staging stageScene(const Scene& scene, const RenderSettings& settings, const Camera& camera) {
+    const pro_info& info = scene.info;
+    const Vec3 lo = cubePoint(info, {info.bounds_min[0], info.bounds_min[1], info.bounds_min[2]});
+    const Vec3 hi = cubePoint(info, {info.bounds_max[0], info.bounds_max[1], info.bounds_max[2]});
+    Staging staging;
+    staging.center = 0.5 * (lo + hi);
+    staging.eye = cubePoint(info, camera.eye);
+    staging.up = nearestAxis(settings.camera.up.value_or(Vec3{0, 1, 0}));
+    staging.radius = std::max(0.5 * length(hi - lo), 1e-3);
+    const Vec3 size = hi - lo;
+    staging.floor = -0.5 * std::abs(dot(size, staging.up));
+    return staging;
+}
+
+gpu::vec4 pack(Vec3 v, double w = 0) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
+/// Lowest and highest corner of the room: its floor carries the scene, and the eye is inside.
+void placeRoom(const Staging& staging, gpu::FrameParams& params) {
+    const auto axisBounds = [&](Vec3 axis, double& lo, double& hi) {
+        const double along = dot(staging.up, axis), center = dot(staging.center, axis), eye = dot(staging.eye, axis);
+        lo = center - kRoomHalfWidth * staging.radius;
+        hi = center + kRoomHalfWidth * staging.radius;
+        const double room_top = staging.floor + kRoomHeight * staging.radius;
+        if (along > 0) lo = center + staging.floor, hi = center + room_top;
+        if (along < 0) lo = center - room_top, hi = center - staging.floor;
+        const double margin = kEyeMargin * staging.radius;
+        lo = std::min(lo, eye - margin);
+        hi = std::max(hi, eye + margin);
+    };
+    Vec3 lo, hi;
+    axisBounds({1, 0, 0}, lo.x, hi.x);
+    axisBounds({0, 1, 0}, lo.y, hi.y);
+    axisBounds({0, 0, 1}, lo.z, hi.z);
+    params.room_lo = pack(lo);
+    params.room_hi = pack(hi);
+}
+
+/// N lights on a ring above the scene, the first to the left of the eye.
+void placeLights(const Staging& staging, const RenderSettings& settings, gpu::FrameParams& params) {
+    const Vec3 side = std::abs(staging.up.y) > 0.5 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+    Vec3 towards_eye = staging.eye - staging.center;
+    towards_eye = towards_eye - dot(towards_eye, staging.up) * staging.up;
+    towards_eye = length(towards_eye) > 1e-6 ? normalize(towards_eye) : side;
+    const Vec3 right = cross(staging.up, towards_eye);
+    const double distance = std::hypot(kRingRadius, kRingHeight) * staging.radius;
+    for (std::uint32_t l = 0; l < settings.lights; ++l) {
+        const double angle = kKeyLightAngle + 2 * pi * l / settings.lights;
+        const Vec3 around = std::cos(angle) * towards_eye + std::sin(angle) * right;
+        const Vec3 at = staging.center + staging.radius * (kRingRadius * around + kRingHeight * staging.up);
+        const double power = kLightSum / settings.lights * distance * distance;
+        params.light_position[l] = pack(at);
+        params.light_power[l] = pack({power, power, power});
+    }
+}
+
+std::uint32_t optionBits(const Scene& scene, const RenderSettings& settings) {
+    return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u) |
+           ((scene.info.flags & PRO_FLAG_ORIENTED) ? OPTION_ORIENTED : 0u) |
+           (settings.reflectivity ? OPTION_OVERRIDE_REFLECTIVITY : 0u);
+}
+
+double tangentOfHalf(double degrees) { return std::tan(0.5 * degrees * pi / 180.0); }
+
+} // namespace
+
+gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& settings, const Camera& camera,
+                                 std::uint32_t first_row, std::uint32_t rows) {
+    const Staging staging = stageScene(scene, settings, camera);
+    const pro_info& info = scene.info;
+    gpu::FrameParams params{};
+    params.eye = pack(staging.eye, tangentOfHalf(camera.fov_deg));
+    params.right = pack(camera.right, static_cast<double>(settings.width) / settings.height);
+    params.up = pack(camera.up);
+    params.forward = pack(camera.forward);
+    params.splat = {info.radius_max, info.radius_step, info.blend_slab, settings.reflectivity.value_or(0.0f)};
+    params.sky_up = pack(staging.up, length(staging.eye - staging.center) + staging.radius);
+    params.image = {settings.width, settings.height, first_row, rows};
+    params.grid = {scene.grid_bits, info.material_count, settings.lights, optionBits(scene, settings)};
+    params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces,
+                   static_cast<std::uint32_t>(settings.room), settings.seed};
+    placeRoom(staging, params);
+    placeLights(staging, settings, params);
+    return params;
+}
+
+Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    const double tangent = tangentOfHalf(camera.fov_deg), aspect = static_cast<double>(settings.width) / settings.height;
+    const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * tangent * aspect;
+    const double upwards = (1.0 - 2.0 * (y + 0.5) / settings.height) * tangent;
+    return normalize(camera.forward + across * camera.right + upwards * camera.up);
+}
+
+} // namespace pointrt

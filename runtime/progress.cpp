@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace pointrt {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+// Frames shorter than this show nothing, and redrawing more often than this would only flicker.
+constexpr Seconds kPatience{0.5}, kRedraw{0.1};
+constexpr const char* kWipe = "\r\033[K";
+
+} // namespace
+
+Progress::Progress(bool quiet, bool verbose) : start_(std::chrono::steady_clock::now()), drawn_(start_) {
+    if (quiet) return;
+    if (isatty(STDERR_FILENO))
+        style_ = Style::kRedrawn;
+    else if (verbose)
+        style_ = Style::kLines;
+}
+
+void Progress::update(double share) {
+    if (style_ == Style::kNone || !(share > 0)) return;
+    const auto now = std::chrono::steady_clock::now();
+    const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
+    if (style_ == Style::kRedrawn && now - start_ >= kPatience && now - drawn_ >= kRedraw) {
+        std::fprintf(stderr, "%srendering %3.0f%%, %.0f s left", kWipe, 100 * share, left);
+        drawn_ = now;
+        on_screen_ = true;
+    }
+    const int tenths = static_cast<int>(10 * share);
+    if (style_ == Style::kLines && tenths > tenths_) {
+        std::fprintf(stderr, "rendering %d%%, %.1f s left\n", 10 * tenths, left);
+        tenths_ = tenths;
+    }
+}
+
+void Progress::finish() {
+    if (on_screen_) std::fputs(kWipe, stderr);
+    on_screen_ = false;
+}
+
+} // namespace pointrt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far a long render is, on standard error.
+#pragma once
+
+#include <chrono>
+
+namespace pointrt {
+
+/// One redrawn line on a terminal; elsewhere a line each ten percent when verbose, else nothing; nothing when quiet.
+class Progress {
+public:
+    Progress(bool quiet, bool verbose);
+    /// share in [0, 1]. Cheap enough for every dispatch.
+    void update(double share);
+    /// Wipes the redrawn line.
+    void finish();
+
+private:
+    enum class Style { kNone, kRedrawn, kLines };
+    Style style_ = Style::kNone;
+    std::chrono::steady_clock::time_point start_, drawn_;
+    bool on_screen_ = false;
+    int tenths_ = 0;
+};
+
+} // namespace pointrt

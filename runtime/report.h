@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers of a run as JSON: --bench and --stats.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/render.h"
+
+namespace pointrt {
+
+struct Report {
+    std::string device;
+    std::uint32_t width = 0, height = 0, spp = 0;
+    std::uint64_t splats = 0;
+    std::uint64_t device_bytes = 0;
+    double load_seconds = 0;        ///< from opening the file to ready
+    double first_frame_seconds = 0; ///< from the start of the process to the first finished frame
+    std::vector<double> frame_ms;   ///< of each measured frame, at least one
+    RayCounts rays;                 ///< of one frame
+};
+
+/// A JSON object with the report's fields; frame_ms as min, median and max, mrays_per_second of the median frame.
+std::string reportJson(const Report& report);
+
+/// text to path, or to standard output for "-". Throws Error kCannotWrite "PATH: reason".
+void writeText(const std::string& path, const std::string& text);
+
+/// Seconds since this process was started, from the kernel (in its steps of 10 ms); since the first call elsewhere.
+double secondsSinceStart();
+
+} // namespace pointrt

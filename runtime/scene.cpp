@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene.h"
+
+#include <array>
+#include <cstdio>
+
+#include "pointrt/tool.hpp"
+#include "runtime/entry_grid.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Node indices share a word of the entry grid with 4 bits of marking.
+constexpr std::uint32_t kNodeCountMax = 1u << 28;
+
+ExitCode exitCodeFor(pro_result result) {
+    return result == PRO_OUT_OF_MEMORY ? ExitCode::kCannotRun : ExitCode::kBadInput;
+}
+
+void mapFile(Scene& scene) {
+    pro_message message{};
+    const pro_result result = pro_open(scene.path.c_str(), 0, &scene.file, &message);
+    if (result != PRO_OK) throw Error(exitCodeFor(result), scene.path + ": " + message.text);
+    pro_get_info(scene.file, &scene.info);
+    pro_get_view(scene.file, &scene.view);
+    if (scene.info.node_count >= kNodeCountMax)
+        throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^28 nodes, too many for this viewer");
+}
+
+/// A section as a texel buffer: the mapped pages themselves where device and host share memory, else a copy.
+Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
+    static constexpr std::array<std::uint32_t, 4> kNothing{}; // views of no texels are not allowed
+    const void* source = bytes > 0 ? data : kNothing.data();
+    const std::uint64_t size = bytes > 0 ? bytes : sizeof kNothing;
+    Buffer buffer;
+    if (device.unified_memory && bytes > 0)
+        buffer = importHostBuffer(device, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    if (!buffer.handle) buffer = createFilledBuffer(device, what, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, what, buffer, format);
+    scene.device_bytes += size;
+    return buffer;
+}
+
+void uploadSections(Device& device, Scene& scene) {
+    const pro_info& info = scene.info;
+    const pro_view& view = scene.view;
+    const auto words = [](std::uint32_t count, std::uint32_t per_row) {
+        return std::uint64_t{count} * per_row * sizeof(std::uint32_t);
+    };
+    scene.nodes = sectionBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
+    scene.leaves = sectionBuffer(device, scene, "leaf buffer", view.leaves, words(info.leaf_count, PRO_LEAF_WORDS),
+                                 VK_FORMAT_R32G32B32A32_UINT);
+    scene.refs = sectionBuffer(device, scene, "reference buffer", view.refs, words(info.ref_count, 1), VK_FORMAT_R32_UINT);
+    scene.splats = sectionBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
+                                 VK_FORMAT_R32G32B32A32_UINT);
+    scene.materials = sectionBuffer(device, scene, "material buffer", view.materials,
+                                    words(info.material_count, PRO_MATERIAL_FLOATS), VK_FORMAT_R32G32B32A32_SFLOAT);
+    const EntryGrid grid = buildEntryGrid({view.nodes, info.node_count}, info.leaf_count, info.max_depth);
+    scene.grid_bits = grid.bits;
+    const std::uint64_t grid_bytes = grid.words.size() * sizeof(std::uint32_t);
+    scene.grid = createFilledBuffer(device, "grid buffer", grid.words.data(), grid_bytes,
+                                    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, "grid buffer", scene.grid, VK_FORMAT_R32_UINT);
+    scene.device_bytes += grid_bytes;
+}
+
+} // namespace
+
+Scene loadScene(Device& device, const std::string& path, const RenderSettings&, bool verbose) {
+    Scene scene;
+    scene.path = path;
+    try {
+        mapFile(scene);
+        uploadSections(device, scene);
+    } catch (...) {
+        destroyScene(device, scene);
+        throw;
+    }
+    if (verbose)
+        std::fprintf(stderr, "%s: %u splats, %s, entry grid of %u cells a side\n", path.c_str(), scene.info.splat_count,
+                     scene.splats.imported ? "mapped pages imported" : "sections uploaded", 1u << scene.grid_bits);
+    return scene;
+}
+
+void destroyScene(Device& device, Scene& scene) {
+    for (Buffer* buffer : {&scene.nodes, &scene.leaves, &scene.refs, &scene.splats, &scene.materials, &scene.grid})
+        destroyBuffer(device, *buffer);
+    if (scene.file) pro_close(scene.file);
+    scene.file = nullptr;
+}
+
+} // namespace pointrt

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tonemap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointrt {
+namespace {
+
+constexpr float kCompressionStart = 0.8f;
+constexpr float kDesaturation = 0.15f; // of the Khronos reference
+
+// Comparisons with NaN are false, so that NaN becomes 0.
+float cleanChannel(float value) { return value > 0.0f ? std::min(value, std::numeric_limits<float>::max()) : 0.0f; }
+
+bool isOpaque(const Film& film) {
+    for (std::size_t i = 3; i < film.rgba.size(); i += 4)
+        if (!(film.rgba[i] >= 1.0f)) return false;
+    return true;
+}
+
+} // namespace
+
+std::array<float, 3> toneMap(std::array<float, 3> linear) {
+    for (float& channel : linear) channel = cleanChannel(channel);
+    const float peak = std::max({linear[0], linear[1], linear[2]});
+    if (peak < kCompressionStart) return linear;
+    const float headroom = 1.0f - kCompressionStart;
+    const float new_peak = 1.0f - headroom * headroom / (peak + headroom - kCompressionStart);
+    const float whiteness = 1.0f - 1.0f / (kDesaturation * (peak - new_peak) + 1.0f);
+    for (float& channel : linear) {
+        const float scaled = channel / peak * new_peak;
+        channel = scaled + (new_peak - scaled) * whiteness;
+    }
+    return linear;
+}
+
+std::uint8_t encodeSrgb(float linear) {
+    const float x = std::clamp(cleanChannel(linear), 0.0f, 1.0f);
+    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
+}
+
+Image8 developFilm(const Film& film) {
+    Image8 image{film.width, film.height, isOpaque(film) ? 3u : 4u, {}};
+    image.pixels.reserve(film.rgba.size() / 4 * image.channels);
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
+        const float alpha = std::clamp(cleanChannel(film.rgba[i + 3]), 0.0f, 1.0f);
+        const float straight = alpha > 0.0f ? 1.0f / alpha : 0.0f;
+        const float* rgb = &film.rgba[i];
+        for (float channel : toneMap({rgb[0] * straight, rgb[1] * straight, rgb[2] * straight}))
+            image.pixels.push_back(encodeSrgb(channel));
+        if (image.channels == 4) image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0f * alpha)));
+    }
+    return image;
+}
+
+} // namespace pointrt

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tracer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "runtime/frame_params.h"
+#include "runtime/program.h"
+#include "shaders/prepare.spv.h"
+#include "shaders/raygen.spv.h"
+#include "shaders/shade.spv.h"
+#include "shaders/shadow.spv.h"
+#include "shaders/trace.spv.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Pixels in flight: their states take about 200 bytes each, so that no buffer nears the 128 MiB that some drivers
+/// allow in a storage binding. Larger images are rendered in bands of rows.
+constexpr std::uint32_t kBandPixels = 1u << 19;
+
+} // namespace
+
+struct TracerState {
+    RenderSettings settings;
+    Camera camera;
+    const Scene* scene = nullptr;
+    std::uint32_t band_rows = 0;
+    Program raygen, trace, shade, shadow, prepare;
+    Buffer params, control, queues, paths, hits, lit, film, first_hits;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
+    Film result;
+};
+
+namespace {
+
+std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return (width + 3) / 4 * ((rows + 1) / 2) * 8; }
+
+void createBuffers(Device& device, TracerState& state) {
+    const std::uint32_t width = state.settings.width;
+    state.band_rows = std::clamp(kBandPixels / width, 1u, state.settings.height);
+    const std::uint64_t pixels = std::uint64_t{width} * state.band_rows;
+    const std::uint64_t lanes = lanesOf(width, state.band_rows);
+    const auto storage = [&](const char* what, std::uint64_t bytes, MemoryHome home = MemoryHome::kDevice) {
+        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, home);
+    };
+    state.params = storage("frame parameters", sizeof(gpu::FrameParams), MemoryHome::kHost);
+    state.control = storage("control buffer", sizeof(gpu::Control), MemoryHome::kHost);
+    state.queues = storage("queue buffer", 3 * lanes * sizeof(std::uint32_t));
+    state.paths = storage("path buffer", pixels * sizeof(gpu::PathState));
+    state.hits = storage("hit buffer", pixels * sizeof(gpu::uvec4));
+    state.lit = storage("lit point buffer", pixels * sizeof(gpu::LitPoint));
+    state.film = storage("film buffer", pixels * sizeof(gpu::vec4));
+    state.first_hits = storage("first hit buffer", pixels * sizeof(gpu::vec4));
+}
+
+void createPrograms(Device& device, TracerState& state) {
+    state.raygen = createProgram(device, "raygen", raygen_spv);
+    state.trace = createProgram(device, "trace", trace_spv);
+    state.shade = createProgram(device, "shade", shade_spv);
+    state.shadow = createProgram(device, "shadow", shadow_spv);
+    state.prepare = createProgram(device, "prepare", prepare_spv);
+}
+
+void createBindings(Device& device, TracerState& state) {
+    const Scene& scene = *state.scene;
+    state.pool = createDescriptorPool(device, 1);
+    state.set = createDescriptorSet(device, state.pool, state.trace,
+                                    {{0, &scene.nodes}, {1, &scene.leaves}, {2, &scene.refs}, {3, &scene.splats},
+                                     {4, &scene.grid}, {5, &scene.materials}, {6, &state.params}, {7, &state.control},
+                                     {8, &state.queues}, {9, &state.paths}, {10, &state.hits}, {11, &state.lit},
+                                     {12, &state.film}, {13, &state.first_hits}});
+}
+
+/// Records the dispatches of one sample.
+class SampleRecorder {
+public:
+    SampleRecorder(VkCommandBuffer commands, const TracerState& state, std::uint32_t rows)
+        : commands_(commands), state_(state), lanes_(lanesOf(state.settings.width, rows)) {}
+
+    void firstHits() {
+        const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
+        run(state_.prepare, 0, 0, bits | STEP_RESET, 1);
+        run(state_.raygen, 0, 0, bits, groups());
+        runIndirect(state_.trace, 0, 0, bits, offsetof(gpu::Control, ray_groups));
+        runIndirect(state_.shade, 0, 0, bits, offsetof(gpu::Control, ray_groups));
+    }
+
+    void sample(std::uint32_t index) {
+        sample_ = index;
+        const std::uint32_t center = state_.settings.spp == 1 ? STEP_CENTER : 0u;
+        run(state_.prepare, 0, 0, STEP_RESET, 1);
+        run(state_.raygen, 0, 0, center, groups());
+        for (std::uint32_t b = 0; b <= state_.settings.bounces; ++b) bounce(b, b % 2 ? STEP_QUEUE_ONE : 0u);
+    }
+
+private:
+    void bounce(std::uint32_t index, std::uint32_t queue) {
+        runIndirect(state_.trace, index, 0, queue, offsetof(gpu::Control, ray_groups));
+        runIndirect(state_.shade, index, 0, queue, offsetof(gpu::Control, ray_groups));
+        run(state_.prepare, index, 0, queue, 1);
+        for (std::uint32_t light = 0; light < state_.settings.lights; ++light)
+            runIndirect(state_.shadow, index, light, queue, offsetof(gpu::Control, lit_groups));
+    }
+
+    std::uint32_t groups() const { return (lanes_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE; }
+
+    gpu::PushParams push(std::uint32_t bounce, std::uint32_t light, std::uint32_t bits) const {
+        return {{sample_, state_.settings.spp, bounce | light << 16, bits}};
+    }
+
+    void run(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits, std::uint32_t count) {
+        const gpu::PushParams params = push(bounce, light, bits);
+        recordDispatch(commands_, program, state_.set, pushBytes(params), {count, 1, 1});
+        recordBarrier(commands_);
+    }
+
+    void runIndirect(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits, std::size_t offset) {
+        const gpu::PushParams params = push(bounce, light, bits);
+        recordDispatchIndirect(commands_, program, state_.set, pushBytes(params), state_.control, offset);
+        recordBarrier(commands_);
+    }
+
+    VkCommandBuffer commands_;
+    const TracerState& state_;
+    std::uint32_t lanes_;
+    std::uint32_t sample_ = 0;
+};
+
+/// Adds the sample's counters and clears them: they are 32 bits wide on the device.
+void collectCounts(TracerState& state, RayCounts& counts) {
+    auto* control = static_cast<gpu::Control*>(state.control.mapped);
+    counts.primary += control->traced.x;
+    counts.shadow += control->traced.y;
+    counts.secondary += control->traced.z;
+    control->traced = {};
+}
+
+void allocateFilm(const RenderSettings& settings, Film& film) {
+    const std::size_t pixels = std::size_t{settings.width} * settings.height;
+    film.width = settings.width;
+    film.height = settings.height;
+    film.rgba.assign(4 * pixels, 0.0f);
+    film.depth.assign(pixels, std::numeric_limits<float>::infinity());
+    film.normal.assign(3 * pixels, 0.0f);
+    film.position.assign(3 * pixels, 0.0f);
+}
+
+void storeColors(Device& device, TracerState& state, std::uint32_t first_row, std::uint32_t rows) {
+    const std::size_t floats = 4 * std::size_t{state.settings.width} * rows;
+    float* out = state.result.rgba.data() + 4 * std::size_t{state.settings.width} * first_row;
+    downloadBuffer(device, state.film, out, floats * sizeof(float));
+    const float share = 1.0f / static_cast<float>(state.settings.spp);
+    std::for_each(out, out + floats, [&](float& value) { value *= share; });
+}
+
+/// Cube units to input units; positions are taken along the ray in double, where national grids keep their millimetres.
+void storeFirstHits(Device& device, TracerState& state, std::uint32_t first_row, std::uint32_t rows) {
+    const std::uint32_t width = state.settings.width;
+    std::vector<gpu::vec4> hits(std::size_t{width} * rows);
+    downloadBuffer(device, state.first_hits, hits.data(), hits.size() * sizeof(gpu::vec4));
+    for (std::uint32_t row = 0; row < rows; ++row)
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const gpu::vec4& hit = hits[std::size_t{row} * width + x];
+            if (hit.w < 0) continue;
+            const std::size_t pixel = std::size_t{first_row + row} * width + x;
+            const double distance = hit.w * state.scene->info.scale;
+            const Vec3 at = state.camera.eye + distance * centerRayDirection(state.settings, state.camera, x, first_row + row);
+            state.result.depth[pixel] = static_cast<float>(distance);
+            state.result.normal[3 * pixel] = hit.x;
+            state.result.normal[3 * pixel + 1] = hit.y;
+            state.result.normal[3 * pixel + 2] = hit.z;
+            state.result.position[3 * pixel] = static_cast<float>(at.x);
+            state.result.position[3 * pixel + 1] = static_cast<float>(at.y);
+            state.result.position[3 * pixel + 2] = static_cast<float>(at.z);
+        }
+}
+
+} // namespace
+
+Tracer createTracer(Device& device, const Scene& scene, const RenderSettings& settings, const Camera& camera) {
+    Tracer tracer{std::make_shared<TracerState>()};
+    TracerState& state = *tracer.state;
+    state.settings = settings;
+    state.camera = camera;
+    state.scene = &scene;
+    try {
+        createBuffers(device, state);
+        createPrograms(device, state);
+        createBindings(device, state);
+    } catch (...) {
+        destroyTracer(device, tracer);
+        throw;
+    }
+    return tracer;
+}
+
+void destroyTracer(Device& device, Tracer& tracer) {
+    if (!tracer.state) return;
+    TracerState& state = *tracer.state;
+    for (Program* program : {&state.raygen, &state.trace, &state.shade, &state.shadow, &state.prepare})
+        destroyProgram(device, *program);
+    destroyDescriptorPool(device, state.pool);
+    for (Buffer* buffer : {&state.params, &state.control, &state.queues, &state.paths, &state.hits, &state.lit,
+                           &state.film, &state.first_hits})
+        destroyBuffer(device, *buffer);
+    tracer.state.reset();
+}
+
+RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double)>& progress) {
+    TracerState& state = *tracer.state;
+    const RenderSettings& settings = state.settings;
+    RayCounts counts;
+    allocateFilm(settings, state.result);
+    *static_cast<gpu::Control*>(state.control.mapped) = {};
+    for (std::uint32_t row = 0; row < settings.height; row += state.band_rows) {
+        const std::uint32_t rows = std::min(state.band_rows, settings.height - row);
+        *static_cast<gpu::FrameParams*>(state.params.mapped) =
+            makeFrameParams(*state.scene, settings, state.camera, row, rows);
+        for (std::uint32_t s = 0; s < settings.spp; ++s) {
+            VkCommandBuffer commands = beginCommands(device);
+            SampleRecorder recorder(commands, state, rows);
+            if (s == 0 && settings.first_hits) recorder.firstHits();
+            recorder.sample(s);
+            submitAndWait(device, commands);
+            collectCounts(state, counts);
+            const double bands_done = row + static_cast<double>(rows) * (s + 1) / settings.spp;
+            if (progress) progress(bands_done / settings.height);
+        }
+        storeColors(device, state, row, rows);
+        if (settings.first_hits) storeFirstHits(device, state, row, rows);
+    }
+    return counts;
+}
+
+Film readFilm(Device&, const Tracer& tracer, const Scene&) { return tracer.state->result; }
+
+} // namespace pointrt

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wavefront ray tracing: one small dispatch per sample, bounce and light.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "runtime/device.h"
+#include "runtime/render.h"
+#include "runtime/scene.h"
+
+namespace pointrt {
+
+struct TracerState;
+
+/// Pipelines, per-pixel buffers and descriptor sets for one image size and scene.
+struct Tracer {
+    std::shared_ptr<TracerState> state;
+};
+
+Tracer createTracer(Device& device, const Scene& scene, const RenderSettings& settings, const Camera& camera);
+void destroyTracer(Device& device, Tracer& tracer);
+
+/// Renders every sample from scratch and returns the rays it counted. progress gets the share done in [0, 1].
+RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double share)>& progress);
+
+/// The picture and the first-hit channels, converted to input units.
+Film readFilm(Device& device, const Tracer& tracer, const Scene& scene);
+
+} // namespace pointrt

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vulkan without linking to it: the loader is opened at run time, so that a machine that lacks it gets a clear line
+// (and --help) instead of a dynamic linker's failure. Inside namespace pointrt the functions have their usual names.
+#pragma once
+
+#ifndef VK_NO_PROTOTYPES
+#define VK_NO_PROTOTYPES
+#endif
+#include <vulkan/vulkan.h>
+
+#include <string>
+
+namespace pointrt {
+
+/// Every core function the viewer calls; add a name here to use one more.
+#define POINTRT_VULKAN_FUNCTIONS(X)                                                                                    \
+    X(vkAllocateCommandBuffers)                                                                                        \
+    X(vkAllocateDescriptorSets)                                                                                        \
+    X(vkAllocateMemory)                                                                                                \
+    X(vkBeginCommandBuffer)                                                                                            \
+    X(vkBindBufferMemory)                                                                                              \
+    X(vkCmdBindDescriptorSets)                                                                                         \
+    X(vkCmdBindPipeline)                                                                                               \
+    X(vkCmdCopyBuffer)                                                                                                 \
+    X(vkCmdDispatch)                                                                                                   \
+    X(vkCmdDispatchIndirect)                                                                                           \
+    X(vkCmdFillBuffer)                                                                                                 \
+    X(vkCmdPipelineBarrier)                                                                                            \
+    X(vkCmdPushConstants)                                                                                              \
+    X(vkCmdResetQueryPool)                                                                                             \
+    X(vkCmdUpdateBuffer)                                                                                               \
+    X(vkCmdWriteTimestamp)                                                                                             \
+    X(vkCreateBuffer)                                                                                                  \
+    X(vkCreateBufferView)                                                                                              \
+    X(vkCreateCommandPool)                                                                                             \
+    X(vkCreateComputePipelines)                                                                                        \
+    X(vkCreateDescriptorPool)                                                                                          \
+    X(vkCreateDescriptorSetLayout)                                                                                     \
+    X(vkCreateDevice)                                                                                                  \
+    X(vkCreateFence)                                                                                                   \
+    X(vkCreateInstance)                                                                                                \
+    X(vkCreatePipelineLayout)                                                                                          \
+    X(vkCreateQueryPool)                                                                                               \
+    X(vkCreateShaderModule)                                                                                            \
+    X(vkDestroyBuffer)                                                                                                 \
+    X(vkDestroyBufferView)                                                                                             \
+    X(vkDestroyCommandPool)                                                                                            \
+    X(vkDestroyDescriptorPool)                                                                                         \
+    X(vkDestroyDescriptorSetLayout)                                                                                    \
+    X(vkDestroyDevice)                                                                                                 \
+    X(vkDestroyFence)                                                                                                  \
+    X(vkDestroyInstance)                                                                                               \
+    X(vkDestroyPipeline)                                                                                               \
+    X(vkDestroyPipelineLayout)                                                                                         \
+    X(vkDestroyQueryPool)                                                                                              \
+    X(vkDestroyShaderModule)                                                                                           \
+    X(vkDeviceWaitIdle)                                                                                                \
+    X(vkEndCommandBuffer)                                                                                              \
+    X(vkEnumerateDeviceExtensionProperties)                                                                            \
+    X(vkEnumerateInstanceLayerProperties)                                                                              \
+    X(vkEnumerateInstanceVersion)                                                                                      \
+    X(vkEnumeratePhysicalDevices)                                                                                      \
+    X(vkFreeCommandBuffers)                                                                                            \
+    X(vkFreeMemory)                                                                                                    \
+    X(vkGetBufferMemoryRequirements)                                                                                   \
+    X(vkGetDeviceProcAddr)                                                                                             \
+    X(vkGetDeviceQueue)                                                                                                \
+    X(vkGetInstanceProcAddr)                                                                                           \
+    X(vkGetPhysicalDeviceFormatProperties)                                                                             \
+    X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
+    X(vkGetPhysicalDeviceProperties)                                                                                   \
+    X(vkGetPhysicalDeviceProperties2)                                                                                  \
+    X(vkGetPhysicalDeviceQueueFamilyProperties)                                                                        \
+    X(vkGetQueryPoolResults)                                                                                           \
+    X(vkMapMemory)                                                                                                     \
+    X(vkQueueSubmit)                                                                                                   \
+    X(vkResetCommandBuffer)                                                                                            \
+    X(vkResetFences)                                                                                                   \
+    X(vkUpdateDescriptorSets)                                                                                          \
+    X(vkWaitForFences)
+
+#define POINTRT_DECLARE_VULKAN(name) extern PFN_##name name;
+POINTRT_VULKAN_FUNCTIONS(POINTRT_DECLARE_VULKAN)
+#undef POINTRT_DECLARE_VULKAN
+
+/// Opens the loader, once; later calls do nothing. Throws Error kCannotRun where there is none or it is older than 1.1.
+void loadVulkan();
+
+/// "VK_ERROR_DEVICE_LOST" for messages; an unknown value comes back as "VkResult -123".
+std::string resultName(VkResult result);
+
+/// Throws Error kCannotRun "cannot WHAT: VK_ERROR_..." unless result is VK_SUCCESS. what is a verb phrase.
+void check(VkResult result, const char* what);
+
+} // namespace pointrt

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface, not confetti: around the first hit, the splats of its leaf blend position, normal and colour.
+// Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
+// (1 - d^2/r^2)^2 (1 - h^2/s^2)^2 with d in the disc, h across it, s the slab's half height: zero with zero slope at
+// the rim and at the slab's faces, so the blended field has no steps. The leaf lists every splat whose slab meets it,
+// so the field is the same from either side of a leaf's border. The surface is where the weighted mean of the heights
+// vanishes (Adamson and Alexa, Approximating and Intersecting Surfaces from Points, 2003); two Newton steps along the
+// ray find it.
+
+struct Surface {
+    float t;      // along the ray
+    vec3 normal;  // unit length, towards the ray's origin
+    vec3 color;   // sRGB
+    float radius; // weighted mean of the splats' radii
+    uint material;
+};
+
+// Discs blend when their normals differ by less than 60 degrees; the sides of an edge or a thin sheet stay apart.
+const float kSameSideCosine = 0.5;
+
+struct Field {
+    float weight;
+    float height;   // weighted sums from here on
+    vec3 normal;
+    vec3 color;
+    float radius;
+    float heaviest; // largest weight so far, and whose material that is
+    uint material;
+};
+
+// Adds one splat's share of the field at point. side is the first hit's normal towards the viewer, front the sign
+// that turns stored normals the same way, or 0 where the file's normals are not oriented.
+void addToField(inout Field field, uvec4 words, vec3 point, vec3 side, float front) {
+    vec3 normal = normalize(splatDirection(words));
+    float cosine = dot(normal, side);
+    float turn = front == 0.0 ? (cosine < 0.0 ? -1.0 : 1.0) : front;
+    vec3 offset = point - splatPosition(words);
+    float radius = splatRadius(words);
+    float height = dot(normal, offset);
+    float in_plane = 1.0 - (dot(offset, offset) - height * height) / (radius * radius);
+    float in_slab = 1.0 - height * height / (params.splat.z * params.splat.z * radius * radius);
+    bool counts = turn * cosine > kSameSideCosine && in_plane > 0.0 && in_slab > 0.0;
+    float weight = counts ? in_plane * in_plane * in_slab * in_slab : 0.0;
+    field.weight += weight;
+    field.height += weight * turn * height;
+    field.normal += weight * turn * normal;
+    field.color += weight * splatColor(words);
+    field.radius += weight * radius;
+    if (weight > field.heaviest) {
+        field.heaviest = weight;
+        field.material = splatMaterial(words);
+    }
+}
+
+Field evaluateField(uvec4 leaf, vec3 point, vec3 side, float front) {
+    Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 0u);
+    uint count = listLength(leaf);
+    uint k = 0u;
+    while (k < count) {
+        addToField(field, loadSplat(listedSplat(leaf, k)), point, side, front);
+        k++;
+    }
+    return field;
+}
+
+// The step along the ray to the field's zero, at most one radius: at grazing angles the field says little.
+float newtonStep(Field field, vec3 direction, float radius) {
+    float slope = dot(field.normal, direction);
+    float step = slope == 0.0 || field.weight <= 0.0 ? 0.0 : -field.height / slope;
+    return clamp(step, -radius, radius);
+}
+
+Surface flatSurface(uvec4 words, float t, vec3 direction) {
+    vec3 normal = normalize(splatDirection(words));
+    normal = dot(normal, direction) > 0.0 ? -normal : normal;
+    return Surface(t, normal, splatColor(words), splatRadius(words), splatMaterial(words));
+}
+
+// The surface at the hit (t, leaf, splat) of the ray.
+Surface surfaceAt(vec3 origin, vec3 direction, float t, uint leaf_index, uint splat) {
+    uvec4 words = loadSplat(splat);
+    Surface surface = flatSurface(words, t, direction);
+    if (!hasOption(OPTION_BLEND)) return surface;
+    vec3 side = surface.normal;
+    float front = hasOption(OPTION_ORIENTED) ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
+    uvec4 leaf = loadLeaf(leaf_index);
+    float radius = surface.radius;
+
+    Field first = evaluateField(leaf, origin + t * direction, side, front);
+    float t_blended = t + newtonStep(first, direction, radius);
+    Field field = evaluateField(leaf, origin + t_blended * direction, side, front);
+    if (field.weight <= 0.0) { // the step left every disc: stay with what the first hit says
+        field = first;
+        t_blended = t;
+    }
+    if (field.weight <= 0.0) return surface;
+    t_blended += newtonStep(field, direction, radius);
+    surface.t = clamp(t_blended, t - radius, t + radius);
+    vec3 normal = normalize(field.normal);
+    surface.normal = dot(normal, direction) > 0.0 ? -normal : normal;
+    surface.color = field.color / field.weight;
+    surface.radius = field.radius / field.weight;
+    surface.material = field.material;
+    return surface;
+}

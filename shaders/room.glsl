@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The box around the scene, the sky and the materials of both.
+
+// Distance to the room's wall from inside; normal points into the room.
+float hitRoom(vec3 origin, vec3 direction, out vec3 normal) {
+    vec3 wall = mix(params.room_lo.xyz, params.room_hi.xyz, greaterThan(direction, vec3(0.0)));
+    vec3 t = mix((wall - origin) / direction, vec3(1e30), equal(direction, vec3(0.0)));
+    float nearest = min(t.x, min(t.y, t.z));
+    bvec3 axis = equal(t, vec3(nearest));
+    normal = axis.x ? vec3(-sign(direction.x), 0.0, 0.0)
+                    : (axis.y ? vec3(0.0, -sign(direction.y), 0.0) : vec3(0.0, 0.0, -sign(direction.z)));
+    return nearest;
+}
+
+const vec3 kMatteWall = vec3(0.62, 0.61, 0.60);
+// Silvered glass gives back nine tenths, a little less of the blue at every turn.
+const vec3 kMirrorWall = vec3(0.90, 0.90, 0.88);
+
+const vec3 kSkyZenith = vec3(0.46, 0.52, 0.62);
+const vec3 kSkyHorizon = vec3(0.82, 0.83, 0.84);
+const vec3 kSkyGround = vec3(0.30, 0.29, 0.28);
+
+// What a ray that leaves the scene sees, and the ambient light from its direction.
+vec3 skyColor(vec3 direction) {
+    float height = dot(direction, params.sky_up.xyz);
+    return mix(kSkyHorizon, height > 0.0 ? kSkyZenith : kSkyGround, sqrt(abs(height)));
+}
+
+// Share of the sky's light taken as ambient, standing in for what bounces around a scene.
+const float kAmbient = 0.22;

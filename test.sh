@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing (Debian 12, root or sudo), builds everything and runs every test.
+#   ./test.sh [CTEST OPTION...]      for example ./test.sh -R octree
+# POINTRT_DATA names a folder of real scans for the tests that can use one; without it they say that they skip.
+set -euo pipefail
+cd "$(dirname "$0")"
+. .ci/common.sh
+
+if [ -z "${POINTRT_DATA:-}" ] && [ -d ../shared/data ]; then
+    POINTRT_DATA=$(cd ../shared/data && pwd)
+    export POINTRT_DATA
+fi
+
+installPackages build bake view tests
+buildPreset dev
+
+report=$PWD/build/dev/ctest.xml
+rm -f "$report"
+status=0
+ctest --preset dev -j 2 --timeout 600 --no-tests=error --output-junit "$report" "$@" || status=$?
+[ -s "$report" ] || die "ctest left no report"
+
+# The counts of the <testsuite> element, which CTest writes one attribute a line.
+awk -v RS='[ \t\n]+' -F '"' '
+    /^tests=/ { tests = $2 } /^failures=/ { failed = $2 } /^skipped=/ { skipped += $2 } /^disabled=/ { skipped += $2 }
+    /^<testcase/ { exit }
+    END { printf "%d passed, %d failed, %d skipped\n", tests - failed - skipped, failed, skipped }' "$report"
+exit "$status"

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# pointrt-bake: what it reads, and the one line it says about what it can't.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+# rejects FILE [PATTERN]: refused with exit status 1 and a line that names the file.
+rejects() {
+    expectError 1 "$1(:[^ ]+)?: .*${2:-}" pointrt-bake -q "$1" -o out/scene.pro
+}
+
+# plyHeader FORMAT VERTICES
+plyHeader() {
+    printf 'ply\nformat %s 1.0\nelement vertex %s\n' "$1" "$2"
+    printf 'property float x\nproperty float y\nproperty float z\nend_header\n'
+}
+
+case_empty_file() {
+    : >empty.ply
+    rejects empty.ply
+    : >empty.xyz
+    rejects empty.xyz
+}
+
+case_text_that_is_no_cloud() {
+    printf 'Dear reader,\nthis is a letter and not a scan.\n' >letter.txt
+    rejects letter.txt
+    cp letter.txt letter.ply
+    rejects letter.ply
+}
+
+case_unknown_binary() {
+    head -c 4096 "$POINTRT_BIN/pointrt-info" >program.bin
+    rejects program.bin
+}
+
+case_ply_cut_in_the_middle() {
+    { plyHeader binary_little_endian 1000 && head -c 6000 /dev/zero; } >binary.ply
+    rejects binary.ply
+    { plyHeader ascii 1000 && sphere 500; } >ascii.ply
+    rejects ascii.ply
+    plyHeader ascii 1000 | head -c 60 >header.ply
+    rejects header.ply
+}
+
+case_ply_that_promises_4_billion_vertices() {
+    { plyHeader binary_little_endian 4294967295 && head -c 1200 /dev/zero; } >binary.ply
+    rejects binary.ply
+    { plyHeader ascii 4294967295 && sphere 100; } >ascii.ply
+    rejects ascii.ply
+}
+
+case_points_all_equal() {
+    yes '1 2 3' | head -n 1000 >equal.xyz
+    rejects equal.xyz
+}
+
+case_points_all_collinear() {
+    seq 1000 | awk '{ print $1 / 10, $1 / 5, -$1 }' >line.xyz
+    rejects line.xyz
+}
+
+case_one_point() {
+    echo '1 2 3' >one.xyz
+    rejects one.xyz
+}
+
+case_only_non_finite_points() {
+    printf 'nan 0 0\n0 inf 0\n0 0 -inf\nnan nan nan\n' >nan.xyz
+    rejects nan.xyz
+}
+
+case_nan_and_infinity_among_good_points() {
+    { sphere 2000 && printf 'nan 0 0\n0 inf 0\n0 0 -inf\nNaN NaN NaN\n' && sphere 500; } >mixed.xyz
+    expectDone pointrt-bake -q mixed.xyz -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json splats)" -ge 2000 ] || fail "good points were lost"
+    [ "$(jsonValue stats.json splats)" -le 2500 ] || fail "bad points became splats"
+    expectDone pointrt-info out/scene.pro --verify
+}
+
+case_folder() {
+    mkdir folder
+    rejects folder
+}
+
+case_no_such_file() {
+    rejects missing.ply
+}
+
+# Root reads everything, so it first gives up the capability to do so.
+case_no_permission() {
+    local as_user=()
+    sphere 100 >secret.xyz
+    chmod 000 secret.xyz
+    if cat secret.xyz >/dev/null 2>&1; then
+        as_user=(setpriv "--bounding-set=-dac_override,-dac_read_search")
+        ! "${as_user[@]}" cat secret.xyz >/dev/null 2>&1 || skip "this user reads every file and can't stop it"
+    fi
+    expectError 1 "secret.xyz: .*[Pp]ermission" "${as_user[@]}" pointrt-bake -q secret.xyz -o out/scene.pro
+}
+
+case_one_bad_file_among_good_ones() {
+    sphere 1000 >good.xyz
+    : >empty.ply
+    expectError 1 "empty.ply(:[^ ]+)?: " pointrt-bake -q good.xyz empty.ply -o out/scene.pro
+}
+
+case_several_files_are_merged() {
+    sphere 1000 >near.xyz
+    sphere 500 | awk '{ print $1 + 4, $2, $3 }' >far.xyz
+    expectDone pointrt-bake -q near.xyz far.xyz -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json input_points)" = 1500 ] || fail "1500 points went in"
+}
+
+case_standard_input() {
+    sphere 1000 >sphere.xyz
+    pointrt-bake -q - --input-format xyz -o out/scene.pro --stats stats.json <sphere.xyz
+    [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "1000 points went in"
+    expectDone pointrt-info out/scene.pro --verify
+}
+
+case_content_is_told_before_the_suffix() {
+    { plyHeader ascii 1000 && sphere 1000; } >cloud.xyz
+    expectDone pointrt-bake -q cloud.xyz -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "1000 points went in"
+}
+
+case_mesh_sampled_over_its_area() {
+    printf 'v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n' >sheet.obj
+    expectDone pointrt-bake -q sheet.obj --sample 5000 -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json input_points)" = 5000 ] || fail "5000 points were asked for"
+}
+
+case_conf_with_a_missing_scan() {
+    printf 'camera 0 0 0 0 0 0 1\nbmesh missing.ply 0 0 0 0 0 0 1\n' >set.conf
+    expectError 1 "missing.ply(:[^ ]+)?: " pointrt-bake -q set.conf -o out/scene.pro
+}
+
+runCase "$@"

@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# pointrt-bake: usage, the output file, what is left behind, the statistics, the same bytes every time.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+case_help_names_every_option() {
+    local option
+    expectDone pointrt-bake --help
+    for option in -o --output -f --force -j --threads --normals --neighbors --orient --radius-scale --max-leaf-splats \
+        --max-depth --prune --probe-rays --sample --seed --stats --input-format -q -v; do
+        grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
+    done
+}
+
+case_wrong_usage() {
+    sphere 100 >sphere.xyz
+    expectError 2 "" pointrt-bake
+    expectError 2 "" pointrt-bake sphere.xyz
+    expectError 2 "" pointrt-bake -o out/scene.pro
+    expectError 2 "frobnicate" pointrt-bake sphere.xyz -o out/scene.pro --frobnicate
+    expectError 2 "" pointrt-bake sphere.xyz -o out/scene.pro --neighbors many
+    expectError 2 "" pointrt-bake sphere.xyz -o out/scene.pro --orient sideways
+    expectError 2 "" pointrt-bake sphere.xyz -o out/scene.pro --radius-scale -1
+}
+
+case_wrong_suffix() {
+    sphere 100 >sphere.xyz
+    expectError 2 "out/scene.png: " pointrt-bake -q sphere.xyz -o out/scene.png
+}
+
+case_output_exists() {
+    sphere 1000 >sphere.xyz
+    echo precious >out/scene.pro
+    expectError 4 "out/scene.pro: .*exist" pointrt-bake -q sphere.xyz -o out/scene.pro
+    [ "$(cat out/scene.pro)" = precious ] || fail "the file was overwritten"
+    expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --force
+    expectDone pointrt-info out/scene.pro --verify
+}
+
+case_a_failed_force_keeps_the_old_file() {
+    : >empty.ply
+    echo precious >out/scene.pro
+    expectError 1 "empty.ply" pointrt-bake -q --force empty.ply -o out/scene.pro
+    [ "$(cat out/scene.pro)" = precious ] || fail "the file was overwritten"
+}
+
+case_output_folder_missing() {
+    sphere 1000 >sphere.xyz
+    expectError 4 "out/none/scene.pro: " pointrt-bake -q sphere.xyz -o out/none/scene.pro
+}
+
+# A tmpfs of 64 KiB in a mount namespace of its own: it goes away with the command.
+case_full_disk() {
+    local namespace=(unshare --mount)
+    [ "$(id -u)" = 0 ] || namespace=(unshare --mount --map-root-user)
+    sphere 20000 >sphere.xyz
+    cat >on_small_disk.sh <<'SH'
+mount -t tmpfs -o size=64k none out || exit 77
+status=0
+"$@" || status=$?
+ls -A out >left
+exit $status
+SH
+    "${namespace[@]}" bash on_small_disk.sh true || skip "no mount namespace for a small disk here"
+    expectError 4 "out/scene.pro: " "${namespace[@]}" bash on_small_disk.sh pointrt-bake -q sphere.xyz -o out/scene.pro
+    [ ! -s left ] || fail "left on the full disk: $(cat left)"
+}
+
+# Interrupted at several moments; env undoes that a shell's background jobs ignore SIGINT.
+case_interrupt_leaves_nothing() {
+    local moment interrupted=0 child
+    sphere 300000 >sphere.xyz
+    for moment in 0.05 0.3 1 2; do
+        env --default-signal=INT pointrt-bake -q sphere.xyz -o out/scene.pro 2>stderr &
+        child=$!
+        sleep "$moment"
+        kill -INT "$child" 2>/dev/null || true
+        status=0
+        wait "$child" || status=$?
+        printf 'after %s s: exit status %s\n' "$moment" "$status"
+        if [ "$status" != 0 ]; then
+            interrupted=$((interrupted + 1))
+            [ -z "$(ls -A out)" ] || fail "left behind: $(ls -A out)"
+        fi
+        rm -f out/scene.pro
+    done
+    [ "$interrupted" -gt 0 ] || fail "no run was interrupted"
+}
+
+case_stats() {
+    sphere 3000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --stats stats.json
+    expectKeys stats.json input_points splats nodes filled_leaves empty_leaves max_depth references_unpruned \
+        references bytes peak_rss_bytes seconds.total
+    [ "$(jsonValue stats.json input_points)" = 3000 ] || fail "input_points is not 3000"
+    [ "$(jsonValue stats.json bytes)" = "$(stat -c %s out/scene.pro)" ] || fail "bytes is not the size of the file"
+    [ "$(jsonValue stats.json references)" -le "$(jsonValue stats.json references_unpruned)" ] || fail "pruning added"
+    [ "$(jsonValue stats.json references)" -ge "$(jsonValue stats.json splats)" ] || fail "a splat has no leaf"
+}
+
+case_stats_on_standard_output() {
+    sphere 1000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --stats -
+    [ "$(jsonValue stdout input_points)" = 1000 ] || fail "no JSON on standard output"
+}
+
+case_quiet_and_progress() {
+    sphere 1000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/quiet.pro
+    [ ! -s stderr ] || fail "-q is not quiet"
+    expectDone pointrt-bake sphere.xyz -o out/plain.pro
+    [ "$(wc -l <stderr)" -ge 2 ] || fail "no line per stage"
+    ! grep -q $'[\r\033]' stderr || fail "a redrawn line where there is no terminal"
+}
+
+case_same_bytes_for_any_thread_count() {
+    local threads
+    sphere 60000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/1.pro -j 1
+    for threads in 2 3 0; do
+        expectDone pointrt-bake -q sphere.xyz -o "out/$threads.pro" -j "$threads"
+        cmp out/1.pro "out/$threads.pro"
+    done
+}
+
+runCase "$@"

@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# pointrt-view as a user meets it; what the pictures show is tested elsewhere.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+bakeSphere() {
+    sphere 3000 >sphere.xyz
+    pointrt-bake -q sphere.xyz -o scene.pro --stats stats.json
+}
+
+# bigEndian FILE OFFSET: the 4-byte number there, as PNG stores them.
+bigEndian() {
+    od -An -t u1 -j "$2" -N 4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'
+}
+
+case_help_names_every_option() {
+    local option
+    expectDone pointrt-view --help
+    for option in -o --output --size --spp --seed --eye --target --up --fov --integrator --bounces --room --lights \
+        --shadows --device --bench --stats -q -v; do
+        grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
+    done
+}
+
+case_wrong_usage() {
+    bakeSphere
+    expectError 2 "" pointrt-view
+    expectError 2 "frobnicate" pointrt-view scene.pro -o out/a.png --frobnicate
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --size 64
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --size 0x64
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --size 64x-1
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --size 99999999x99999999
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --spp 0
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --fov 180
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
+    expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
+}
+
+case_wrong_suffix() {
+    bakeSphere
+    expectError 2 "out/a.jpeg: " pointrt-view scene.pro -o out/a.jpeg
+}
+
+case_no_such_scene() {
+    expectError 1 "missing.pro: " pointrt-view missing.pro -o out/a.png
+}
+
+case_hostile_scenes() {
+    local size bytes
+    bakeSphere
+    size=$(stat -c %s scene.pro)
+    for bytes in 0 1 64 4096 $((size / 2)) $((size - 1)); do
+        head -c "$bytes" scene.pro >cut.pro
+        expectError 1 "cut.pro(:[^ ]+)?: " pointrt-view cut.pro -o out/a.png
+    done
+    head -c "$size" /dev/urandom >noise.pro
+    expectError 1 "noise.pro(:[^ ]+)?: " pointrt-view noise.pro -o out/a.png
+    { cat scene.pro && echo more; } >long.pro
+    expectError 1 "long.pro(:[^ ]+)?: " pointrt-view long.pro -o out/a.png
+}
+
+case_output_folder_missing() {
+    bakeSphere
+    expectError 4 "out/none/a.png: " pointrt-view scene.pro -q --size 16x16 --spp 1 -o out/none/a.png
+}
+
+case_no_device() {
+    bakeSphere
+    expectError 3 "" env VK_ICD_FILENAMES=/nonexistent VK_DRIVER_FILES=/nonexistent \
+        pointrt-view scene.pro -q -o out/a.png
+}
+
+case_device_list() {
+    expectDone pointrt-view --device list
+    [ -s stdout ] || fail "no device is listed"
+}
+
+case_no_display_is_needed() {
+    bakeSphere
+    expectDone env -u DISPLAY -u WAYLAND_DISPLAY pointrt-view scene.pro -q --size 48x32 --spp 1 -o out/a.png
+    [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "not a PNG"
+    [ "$(bigEndian out/a.png 16)x$(bigEndian out/a.png 20)" = 48x32 ] || fail "not 48x32"
+}
+
+case_exr_channels() {
+    local channel
+    bakeSphere
+    expectDone pointrt-view scene.pro -q --size 32x32 --spp 1 -o out/a.exr
+    [ "$(head -c 4 out/a.exr | od -An -t x1 | tr -d ' \n')" = 762f3101 ] || fail "not an EXR"
+    for channel in R G B A Z N.X N.Y N.Z P.X P.Y P.Z; do
+        head -c 2000 out/a.exr | tr '\0' '\n' | grep -aqxF "$channel" || fail "no channel $channel"
+    done
+}
+
+case_bench() {
+    bakeSphere
+    expectDone pointrt-view scene.pro --size 64x64 --spp 2 --room mirror --lights 2 --bounces 3 --bench 2
+    expectKeys stdout device width height spp splats device_bytes load_seconds first_frame_seconds frame_ms.min \
+        frame_ms.median frame_ms.max rays.primary rays.shadow rays.secondary mrays_per_second
+    [ "$(jsonValue stdout rays.primary)" = $((64 * 64 * 2)) ] || fail "one primary ray for each sample was expected"
+    [ "$(jsonValue stdout rays.secondary)" -gt 0 ] || fail "a mirror room without secondary rays"
+    [ "$(jsonValue stdout splats)" = "$(jsonValue stats.json splats)" ] || fail "not the splats that were baked"
+}
+
+case_same_seed_same_picture() {
+    bakeSphere
+    expectDone pointrt-view scene.pro -q --size 48x48 --spp 2 --seed 7 -o out/a.png
+    expectDone pointrt-view scene.pro -q --size 48x48 --spp 2 --seed 7 -o out/b.png
+    cmp out/a.png out/b.png
+}
+
+# The viewer goes to machines that have a driver and little else.
+case_light_dependencies() {
+    ldd "$POINTRT_BIN/pointrt-view" >libraries
+    ! grep -Ei 'pcl|flann|cgal|draco|boost' libraries || fail "the viewer is linked to the bake's libraries"
+}
+
+runCase "$@"
