@@ -20,7 +20,7 @@ function row(label, text) { printf "  %-22s %s\n", label, text }
 function each(count) { return sprintf("%.2f", value["bake.splats"] > 0 ? count / value["bake.splats"] : 0) }
 
 END {
-    row("points", grouped(value["bake.input_points"]))
+    row("points read", grouped(value["bake.input_points"]))
     row("splats", grouped(value["bake.splats"]))
     row("leaves", grouped(value["bake.filled_leaves"]) " filled, " grouped(value["bake.empty_leaves"]) " empty")
     row("references per splat", each(value["bake.references_unpruned"]) " -> " each(value["bake.references"]) " pruned")

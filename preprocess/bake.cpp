@@ -7,11 +7,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <thread>
 
 #include "pointrt/tool.hpp"
 #include "preprocess/interrupt.h"
+#include "preprocess/octree/write.h"
 #include "preprocess/progress.h"
 
 namespace pointrt {
@@ -59,18 +59,8 @@ Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& repo
     }
 }
 
-std::vector<std::uint32_t> leafWords(const std::vector<Leaf>& leaves) {
-    std::vector<std::uint32_t> words;
-    words.reserve(leaves.size() * PRO_LEAF_WORDS);
-    for (const Leaf& leaf : leaves) {
-        const std::uint32_t counts = leaf.member_count | leaf.ref_count << PRO_LEAF_REF_SHIFT;
-        words.insert(words.end(), {leaf.first_member, leaf.first_ref, counts, 0u});
-    }
-    return words;
-}
-
-std::array<float, PRO_MATERIAL_FLOATS> materialRow(const BakeOptions& options, bool has_color) {
-    std::array<float, PRO_MATERIAL_FLOATS> row{};
+MaterialRow materialRow(const BakeOptions& options, bool has_color) {
+    MaterialRow row{};
     for (std::size_t c = 0; c < 3; ++c) row[PRO_MAT_BASE_COLOR + c] = has_color ? 1.0f : kPlaster[c];
     row[PRO_MAT_REFLECTIVITY] = options.reflectivity;
     row[PRO_MAT_SPECULAR] = kSpecular;
@@ -78,49 +68,20 @@ std::array<float, PRO_MATERIAL_FLOATS> materialRow(const BakeOptions& options, b
     return row;
 }
 
-void countLeaves(const Octree& octree, const std::vector<std::uint32_t>& nodes, BakeReport& report) {
-    report.filled_leaves = octree.leaves.size();
-    report.nodes = nodes.size() - (PRO_GROUP_SIZE - 1); // the root's group is padded
-    const std::uint64_t inner = nodes.size() / PRO_GROUP_SIZE - 1;
-    report.empty_leaves = report.nodes - inner - report.filled_leaves;
-    report.border_leaves = static_cast<std::uint64_t>(std::count_if(
-        octree.leaves.begin(), octree.leaves.end(), [](const Leaf& leaf) { return leaf.member_count == 0; }));
-    report.references = report.splats + octree.refs.size();
-}
-
-void writePro(const BakeOptions& options, PackedSplats& splats, const Octree& octree, BakeReport& report) {
-    std::uint32_t max_depth = 0;
-    const auto nodes = encodeNodes(octree.leaves, max_depth);
-    countLeaves(octree, nodes, report);
-    report.max_depth = max_depth;
-    const auto leaves = leafWords(octree.leaves);
-    const auto material = materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0);
-    const std::string metadata = metadataJson(options);
-
-    pro_info info = splats.frame;
-    info.flags |= options.prune ? PRO_FLAG_PRUNED : 0u;
-    info.max_depth = max_depth;
-    info.splat_count = static_cast<std::uint32_t>(splats.words.size());
-    info.node_count = static_cast<std::uint32_t>(nodes.size());
-    info.leaf_count = static_cast<std::uint32_t>(octree.leaves.size());
-    info.ref_count = static_cast<std::uint32_t>(octree.refs.size());
-    info.material_count = 1;
-    pro_view view{};
-    view.nodes = nodes.data();
-    view.leaves = leaves.data();
-    view.refs = octree.refs.data();
-    view.splats = splats.words.front().data();
-    view.materials = material.data();
-    view.order = splats.input_index.data();
-    view.metadata = metadata.data();
-    view.metadata_bytes = metadata.size();
-
+void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report) {
+    ProContent content;
+    content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
+    content.metadata = metadataJson(options);
+    content.pruned = options.prune;
     const InterruptGuard guard;
-    pro_message message{};
-    const pro_result result = pro_write(options.output.c_str(), &info, &view, &message);
-    if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (result != PRO_OK) throw Error(ExitCode::kCannotWrite, options.output + ": " + message.text);
-    report.bytes = std::filesystem::file_size(options.output);
+    const OctreeCounts counts = writePro(options.output, splats, octree, content);
+    report.nodes = counts.nodes;
+    report.filled_leaves = counts.filled_leaves;
+    report.border_leaves = counts.border_leaves;
+    report.empty_leaves = counts.empty_leaves;
+    report.max_depth = counts.max_depth;
+    report.references = counts.references;
+    report.bytes = counts.file_bytes;
 }
 
 } // namespace
@@ -152,7 +113,7 @@ BakeReport bake(const BakeOptions& options) {
         pruneOctree(packed, options.probes, octree, show);
     }
     progress.begin("write", report.splats);
-    writePro(options, packed, octree, report);
+    store(options, packed, octree, report);
     progress.finish();
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();

@@ -25,6 +25,7 @@ constexpr std::uint32_t kVersion = 2; // no flags: single part, scan lines, shor
 constexpr std::uint8_t kZipCompression = 3;
 constexpr std::uint32_t kRowsPerBlock = 16; // of ZIP compression
 constexpr std::uint32_t kFloatPixels = 2;
+constexpr int kDeflateLevel = 4; // OpenEXR's own default: twice as fast as zlib's, a few percent larger
 
 /// Where a channel's value of pixel i lies: data[i * stride].
 struct Channel {
@@ -124,7 +125,7 @@ Bytes compressBlock(Bytes raw) {
     const Bytes prepared = reorder(raw);
     uLongf size = compressBound(prepared.size());
     Bytes packed(size);
-    if (compress2(packed.data(), &size, prepared.data(), prepared.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
+    if (compress2(packed.data(), &size, prepared.data(), prepared.size(), kDeflateLevel) != Z_OK)
         throw std::bad_alloc();
     if (size >= raw.size()) return raw;
     packed.resize(size);

@@ -124,7 +124,10 @@ void addImageOptions(CLI::App& app, Options& options) {
     app.option_defaults()->group("Image");
     RenderSettings& render = options.render;
     add(app, "-o,--output", "FILE", "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits)",
-        [&](const std::string& text) { options.output = parseOutput(text); });
+        [&](const std::string& text) {
+            options.output = parseOutput(text);
+            options.render.first_hits = text.ends_with(".exr");
+        });
     add(app, "--size", "WxH",
         "Image size in pixels (default " + std::to_string(render.width) + "x" + std::to_string(render.height) +
             ", each 1 to " + std::to_string(kMaxSize) + ")",
@@ -183,12 +186,13 @@ void addRunOptions(CLI::App& app, Options& options) {
     add(app, "--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
         [&](const std::string& text) { options.stats = text; });
     app.add_flag("-q,--quiet", options.quiet, "No progress (default: off)");
-    app.add_flag("-v,--verbose", options.verbose, "More detail on standard error (default: off)")->excludes("--quiet");
+    app.add_flag("-v,--verbose", options.verbose, "More detail on standard error (default: off)");
     app.set_version_flag("--version", "pointrt-view " POINTRT_VERSION, "Print the version and end");
     app.set_help_flag("-h,--help", "Print this help and end");
 }
 
 void requireTask(const Options& options) {
+    if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
     if (options.list_devices) return;
     if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene given; --help lists the options"};
     if (options.output.empty() && options.bench_frames == 0)
@@ -213,6 +217,9 @@ Vec3 parseVector(const std::string& text) {
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
     CLI::App app("Renders a .pro scene by tracing rays on a Vulkan device.", "pointrt-view");
     app.get_formatter()->column_width(26);
+    app.footer(
+        "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
+        "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene, "The scene, FILE.pro")->type_name("")->group("Scene");
     addImageOptions(app, options);

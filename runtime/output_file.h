@@ -12,7 +12,7 @@ namespace pointrt {
 /// Throws Error kCannotWrite "PATH: reason".
 void writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 
-/// Throws Error kCannotWrite where writeFile is sure to fail: the folder is missing or read-only, or path is a folder.
+/// Throws Error kCannotWrite where writeFile is sure to fail: the folder is missing or read-only, or path is no file.
 /// To be asked before long work.
 void requireWritable(const std::string& path);
 

@@ -14,6 +14,7 @@ enum Opcode : std::uint32_t {
     kOpTypeFloat = 22,
     kOpTypeVector = 23,
     kOpTypeImage = 25,
+    kOpTypeSampledImage = 27,
     kOpTypeArray = 28,
     kOpTypeStruct = 30,
     kOpTypePointer = 32,
@@ -78,6 +79,7 @@ std::size_t resultWord(std::uint32_t opcode) {
     case kOpTypeFloat:
     case kOpTypeVector:
     case kOpTypeImage:
+    case kOpTypeSampledImage:
     case kOpTypeArray:
     case kOpTypeStruct:
     case kOpTypePointer:
@@ -134,8 +136,9 @@ VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, 
     const Id& pointee = ids.at(ids.at(variable.words[1]).words[3]);
     if (storage_class == kStorageBuffer || pointee.buffer_block) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     if (storage_class == kUniform && pointee.opcode == kOpTypeStruct) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    if (pointee.opcode == kOpTypeImage && pointee.words[3] == kDimBuffer)
-        return pointee.words[7] == kImageSampled ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
+    const Id& image = pointee.opcode == kOpTypeSampledImage ? ids.at(pointee.words[2]) : pointee;
+    if (image.opcode == kOpTypeImage && image.words[3] == kDimBuffer)
+        return image.words[7] == kImageSampled ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
                                                  : VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
     fail("binding " + std::to_string(variable.binding) + " is not a buffer");
 }

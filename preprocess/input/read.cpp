@@ -42,7 +42,7 @@ void dropEmptyNormals(Cloud& cloud) {
 Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress) {
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "no input file");
     Cloud cloud;
-    Sink sink{.cloud = cloud};
+    Sink sink(cloud);
     readFiles(paths, options, progress, sink);
     checkSampling(options, sink);
     addMeshNormals(cloud);

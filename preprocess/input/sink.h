@@ -42,6 +42,8 @@ struct ScanRange {
 };
 
 struct Sink {
+    explicit Sink(Cloud& all_files) : cloud(all_files) {}
+
     Cloud& cloud;
     std::vector<ScanRange> scans; ///< finished ones
     std::optional<Pose> world_from_scan;

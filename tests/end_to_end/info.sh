@@ -51,9 +51,12 @@ case_export_has_every_splat_once() {
     [ "$(jsonValue again.json input_points)" = "$splats" ] || fail "the export does not read back"
 }
 
-case_export_does_not_start_on_a_bad_suffix() {
+case_export_overwrites_only_with_force() {
     bakeSphere
-    expectError 2 "out/splats.txt: " pointrt-info out/scene.pro --export out/splats.txt
+    echo precious >out/splats.ply
+    expectError 4 "out/splats.ply: " pointrt-info out/scene.pro --export out/splats.ply
+    [ "$(cat out/splats.ply)" = precious ] || fail "the file was overwritten"
+    expectDone pointrt-info out/scene.pro --export out/splats.ply --force
 }
 
 runCase "$@"

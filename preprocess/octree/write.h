@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splats and octree to a .pro.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "preprocess/octree/octree.h"
+
+namespace pointrt {
+
+using MaterialRow = std::array<float, PRO_MATERIAL_FLOATS>;
+
+/// What the file holds besides splats and octree.
+struct ProContent {
+    std::vector<MaterialRow> materials; ///< 1 to 256 rows; splats name theirs
+    std::string metadata;               ///< JSON
+    bool pruned = false;
+};
+
+struct OctreeCounts {
+    std::uint64_t nodes = 0; ///< inner nodes and leaves, padding left out
+    std::uint64_t filled_leaves = 0, border_leaves = 0, empty_leaves = 0; ///< border leaves are filled ones
+    std::uint64_t references = 0;                                         ///< members included
+    std::uint32_t max_depth = 0;
+    std::uint64_t file_bytes = 0;
+};
+
+/// Writes path, over what is there. Throws Error (kCannotWrite) and leaves nothing behind on failure.
+OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree, const ProContent& content);
+
+} // namespace pointrt

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files as bytes to damage, and folders that vanish.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "pointrt/pro.h"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+namespace pointrt::test {
+
+/// An empty folder, removed with everything in it.
+struct TempFolder {
+    std::filesystem::path path;
+
+    TempFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "pointrt-test-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
+        path = name;
+    }
+    TempFolder(const TempFolder&) = delete;
+    TempFolder& operator=(const TempFolder&) = delete;
+    ~TempFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+
+    std::string operator/(const char* name) const { return (path / name).string(); }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
+    }
+};
+
+using Bytes = std::vector<std::byte>;
+
+inline Bytes readBytes(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw std::runtime_error("cannot read " + path);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    const auto* data = reinterpret_cast<const std::byte*>(text.data());
+    return {data, data + text.size()};
+}
+
+inline void writeBytes(const std::string& path, const Bytes& bytes) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!out) throw std::runtime_error("cannot write " + path);
+}
+
+template <typename T = std::uint32_t>
+T loadAt(const Bytes& bytes, std::size_t offset) {
+    T value;
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+}
+
+template <typename T>
+void storeAt(Bytes& bytes, std::size_t offset, const T& value) {
+    std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+/// Offset of the table's record of a kind.
+inline std::size_t recordOf(const Bytes& bytes, std::uint32_t kind) {
+    for (std::size_t i = 0; i < loadAt(bytes, PRO_OFF_SECTION_COUNT); ++i) {
+        const std::size_t record = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
+        if (loadAt(bytes, record + PRO_SEC_OFF_KIND) == kind) return record;
+    }
+    throw std::runtime_error("no such section");
+}
+
+inline std::size_t sectionOf(const Bytes& bytes, std::uint32_t kind) {
+    return loadAt<std::uint64_t>(bytes, recordOf(bytes, kind) + PRO_SEC_OFF_OFFSET);
+}
+
+inline void fixHeaderChecksum(Bytes& bytes) {
+    storeAt(bytes, PRO_OFF_HEADER_XXH3,
+            XXH3_64bits(bytes.data() + PRO_OFF_SECTION_COUNT, PRO_HEADER_BYTES - PRO_OFF_SECTION_COUNT));
+}
+
+/// Every checksum, so that the checks behind them are reached. The section table must be intact.
+inline void fixChecksums(Bytes& bytes) {
+    for (std::size_t i = 0; i < loadAt(bytes, PRO_OFF_SECTION_COUNT); ++i) {
+        const std::size_t record = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
+        const auto offset = loadAt<std::uint64_t>(bytes, record + PRO_SEC_OFF_OFFSET);
+        const auto length = loadAt<std::uint64_t>(bytes, record + PRO_SEC_OFF_LENGTH);
+        storeAt(bytes, record + PRO_SEC_OFF_XXH3, XXH3_64bits(bytes.data() + offset, length));
+    }
+    fixHeaderChecksum(bytes);
+}
+
+struct OpenResult {
+    pro_result result;
+    pro_message message;
+};
+
+/// Follows every index a view offers, as a renderer would, so that a sanitizer sees the one that is out of range.
+inline std::uint64_t touchEverything(const pro_info& info, const pro_view& view) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < info.node_count; ++i) {
+        const std::uint32_t node = view.nodes[i];
+        if (node & PRO_NODE_INNER)
+            sum += view.nodes[(node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + 7];
+        else if (node != PRO_NODE_EMPTY)
+            sum += view.leaves[(node - 1) * PRO_LEAF_WORDS + 3];
+    }
+    for (std::size_t i = 0; i < info.leaf_count; ++i) {
+        const std::uint32_t* leaf = view.leaves + i * PRO_LEAF_WORDS;
+        const std::uint32_t members = leaf[2] & PRO_LEAF_MEMBER_MASK, references = leaf[2] >> PRO_LEAF_REF_SHIFT;
+        for (std::uint32_t k = 0; k < members; ++k) sum += view.splats[(leaf[0] + k) * PRO_SPLAT_WORDS];
+        for (std::uint32_t k = 0; k < references; ++k) sum += view.splats[view.refs[leaf[1] + k] * PRO_SPLAT_WORDS + 3];
+    }
+    for (std::size_t i = 0; i < info.splat_count; ++i) {
+        sum += view.order ? view.order[i] : 0;
+        const std::uint32_t material = view.splats[i * PRO_SPLAT_WORDS + 2] >> PRO_MATERIAL_SHIFT;
+        sum += view.materials[material * PRO_MATERIAL_FLOATS + 15] != 0;
+    }
+    for (std::size_t i = 0; i < view.metadata_bytes; ++i) sum += static_cast<unsigned char>(view.metadata[i]);
+    return sum;
+}
+
+/// Opens a copy in a heap block of the exact size, so that AddressSanitizer sees one byte over; also verifies it.
+inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
+    const std::unique_ptr<std::byte[]> copy(new std::byte[bytes.size()]);
+    std::copy(bytes.begin(), bytes.end(), copy.get());
+    pro_file* file = nullptr;
+    OpenResult opened{};
+    opened.result = pro_open_memory(copy.get(), bytes.size(), open_flags, &file, &opened.message);
+    const std::size_t findings = pro_verify_memory(copy.get(), bytes.size(), nullptr, nullptr);
+    if (opened.result == PRO_OK) {
+        pro_info info;
+        pro_view view;
+        pro_get_info(file, &info);
+        pro_get_view(file, &view);
+        [[maybe_unused]] static volatile std::uint64_t sink;
+        sink = touchEverything(info, view);
+        pro_close(file);
+    } else if (findings == 0) {
+        throw std::logic_error("refused, yet without findings");
+    }
+    return opened;
+}
+
+/// Finding numbers of a full verification, in the order met.
+inline std::vector<std::uint32_t> findingsOf(const Bytes& bytes) {
+    std::vector<std::uint32_t> numbers;
+    const auto report = [](const pro_message* finding, void* user) {
+        static_cast<std::vector<std::uint32_t>*>(user)->push_back(finding->finding);
+    };
+    pro_verify_memory(bytes.data(), bytes.size(), report, &numbers);
+    return numbers;
+}
+
+} // namespace pointrt::test

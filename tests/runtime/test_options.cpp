@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/options.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+using Arguments = std::vector<const char*>;
+
+Options parse(Arguments arguments) {
+    arguments.insert(arguments.begin(), "pointrt-view");
+    Options options;
+    EXPECT_FALSE(parseOptions(static_cast<int>(arguments.size()), arguments.data(), options));
+    return options;
+}
+
+/// The message of a usage error, "" where there was none.
+std::string refusal(Arguments arguments) {
+    arguments.insert(arguments.begin(), {"pointrt-view", "a.pro", "-o", "a.png"});
+    Options options;
+    try {
+        parseOptions(static_cast<int>(arguments.size()), arguments.data(), options);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kBadUsage);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+TEST(Options, HasTheDefaultsOfTheContract) {
+    const Options options = parse({"a.pro", "-o", "a.png"});
+    EXPECT_EQ(options.scene, "a.pro");
+    EXPECT_EQ(options.output, "a.png");
+    EXPECT_EQ(options.render.width, 512u);
+    EXPECT_EQ(options.render.height, 512u);
+    EXPECT_EQ(options.render.spp, 4u);
+    EXPECT_EQ(options.render.camera.fov_deg, 40);
+    EXPECT_FALSE(options.render.camera.eye || options.render.camera.target || options.render.camera.up);
+    EXPECT_EQ(options.render.room, Room::kNone);
+    EXPECT_TRUE(options.render.shadows && options.render.blend);
+    EXPECT_FALSE(options.render.reflectivity || options.render.first_hits);
+    EXPECT_EQ(options.bench_frames, 0u);
+    EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
+}
+
+TEST(Options, TakesEveryOption) {
+    const Options options = parse({"--size",
+                                   "64x48",
+                                   "--spp",
+                                   "9",
+                                   "--seed",
+                                   "4294967295",
+                                   "--fov",
+                                   "12.5",
+                                   "--integrator",
+                                   "path",
+                                   "a.pro",
+                                   "--bounces",
+                                   "7",
+                                   "--room",
+                                   "mirror",
+                                   "--lights",
+                                   "0",
+                                   "--shadows",
+                                   "off",
+                                   "--blend",
+                                   "off",
+                                   "--reflectivity",
+                                   "0.25",
+                                   "--device",
+                                   "H100",
+                                   "--bench",
+                                   "3",
+                                   "--stats",
+                                   "-",
+                                   "-v",
+                                   "-o",
+                                   "out.exr"});
+    EXPECT_EQ(options.render.width, 64u);
+    EXPECT_EQ(options.render.height, 48u);
+    EXPECT_EQ(options.render.spp, 9u);
+    EXPECT_EQ(options.render.seed, 4294967295u);
+    EXPECT_EQ(options.render.camera.fov_deg, 12.5);
+    EXPECT_EQ(options.render.integrator, Integrator::kPath);
+    EXPECT_EQ(options.render.bounces, 7u);
+    EXPECT_EQ(options.render.room, Room::kMirror);
+    EXPECT_EQ(options.render.lights, 0u);
+    EXPECT_FALSE(options.render.shadows || options.render.blend);
+    EXPECT_EQ(options.render.reflectivity, 0.25f);
+    EXPECT_EQ(options.device, "H100");
+    EXPECT_EQ(options.bench_frames, 3u);
+    EXPECT_EQ(options.stats, "-");
+    EXPECT_TRUE(options.verbose && options.render.first_hits);
+}
+
+TEST(Options, TakesNegativeCoordinates) {
+    const Options options =
+        parse({"a.pro", "-o", "a.png", "--eye", "-1,-.5,1e3", "--target=500000.25,-2,0", "--up", "0,0,1"});
+    EXPECT_EQ(options.render.camera.eye->x, -1);
+    EXPECT_EQ(options.render.camera.eye->y, -0.5);
+    EXPECT_EQ(options.render.camera.eye->z, 1000);
+    EXPECT_EQ(options.render.camera.target->x, 500000.25);
+    EXPECT_EQ(options.render.camera.up->z, 1);
+}
+
+TEST(Options, TakesTheLastOfARepeatedOption) {
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).render.spp, 8u);
+}
+
+TEST(Options, ListsDevicesWithoutAScene) { EXPECT_TRUE(parse({"--device", "list"}).list_devices); }
+
+TEST(Options, RefusesBadValuesByName) {
+    for (const char* text : {"64", "0x64", "64x0", "64x-1", "64x64x64", "16385x1", "ax b", ""})
+        EXPECT_TRUE(contains(refusal({"--size", text}), "--size: ")) << text;
+    for (const char* text : {"0", "-1", "1.5", "many", "99999999999"})
+        EXPECT_TRUE(contains(refusal({"--spp", text}), "--spp: ")) << text;
+    for (const char* text : {"0", "180", "nan", "inf", "-5", "4o"})
+        EXPECT_TRUE(contains(refusal({"--fov", text}), "--fov: ")) << text;
+    for (const char* text : {"1,2", "1,2,3,4", "1,,3", "1, 2,3", "nan,0,0", "1e999,0,0", ","})
+        EXPECT_TRUE(contains(refusal({"--eye", text}), "--eye: ")) << text;
+    for (const char* text : {"-0.1", "1.1", "x"})
+        EXPECT_TRUE(contains(refusal({"--reflectivity", text}), "--reflectivity: ")) << text;
+    EXPECT_EQ(refusal({"--room", "cellar"}), "--room: \"cellar\" is none of none, mirror, matte");
+    EXPECT_TRUE(contains(refusal({"--integrator", "bidirectional"}), "whitted"));
+    EXPECT_TRUE(contains(refusal({"--shadows", "yes"}), "--shadows: "));
+    EXPECT_TRUE(contains(refusal({"--lights", "17"}), "--lights: "));
+    EXPECT_TRUE(contains(refusal({"--bounces", "65"}), "--bounces: "));
+    EXPECT_TRUE(contains(refusal({"--bench", "0"}), "--bench: "));
+    EXPECT_TRUE(contains(refusal({"--seed", "-1"}), "--seed: "));
+    EXPECT_EQ(refusal({"-o", "a.jpeg"}), "a.jpeg: an image ends in .png or .exr");
+}
+
+TEST(Options, RefusesWhatItDoesNotKnow) {
+    EXPECT_TRUE(contains(refusal({"--frobnicate"}), "frobnicate"));
+    EXPECT_TRUE(contains(refusal({"second.pro"}), "second.pro"));
+    EXPECT_NE(refusal({"--spp"}), "");
+    EXPECT_NE(refusal({"-q", "-v"}), "");
+}
+
+TEST(Options, RefusesToDoNothing) {
+    EXPECT_THROW(parse({}), Error);
+    EXPECT_THROW(parse({"-o", "a.png"}), Error);
+    try {
+        parse({"a.pro"});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kBadUsage);
+        EXPECT_TRUE(contains(error.what(), "-o"));
+    }
+    EXPECT_EQ(parse({"a.pro", "--bench", "1"}).output, "");
+}
+
+TEST(Options, HelpNamesEveryOptionWithItsDefault) {
+    const Arguments arguments = {"pointrt-view", "--help"};
+    Options options;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
+    const std::string help = testing::internal::GetCapturedStdout();
+    for (const char* part :
+         {"512x512", "--spp",     "--seed",  "--eye",     "--target",  "--up",    "--fov",          "default 40",
+          "phong",   "--bounces", "--room",  "--lights",  "--shadows", "--blend", "--reflectivity", "--device",
+          "--bench", "--stats",   "--quiet", "--verbose", "--version", "Camera"})
+        EXPECT_TRUE(contains(help, part)) << part;
+}
+
+TEST(Options, PrintsItsVersion) {
+    const Arguments arguments = {"pointrt-view", "--version"};
+    Options options;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
+    EXPECT_TRUE(contains(testing::internal::GetCapturedStdout(), "pointrt-view "));
+}
+
+} // namespace
+} // namespace pointrt
