@@ -139,7 +139,7 @@ VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, 
     const Id& image = pointee.opcode == kOpTypeSampledImage ? ids.at(pointee.words[2]) : pointee;
     if (image.opcode == kOpTypeImage && image.words[3] == kDimBuffer)
         return image.words[7] == kImageSampled ? VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER
-                                                 : VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
+                                               : VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
     fail("binding " + std::to_string(variable.binding) + " is not a buffer");
 }
 

@@ -80,8 +80,7 @@ TEST(Codec, NormalsStayWithinTheStatedAngle) {
         for (float& component : splat.normal) component /= length;
         const pro_splat decoded = roundTrip(splat, 0.25f, 0.125f);
         const double angle = angleDeg(decoded.normal, splat.normal);
-        ASSERT_NEAR(std::hypot(decoded.normal[0], decoded.normal[1], decoded.normal[2]), 1,
-                    4e-7); // three roundings of float
+        ASSERT_NEAR(std::hypot(decoded.normal[0], decoded.normal[1], decoded.normal[2]), 1, 4e-7);
         ASSERT_LE(angle, kNormalErrorDeg) << splat.normal[0] << ' ' << splat.normal[1] << ' ' << splat.normal[2];
         worst = std::max(worst, angle);
         sum += corner ? 0 : angle;

@@ -5,6 +5,7 @@
 #include <png.h>
 #include <tinyexr.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -130,6 +131,27 @@ TEST_F(ImageIo, ExrCompressesFlatPictures) {
     writeExr(path("flat.exr"), film);
     EXPECT_LT(fs::file_size(path("flat.exr")), 11u * 4 * 65536 / 50);
     expectChannel(readExr(path("flat.exr")), "G", film.rgba, 1, 4);
+}
+
+Film noiseFilm(std::uint32_t size) {
+    Film film = testFilm(size, size);
+    std::uint64_t state = 1;
+    for (std::vector<float>* values : {&film.rgba, &film.depth, &film.normal, &film.position})
+        for (float& value : *values) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            value = std::bit_cast<float>(static_cast<std::uint32_t>(state >> 32));
+        }
+    return film;
+}
+
+TEST_F(ImageIo, ExrStoresNoiseAsItIs) {
+    constexpr std::uint64_t kPixelBytes = 44, kBlockBytes = 16; // 11 channels; a table entry and a block's head
+    writeExr(path("pixel.exr"), noiseFilm(1));
+    const std::uint64_t header_bytes = fs::file_size(path("pixel.exr")) - kPixelBytes - kBlockBytes;
+    const Film film = noiseFilm(64);
+    writeExr(path("noise.exr"), film);
+    EXPECT_EQ(fs::file_size(path("noise.exr")), header_bytes + 4 * kBlockBytes + 64 * 64 * kPixelBytes);
+    expectChannel(readExr(path("noise.exr")), "P.Y", film.position, 1, 3);
 }
 
 TEST_F(ImageIo, PngKeepsPixels) {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_test.h"
+
+namespace pointrt {
+namespace {
+
+using ConfTest = InputTest;
+
+/// A turn by 90 degrees about +Z; inverted it takes +X to -Y.
+const std::string kQuarterTurn = "0 0 0.70710678118654752 0.70710678118654752";
+
+TEST_F(ConfTest, PosesInvertTheQuaternionThenTranslate) {
+    write("a.xyz", "1 0 0\n2 0 0\n");
+    const Cloud cloud = readText("s.conf", "camera 0 0 0 0 0 0 1\nmesh other 0 0 0 0 0 0 1\nbmesh a.xyz 10 20 30 " +
+                                               kQuarterTurn + "\n");
+    EXPECT_LT((world(cloud, 0) - Vec3d(10, 19, 30)).norm(), 1e-6);
+    EXPECT_LT((world(cloud, 1) - Vec3d(10, 18, 30)).norm(), 1e-6);
+}
+
+TEST_F(ConfTest, NormalsTurnAlong) {
+    write("a.xyz", "1 0 0 1 0 0\n2 0 0 0 -1 0\n");
+    const Cloud cloud = readText("s.conf", "bmesh a.xyz 10 20 30 " + kQuarterTurn + "\n");
+    EXPECT_LT((cloud.normals[0] - Vec3f(0, -1, 0)).norm(), 1e-6);
+    EXPECT_LT((cloud.normals[1] - Vec3f(-1, 0, 0)).norm(), 1e-6);
+}
+
+TEST_F(ConfTest, EachScanHasItsSensorAlongItsOwnZ) {
+    write("a.xyz", "0 0 0\n0 2 0\n");
+    // Half a turn about +X: +Z of the scan is -Z of the world.
+    const Cloud cloud = readText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\nbmesh a.xyz 5 0 0 1 0 0 0\n");
+    ASSERT_EQ(cloud.sensors.size(), 2u);
+    EXPECT_EQ(cloud.sensor_of_point, (std::vector<std::uint32_t>{0, 0, 1, 1}));
+    EXPECT_LT((cloud.sensors[0] - Vec3f(0, 1, 20)).norm(), 1e-5);
+    EXPECT_LT((cloud.sensors[1] - Vec3f(5, -1, -20)).norm(), 1e-5);
+}
+
+TEST_F(ConfTest, SensorsOfSeveralInputs) {
+    write("a.xyz", "0 0 0\n0 2 0\n");
+    const std::string conf = write("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\n");
+    const std::string plain = write("b.xyz", "1 1 1\n");
+    EXPECT_EQ(readInputs({plain, conf}, {}).sensor_of_point, (std::vector<std::uint32_t>{kNoSensor, 0, 0}));
+    EXPECT_EQ(readInputs({conf, plain}, {}).sensor_of_point, (std::vector<std::uint32_t>{0, 0, kNoSensor}));
+}
+
+TEST_F(ConfTest, BadFilesSayWhyAndWhere) {
+    write("a.xyz", "1 0 0\n");
+    write("bad.xyz", "1 0 0\n1 two 3\n");
+    const std::string missing = reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 1\nbmesh gone.ply 0 0 0 0 0 0 1\n");
+    EXPECT_HAS(missing, "s.conf:2: ");
+    EXPECT_HAS(missing, "gone.ply: no such file");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh bad.xyz 0 0 0 0 0 0 1\n"), "bad.xyz:2: column 2 is no number");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0\n"), "s.conf:1: bmesh takes a file name and 7 numbers");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: the quaternion is no rotation");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh s.conf 0 0 0 0 0 0 1\n"), "cannot be a scan of another");
+    EXPECT_HAS(reasonOfText("s.conf", "camera 0 0 0 0 0 0 1\n"), "has no bmesh line");
+}
+
+TEST_F(ConfTest, EveryPrefixIsReadOrRefused) {
+    write("a.xyz", "1 0 0\n");
+    readPrefixes("s.conf", "camera 0 0 0 0 0 0 1\nbmesh a.xyz 0.5 0 0 0 0 0 1\nbmesh a.xyz 0 0 0 0 0 0 1\n");
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real scans, where there are some: POINTRT_DATA names a folder with truth.json.
+#include "input_test.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Extent {
+    double least = 0, most = 0;
+};
+
+/// "least..most", once per axis.
+std::vector<Extent> parseExtents(const std::string& text) {
+    std::vector<Extent> extents;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const std::size_t dots = word.find("..");
+        if (dots == std::string::npos) break;
+        extents.push_back({std::stod(word.substr(0, dots)), std::stod(word.substr(dots + 2))});
+    }
+    return extents;
+}
+
+void expectExtents(const Cloud& cloud, const std::string& text) {
+    const std::vector<Extent> extents = parseExtents(text);
+    if (extents.size() != 3) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        double least = INFINITY, most = -INFINITY;
+        for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+            least = std::min(least, world(cloud, i)[axis]);
+            most = std::max(most, world(cloud, i)[axis]);
+        }
+        // truth.json has six digits; float positions about seven of the size of the cloud.
+        const Extent& wanted = extents[axis];
+        const double size = std::max({std::abs(wanted.least), std::abs(wanted.most), wanted.most - wanted.least});
+        EXPECT_NEAR(least, wanted.least, 6e-6 * size);
+        EXPECT_NEAR(most, wanted.most, 6e-6 * size);
+    }
+}
+
+bool isReadFormat(const std::string& format) {
+    for (const char* prefix : {"PLY", "PCD", "OBJ", "Draco"})
+        if (format.starts_with(prefix)) return true;
+    return false;
+}
+
+fs::path dataFolder() {
+    const char* const folder = std::getenv("POINTRT_DATA");
+    return folder ? fs::path(folder) : fs::path();
+}
+
+nlohmann::json truth() {
+    std::ifstream file(dataFolder() / "truth.json");
+    return nlohmann::json::parse(file);
+}
+
+/// Points as an independent reader counted them: a number, or "NUMBER (WxH)".
+std::size_t wantedPoints(const nlohmann::json& points) {
+    return points.is_number() ? points.get<std::size_t>() : std::stoul(points.get<std::string>());
+}
+
+void expectTruth(const std::string& name, const nlohmann::json& facts) {
+    SCOPED_TRACE(name);
+    const Cloud cloud = readInputs({(dataFolder() / name).string()}, {});
+    EXPECT_EQ(cloud.points_read, wantedPoints(facts["points"]));
+    EXPECT_EQ(cloud.points_read, cloud.positions.size() + cloud.points_non_finite);
+    EXPECT_EQ(!cloud.colors.empty(), facts["col"].get<bool>());
+    EXPECT_EQ(!cloud.triangles.empty(), facts["faces"].get<int>() > 0);
+    expectExtents(cloud, facts["ext"]);
+}
+
+TEST(DataTest, ScansAreAsOthersReadThem) {
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    int read = 0;
+    for (const auto& [name, facts] : truth().items()) {
+        const bool has_extent = facts["ext"].get<std::string>().find("..") != std::string::npos;
+        if (!isReadFormat(facts["fmt"]) || !has_extent || !fs::exists(dataFolder() / name)) continue;
+        expectTruth(name, facts);
+        ++read;
+    }
+    EXPECT_GT(read, 0);
+}
+
+TEST(DataTest, FilesWithoutPointsAreRefused) {
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    for (const char* name :
+         {"draco/git-lfs-pointer.drc", "pcd_odd/missingheader.pcd", "ply_odd/alzobaer_point_cloud.ply",
+          "ply_odd/assimp_empty.ply", "ply_odd/draco_inf_nan.obj", "ply_odd/pdal_no_vertex.obj",
+          "ply_odd/pdal_no_vertex.ply", "ply_odd/pdal_sized_dims.ply", "ply_odd/trimesh_empty.ply",
+          "ply_odd/trimesh_ply_empty_ascii.ply", "ply_odd/trimesh_ply_empty_header.ply",
+          "ply_odd/trimesh_point_uv.ply.zip", "splats/f3d_empty.splat", "splats/minimal.splat", "splats/minimal-v2.spz",
+          "text_formats/bunny16k.pts", "text_formats/pdal_1.2-with-color.ptx", "e57/pdal_A4.e57",
+          "las/1.2-with-color.las"}) {
+        const std::string path = (dataFolder() / name).string();
+        try {
+            readInputs({path}, {});
+            ADD_FAILURE() << name << " was read";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadInput);
+            EXPECT_EQ(std::string(error.what()).find(path + ":"), 0u) << error.what();
+        }
+    }
+}
+
+TEST(DataTest, PosedScansFaceTheirSensors) {
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    const Cloud merged = readInputs({(dataFolder() / "stanford_dragon_raw/merged.ply").string()}, {});
+    const Cloud posed = readInputs({(dataFolder() / "stanford_dragon_raw/dragonStandRight.conf").string()}, {});
+    ASSERT_EQ(posed.sensors.size(), 15u);
+    ASSERT_EQ(posed.sensor_of_point.size(), posed.positions.size());
+    // merged.ply has the same points in the same order without about 0.2 % of them, and normals to the scanner.
+    std::size_t at = 0, matched = 0, facing = 0;
+    for (std::size_t i = 0; i < merged.positions.size(); ++i) {
+        while (at < posed.positions.size() && (world(posed, at) - world(merged, i)).norm() > 1e-6) ++at;
+        if (at == posed.positions.size()) break;
+        const Vec3f to_sensor = posed.sensors[posed.sensor_of_point[at]] - posed.positions[at];
+        facing += merged.normals[i].dot(to_sensor) > 0;
+        ++matched;
+    }
+    EXPECT_EQ(matched, merged.positions.size());
+    EXPECT_GT(static_cast<double>(facing), 0.99 * static_cast<double>(matched));
+}
+
+} // namespace
+} // namespace pointrt

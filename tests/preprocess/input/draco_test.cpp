@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_test.h"
+
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#include <draco/point_cloud/point_cloud_builder.h>
+
+namespace pointrt {
+namespace {
+
+using DracoTest = InputTest;
+using draco::GeometryAttribute;
+
+std::string encodedPoints(int method) {
+    draco::PointCloudBuilder builder;
+    builder.Start(3);
+    const int position = builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const int normal = builder.AddAttribute(GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
+    const int color = builder.AddAttribute(GeometryAttribute::COLOR, 4, draco::DT_UINT8);
+    for (int i = 0; i < 3; ++i) {
+        const float p[] = {static_cast<float>(i), 0.5f, -2.f * static_cast<float>(i)}, n[] = {0, 0, 1};
+        const std::uint8_t rgba[] = {static_cast<std::uint8_t>(i), 20, 30, 255};
+        builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+        builder.SetAttributeValueForPoint(normal, draco::PointIndex(i), n);
+        builder.SetAttributeValueForPoint(color, draco::PointIndex(i), rgba);
+    }
+    const auto points = builder.Finalize(false);
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(method);
+    draco::EncoderBuffer buffer;
+    EXPECT_TRUE(encoder.EncodePointCloudToBuffer(*points, &buffer).ok());
+    return {buffer.data(), buffer.size()};
+}
+
+std::string encodedMesh(int method) {
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(2);
+    const int position = builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const float a[] = {0, 0, 0}, b[] = {1, 0, 0}, c[] = {1, 1, 0}, d[] = {0, 1, 0};
+    builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), a, b, c);
+    builder.SetAttributeValuesForFace(position, draco::FaceIndex(1), a, c, d);
+    const auto mesh = builder.Finalize();
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(method);
+    draco::EncoderBuffer buffer;
+    EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    return {buffer.data(), buffer.size()};
+}
+
+TEST_F(DracoTest, Points) {
+    const Cloud cloud = readText("a.drc", encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING));
+    ASSERT_EQ(cloud.positions.size(), 3u);
+    EXPECT_EQ(world(cloud, 2), Vec3d(2, 0.5, -4));
+    EXPECT_EQ(cloud.normals[1], Vec3f(0, 0, 1));
+    EXPECT_EQ(cloud.colors[2], (Rgb8{2, 20, 30}));
+}
+
+TEST_F(DracoTest, Meshes) {
+    for (const int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
+        const Cloud cloud = readText("a.drc", encodedMesh(method));
+        EXPECT_EQ(cloud.positions.size(), 4u);
+        EXPECT_EQ(cloud.triangles.size(), 2u);
+        EXPECT_EQ(cloud.normals[0], Vec3f(0, 0, 1));
+    }
+}
+
+TEST_F(DracoTest, EveryPrefixIsRefusedCleanly) {
+    readPrefixes("a.drc", encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING));
+    readPrefixes("b.drc", encodedMesh(draco::MESH_SEQUENTIAL_ENCODING));
+    readPrefixes("c.drc", encodedMesh(draco::MESH_EDGEBREAKER_ENCODING));
+}
+
+TEST_F(DracoTest, PromisesAreCheckedBeforeMemoryIsTaken) {
+    // After the header of 11 bytes a point cloud has its number of points.
+    std::string points = encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
+    points.replace(11, 4, bytesOf(0x7fffffff));
+    EXPECT_HAS(reasonOfText("a.drc", points), "promises 2147483647 points");
+    EXPECT_HAS(reasonOfText("b.drc", "DRACO"), "broken or cut short");
+    EXPECT_HAS(reasonOfText("c.drc", "DRACO garbage that is none at all, and more of it"), "broken or cut short");
+}
+
+} // namespace
+} // namespace pointrt

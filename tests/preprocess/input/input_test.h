@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small files for the readers, written where the test runs.
+#pragma once
+
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+#include "pointrt/tool.hpp"
+#include "preprocess/input/read.h"
+
+namespace pointrt {
+
+/// A folder of its own for each test, gone with it.
+class InputTest : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder = std::filesystem::temp_directory_path() / ("pointrt_" + std::string(info->test_suite_name()) + "_" +
+                                                           info->name() + "_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    std::string write(const std::string& name, const std::string& bytes) const {
+        const auto path = folder / name;
+        std::ofstream(path, std::ios::binary) << bytes;
+        return path.string();
+    }
+
+    static Cloud read(const std::string& path, const ReadOptions& options = {}) { return readInputs({path}, options); }
+    Cloud readText(const std::string& name, const std::string& bytes) const { return read(write(name, bytes)); }
+
+    /// The message that reading ends with; a test failure and "" when it succeeds.
+    static std::string reasonOf(const std::string& path, const ReadOptions& options = {}) {
+        try {
+            readInputs({path}, options);
+        } catch (const Error& error) {
+            last_code = error.code;
+            const std::string reason = error.what();
+            EXPECT_EQ(reason.find('\n'), std::string::npos) << reason;
+            return reason;
+        }
+        ADD_FAILURE() << path << " was read";
+        return "";
+    }
+    std::string reasonOfText(const std::string& name, const std::string& bytes) const {
+        return reasonOf(write(name, bytes));
+    }
+
+    /// Reads every prefix of a file: each is read or refused, and never anything else.
+    void readPrefixes(const std::string& name, const std::string& bytes) const {
+        for (std::size_t size = 0; size <= bytes.size(); ++size) {
+            const std::string path = write(name, bytes.substr(0, size));
+            try {
+                readInputs({path}, {});
+            } catch (const Error& error) {
+                ASSERT_NE(size, bytes.size()) << error.what();
+                ASSERT_EQ(error.code, ExitCode::kBadInput) << error.what();
+            }
+        }
+    }
+
+    std::filesystem::path folder;
+    static inline ExitCode last_code = ExitCode::kDone;
+};
+
+#define EXPECT_HAS(text, part) EXPECT_NE(std::string(text).find(part), std::string::npos) << (text)
+
+inline Vec3d world(const Cloud& cloud, std::size_t i) { return cloud.origin + cloud.positions[i].cast<double>(); }
+
+/// Bytes of a value, reversed for big-endian files.
+template <typename Value>
+std::string bytesOf(Value value, bool reversed = false) {
+    std::string bytes(sizeof(Value), '\0');
+    std::memcpy(bytes.data(), &value, sizeof(Value));
+    return reversed ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+} // namespace pointrt

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_test.h"
+
+#include <bit>
+
+namespace pointrt {
+namespace {
+
+using PcdTest = InputTest;
+
+const std::string kFields =
+    "# .PCD v0.7\nVERSION 0.7\nFIELDS x _ y z rgb normal_x normal_y normal_z\nSIZE 8 1 4 2 4 4 4 4\n"
+    "TYPE F U F I F F F F\nCOUNT 1 3 1 1 1 1 1 1\nWIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\n";
+
+struct Point {
+    double x;
+    float y;
+    short z;
+    std::uint32_t rgb;
+    Vec3f normal;
+};
+
+const std::vector<Point> kPoints = {{0.1, 2.5f, -3, 0x00ff8001, {0, 0, 1}}, {7.0, 1.25f, 12, 0x00010203, {1, 0, 0}}};
+
+std::string asciiPcd() {
+    std::string text = kFields + "DATA ascii\n";
+    for (const Point& p : kPoints)
+        text +=
+            fmt::format("{} 1 2 3 {} {} {} {} {} {}\n", p.x, p.y, p.z, p.rgb, p.normal[0], p.normal[1], p.normal[2]);
+    return text;
+}
+
+std::string binaryPcd() {
+    std::string text = kFields + "DATA binary\n";
+    for (const Point& p : kPoints)
+        text += bytesOf(p.x) + "abc" + bytesOf(p.y) + bytesOf(p.z) + bytesOf(p.rgb) + bytesOf(p.normal[0]) +
+                bytesOf(p.normal[1]) + bytesOf(p.normal[2]);
+    return text;
+}
+
+/// LZF data made of literal runs alone.
+std::string packLiterally(const std::string& bytes) {
+    std::string packed;
+    for (std::size_t at = 0; at < bytes.size(); at += 32) {
+        const std::string run = bytes.substr(at, 32);
+        packed += static_cast<char>(run.size() - 1) + run;
+    }
+    return packed;
+}
+
+std::string compressed(const std::string& header, const std::string& packed, std::size_t size) {
+    return header + "DATA binary_compressed\n" + bytesOf(static_cast<std::uint32_t>(packed.size())) +
+           bytesOf(static_cast<std::uint32_t>(size)) + packed;
+}
+
+std::string compressedPcd() {
+    std::string columns[8];
+    for (const Point& p : kPoints) {
+        columns[0] += bytesOf(p.x);
+        columns[1] += "abc";
+        columns[2] += bytesOf(p.y);
+        columns[3] += bytesOf(p.z);
+        columns[4] += bytesOf(p.rgb);
+        for (int axis = 0; axis < 3; ++axis) columns[5 + axis] += bytesOf(p.normal[axis]);
+    }
+    std::string bytes;
+    for (const std::string& column : columns) bytes += column;
+    return compressed(kFields, packLiterally(bytes), bytes.size());
+}
+
+void expectPoints(const Cloud& cloud) {
+    ASSERT_EQ(cloud.positions.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Point& p = kPoints[i];
+        EXPECT_LT((world(cloud, i) - Vec3d(p.x, p.y, p.z)).norm(), 1e-6);
+        EXPECT_EQ(cloud.normals[i], p.normal);
+        EXPECT_EQ(cloud.colors[i], (Rgb8{static_cast<std::uint8_t>(p.rgb >> 16), static_cast<std::uint8_t>(p.rgb >> 8),
+                                         static_cast<std::uint8_t>(p.rgb)}));
+    }
+    EXPECT_TRUE(cloud.sensors.empty());
+}
+
+TEST_F(PcdTest, AllEncodingsGiveTheSameCloud) {
+    expectPoints(readText("a.pcd", asciiPcd()));
+    expectPoints(readText("b.pcd", binaryPcd()));
+    expectPoints(readText("c.pcd", compressedPcd()));
+}
+
+TEST_F(PcdTest, EveryPrefixIsRefusedCleanly) {
+    readPrefixes("a.pcd", asciiPcd());
+    readPrefixes("b.pcd", binaryPcd());
+    readPrefixes("c.pcd", compressedPcd());
+}
+
+std::string simple(const std::string& shape, const std::string& body) {
+    return "VERSION .5\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n" + shape + "DATA ascii\n" + body;
+}
+
+TEST_F(PcdTest, BackReferences) {
+    // 12 zero bytes: one literal, then 11 more from one back.
+    const std::string packed = std::string("\x00\x00", 2) + std::string("\xe0\x02\x00", 3);
+    const std::string header = "VERSION 0.7\nFIELDS x y z\nWIDTH 1\nHEIGHT 1\n";
+    EXPECT_EQ(world(readText("c.pcd", compressed(header, packed, 12)), 0), Vec3d(0, 0, 0));
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x02\x01", 5), 12)), "broken");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x00\x00\xe0\x03\x00", 5), 12)), "broken");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed(header, std::string("\x05\x00", 2), 12)), "broken");
+    EXPECT_HAS(reasonOfText("c.pcd", compressed("VERSION 0.7\nFIELDS x y z\nWIDTH 300000000\n", packed, 3600000000u)),
+               "broken");
+}
+
+TEST_F(PcdTest, PackedColorsInText) {
+    const auto color = [&](const char* type, const std::string& value) {
+        return readText(
+                   "a.pcd",
+                   fmt::format("VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F {}\nCOUNT 1 1 1 1\nWIDTH 1\n"
+                               "HEIGHT 1\nDATA ascii\n0 0 0 {}\n",
+                               type, value))
+            .colors[0];
+    };
+    const Rgb8 wanted = {1, 2, 3};
+    EXPECT_EQ(color("U", "66051"), wanted);
+    EXPECT_EQ(color("F", fmt::format("{:.9e}", std::bit_cast<float>(0x010203u))), wanted);
+    EXPECT_EQ(color("F", "66051"), wanted);
+    EXPECT_EQ(color("I", "-16711165"), (Rgb8{1, 2, 3}));
+}
+
+TEST_F(PcdTest, OrganisedCloudsHaveASensor) {
+    const Cloud cloud =
+        readText("a.pcd", simple("WIDTH 1\nHEIGHT 2\nVIEWPOINT 1 2 3 1 0 0 0\n", "10 20 30\nnan nan nan\n"));
+    EXPECT_EQ(cloud.points_non_finite, 1u);
+    ASSERT_EQ(cloud.sensors.size(), 1u);
+    EXPECT_EQ(cloud.origin + cloud.sensors[0].cast<double>(), Vec3d(1, 2, 3));
+    EXPECT_EQ(cloud.sensor_of_point, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(readText("b.pcd", simple("WIDTH 1\nHEIGHT 2\n", "1 2 3\n1 2 3\n")).sensors.size(), 1u);
+    EXPECT_EQ(
+        readText("c.pcd", simple("WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 -2 1 0 0 0\n", "1 2 3\n1 2 3\n")).sensors.size(),
+        1u);
+    EXPECT_TRUE(readText("d.pcd", simple("WIDTH 2\nHEIGHT 1\n", "1 2 3\n1 2 3\n")).sensor_of_point.empty());
+}
+
+TEST_F(PcdTest, BadFilesSayWhy) {
+    EXPECT_HAS(reasonOfText("a.pcd", "1 2 3\n"), "no PCD header");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("", "1 2 3\n")), "neither WIDTH nor POINTS");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\nHEIGHT 2\nPOINTS 5\n", "1 2 3\n")), "is not POINTS 5");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 99999999999\nHEIGHT 1\n", "1 2 3\n")),
+               "promises 99999999999 points");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 9999999999999\nHEIGHT 99999999999\n", "1 2 3\n")), "is not POINTS");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 2\n", "1.25 2.25 3.25\n")), "cut short: 1 of 2 points are there");
+    EXPECT_HAS(reasonOfText("a.pcd", simple("WIDTH 1\n", "1 x 3\n")), "a.pcd:8: 'x' is no number");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4\nDATA ascii\n"),
+               "a.pcd:3: SIZE has fewer entries");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nSIZE 4 4 3\nWIDTH 1\nDATA ascii\n1 2 3\n"),
+               "which PCD does not know");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nCOUNT 1 1 0\nWIDTH 1\nDATA ascii\n1 2 3\n"),
+               "impossible COUNT");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y\nWIDTH 1\nDATA ascii\n1 2\n"), "no x, y and z");
+    EXPECT_HAS(reasonOfText("a.pcd", "VERSION .7\nFIELDS x y z\nWIDTH 1\nDATA zipped\n"), "unknown DATA 'zipped'");
+    EXPECT_HAS(reasonOfText("a.pcd", binaryPcd().substr(0, binaryPcd().size() - 1)),
+               "cut short: 1 of 2 points are there");
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_test.h"
+
+#include <algorithm>
+
+namespace pointrt {
+namespace {
+
+using SampleTest = InputTest;
+
+/// A unit cube of quads around the origin, corners 0 to 7 counted in binary x, y, z.
+const std::string kCube = "OFF\n8 6 0\n-1 -1 -1\n-1 -1 1\n-1 1 -1\n-1 1 1\n1 -1 -1\n1 -1 1\n1 1 -1\n1 1 1\n"
+                          "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n";
+
+TEST_F(SampleTest, ASpreadCubeKeepsItsSidesAndEdges) {
+    const Cloud cloud = read(write("c.off", kCube), {.format = "", .sample_count = 6000, .seed = 5});
+    ASSERT_EQ(cloud.positions.size(), 6000u);
+    ASSERT_EQ(cloud.normals.size(), 6000u);
+    EXPECT_TRUE(cloud.triangles.empty());
+    int on_side[3][2] = {};
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+        const Vec3d p = world(cloud, i);
+        int axis = 0;
+        EXPECT_NEAR(p.cwiseAbs().maxCoeff(&axis), 1, 1e-6);
+        ++on_side[axis][p[axis] > 0];
+        // Corner normals of a cube lie 55 degrees from its sides: too far to be used.
+        EXPECT_NEAR(cloud.normals[i][axis], p[axis] > 0 ? 1 : -1, 1e-6);
+    }
+    for (const auto& axis : on_side)
+        for (const int count : axis) EXPECT_NEAR(count, 1000, 3);
+}
+
+TEST_F(SampleTest, TheSameSeedGivesTheSamePoints) {
+    const std::string path = write("c.off", kCube);
+    const auto sampled = [&](std::uint64_t seed) {
+        return read(path, {.format = "", .sample_count = 100, .seed = seed}).positions;
+    };
+    EXPECT_EQ(sampled(1), sampled(1));
+    EXPECT_NE(sampled(1), sampled(2));
+}
+
+TEST_F(SampleTest, PointsSpreadMoreEvenlyThanWhiteNoise) {
+    // A square of two triangles; in each of 20 x 20 cells 10 points are due. White noise has a variance of 10.
+    const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+    const Cloud cloud = read(write("s.off", square), {.format = "", .sample_count = 4000, .seed = 3});
+    std::vector<int> cells(400);
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+        const Vec3d p = world(cloud, i) * 20;
+        ++cells[std::min(19, static_cast<int>(p[1])) * 20 + std::min(19, static_cast<int>(p[0]))];
+    }
+    double variance = 0;
+    for (const int count : cells) variance += (count - 10.0) * (count - 10.0) / 400;
+    EXPECT_LT(variance, 3);
+}
+
+TEST_F(SampleTest, SmoothNormalsAndColorsAreInterpolated) {
+    const std::string text =
+        "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nvn 0.2 0 1\nvn -0.2 0 1\nvn 0 0.2 1\nf 1//1 2//2 3//3\n";
+    const Cloud cloud = read(write("a.obj", text), {.format = "", .sample_count = 50, .seed = 0});
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+        const Vec3d p = world(cloud, i);
+        EXPECT_NEAR(cloud.colors[i][1], 255 * p[0], 1.01);
+        EXPECT_NEAR(cloud.colors[i][2], 255 * p[1], 1.01);
+        EXPECT_NEAR(cloud.normals[i].norm(), 1, 1e-6);
+        EXPECT_NEAR(cloud.normals[i][0] / cloud.normals[i][2], 0.2 * (1 - p[0] - p[1]) - 0.2 * p[0], 2e-2);
+    }
+}
+
+TEST_F(SampleTest, NormalsAgainstTheWindingStay) {
+    const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nf 1//1 2//1 3//1\n";
+    for (const Vec3f& normal : read(write("a.obj", text), {.format = "", .sample_count = 5}).normals)
+        EXPECT_EQ(normal, Vec3f(0, 0, -1));
+}
+
+TEST_F(SampleTest, PlainPointsStay) {
+    const std::string points = write("a.xyz", "7 7 7\n"), mesh = write("c.off", kCube);
+    const Cloud cloud = readInputs({mesh, points}, {.format = "", .sample_count = 10});
+    EXPECT_EQ(cloud.positions.size(), 11u);
+    EXPECT_EQ(world(cloud, 0), Vec3d(7, 7, 7));
+    EXPECT_EQ(cloud.points_read, 9u);
+}
+
+TEST_F(SampleTest, BadRequestsSayWhy) {
+    EXPECT_HAS(reasonOf(write("a.xyz", "1 2 3\n"), {.format = "", .sample_count = 10}),
+               "a.xyz: has no faces to sample");
+    EXPECT_EQ(last_code, ExitCode::kBadUsage);
+    EXPECT_HAS(reasonOf(write("a.off", kCube), {.format = "", .sample_count = 1ull << 40}), "1099511627776 samples");
+    EXPECT_EQ(last_code, ExitCode::kBadUsage);
+    EXPECT_HAS(reasonOf(write("b.obj", "v 0 0 0\nf 1 1 1\n"), {.format = "", .sample_count = 10}), "no area");
+}
+
+TEST_F(SampleTest, VerticesGetAreaWeightedNormals) {
+    const Cloud cloud = read(write("c.off", kCube));
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_GT(cloud.normals[i].cast<double>().dot(world(cloud, i)), 1.4);
+    // Two faces at a right angle, one three times as large: the shared edge leans that way.
+    const std::string roof = "OFF\n4 2 0\n0 0 0\n0 1 0\n3 0 0\n0 0 1\n3 0 2 1\n3 0 1 3\n";
+    EXPECT_LT((read(write("r.off", roof)).normals[0] - Vec3f(1, 0, -3).normalized()).norm(), 1e-6);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_test.h"
+
+#include <zlib.h>
+
+namespace pointrt {
+namespace {
+
+using SourceTest = InputTest;
+
+std::string gzipped(const std::string& bytes) {
+    z_stream stream{};
+    deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    std::string packed(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
+}
+
+TEST_F(SourceTest, FilesThatCannotBeRead) {
+    EXPECT_HAS(reasonOf((folder / "gone.ply").string()), "gone.ply: no such file");
+    EXPECT_HAS(reasonOf(folder.string()), "is a directory");
+    EXPECT_HAS(reasonOfText("a.ply", ""), "the file is empty");
+    EXPECT_HAS(reasonOf("/dev/null"), "is no regular file");
+    EXPECT_EQ(last_code, ExitCode::kBadInput);
+    const std::string closed = write("closed.xyz", "1 2 3\n");
+    std::filesystem::permissions(closed, std::filesystem::perms::none);
+    if (::access(closed.c_str(), R_OK) == 0) GTEST_SKIP() << "running as root: permissions do not hold";
+    EXPECT_HAS(reasonOf(closed), "no permission to read it");
+}
+
+TEST_F(SourceTest, ContentTellsTheFormatBeforeTheSuffixDoes) {
+    EXPECT_EQ(readText("really.ply", "v 1 2 3\nv 4 5 6\n").positions.size(), 2u);
+    EXPECT_EQ(readText("a.obj", "OFF\n1 0 0\n1 2 3\n").positions.size(), 1u);
+    EXPECT_EQ(readText("noname", "1 2 3\n").positions.size(), 1u);
+    EXPECT_EQ(readText("a.xyz", "FIELDS x y z\nWIDTH 1\nDATA ascii\n1 2 3\n").positions.size(), 1u);
+    EXPECT_HAS(reasonOfText("a.ply", "1 2 3\n"), "does not start with 'ply'");
+    EXPECT_EQ(read(write("b.ply", "1 2 3\n"), {.format = "xyz"}).positions.size(), 1u);
+}
+
+TEST_F(SourceTest, ForeignFormatsAreNamed) {
+    EXPECT_HAS(reasonOfText("a.las", "LASF\1\2"), "is a LAS or LAZ scan; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.e57", "ASTM-E57\1"), "is an E57 scan; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"),
+               "Git LFS pointer");
+    EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), "zip archive");
+    EXPECT_HAS(reasonOfText("a.bin", std::string("\0\1\2\3", 4)), "is of no known format");
+    EXPECT_HAS(reasonOf(write("a.xyz", "1 2 3\n"), {.format = "stl"}), "unknown input format 'stl'");
+    EXPECT_EQ(last_code, ExitCode::kBadUsage);
+}
+
+TEST_F(SourceTest, ControlCharactersDoNotReachTheMessage) {
+    const std::string reason = reasonOfText("a.xyz", "1 2 3\n1 2 \x1b[2J" + std::string(200, 'x') + "\n");
+    EXPECT_EQ(reason.find('\x1b'), std::string::npos);
+    EXPECT_LT(reason.size(), folder.string().size() + 150);
+}
+
+TEST_F(SourceTest, GzipIsUnpacked) {
+    const std::string packed = gzipped("1 2 3\n4 5 6\n");
+    EXPECT_EQ(readText("a.xyz.gz", packed).positions.size(), 2u);
+    EXPECT_EQ(readText("b.xyz", packed + gzipped("7 8 9\n")).positions.size(), 3u);
+    EXPECT_HAS(reasonOfText("c.xyz", packed.substr(0, packed.size() - 9)), "the gzip data is cut short");
+    EXPECT_HAS(reasonOfText("d.xyz", packed.substr(0, 10) + "\xff\xff\xff\xff"), "the gzip data is broken");
+    EXPECT_HAS(reasonOfText("e.ply.gz", gzipped("plx")), "does not start with 'ply'");
+    readPrefixes("f.xyz", packed);
+}
+
+TEST_F(SourceTest, FilesAreMergedAndFilled) {
+    const std::string plain = write("a.xyz", "1 2 3\n"), colored = write("b.xyz", "4 5 6 7 8 9\n4 5 6 70 80 90\n");
+    const std::string directed = write("c.xyz", "4 5 6 0 0 1\n");
+    const Cloud cloud = readInputs({plain, colored, directed}, {});
+    EXPECT_EQ(cloud.points_read, 4u);
+    EXPECT_EQ(cloud.origin, Vec3d(1, 2, 3));
+    EXPECT_EQ(cloud.colors, (std::vector<Rgb8>{{200, 200, 200}, {7, 8, 9}, {70, 80, 90}, {200, 200, 200}}));
+    EXPECT_EQ(cloud.normals, (std::vector<Vec3f>{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}}));
+}
+
+TEST_F(SourceTest, MergedFacesPointToTheirOwnVertices) {
+    const std::string points = write("a.xyz", "1 2 3\n4 5 6\n");
+    const std::string mesh = write("b.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const Cloud cloud = readInputs({points, mesh, mesh}, {});
+    ASSERT_EQ(cloud.triangles.size(), 2u);
+    EXPECT_EQ(cloud.triangles[1], (std::array<std::uint32_t, 3>{5, 6, 7}));
+    EXPECT_EQ(cloud.normals[0], Vec3f(0, 0, 0));
+    EXPECT_EQ(cloud.normals[5], Vec3f(0, 0, 1));
+}
+
+TEST_F(SourceTest, ProgressEndsAtOne) {
+    std::vector<double> shares;
+    const std::string path = write("a.xyz", "1 2 3\n4 5 6\n");
+    readInputs({path, path}, {}, [&](double share) { shares.push_back(share); });
+    ASSERT_FALSE(shares.empty());
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_EQ(shares.back(), 1);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shaders' first hits against brute force and against analytic shapes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "tests/support/splat_scenes.h"
+#include "tests/trace/reference.h"
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+
+namespace {
+
+struct Comparison {
+    std::size_t pixels = 0, hits = 0, wrong_hit = 0, wrong_depth = 0, wrong_normal = 0;
+};
+
+/// Depth within depth_tolerance (input units), normals within about 1 degree.
+Comparison compare(const std::string& path, const Rendered& rendered, bool blend, double depth_tolerance) {
+    const Reference scene = loadReference(path);
+    const Film& film = rendered.film;
+    RenderSettings settings;
+    settings.width = film.width;
+    settings.height = film.height;
+    Comparison result;
+    for (std::uint32_t y = 0; y < film.height; ++y)
+        for (std::uint32_t x = 0; x < film.width; ++x) {
+            const std::size_t i = std::size_t{y} * film.width + x;
+            const Vec3 direction = centerRayDirection(settings, rendered.camera, x, y);
+            const auto expected = blend ? firstSurface(scene, rendered.camera.eye, direction)
+                                        : firstDisc(scene, rendered.camera.eye, direction);
+            const bool hit = std::isfinite(film.depth[i]);
+            ++result.pixels;
+            result.wrong_hit += hit != expected.has_value();
+            if (!hit || !expected) continue;
+            ++result.hits;
+            result.wrong_depth += std::abs(film.depth[i] - expected->t) > depth_tolerance;
+            const Vec3 normal{film.normal[3 * i], film.normal[3 * i + 1], film.normal[3 * i + 2]};
+            result.wrong_normal += dot(normal, expected->normal) < 0.9998;
+        }
+    std::printf("%zu pixels, %zu hits, wrong: hit %zu, depth %zu, normal %zu\n", result.pixels, result.hits,
+                result.wrong_hit, result.wrong_depth, result.wrong_normal);
+    std::remove(path.c_str());
+    return result;
+}
+
+RenderSettings square(std::uint32_t size) {
+    RenderSettings settings;
+    settings.width = settings.height = size;
+    settings.spp = 1;
+    return settings;
+}
+
+// Rims are where float and double rightly disagree: a pixel in some thousands.
+constexpr std::size_t kRimPixels = 4;
+
+class RandomClouds : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomClouds, FlatDiscsMatchBruteForce) {
+    const unsigned seed = GetParam();
+    const std::string path = temporaryPath("random.pro");
+    BuildOptions options;
+    options.octree.max_leaf_splats = 1 + 3 * (seed % 4);
+    writeScene(path, randomSplats(200u << (2 * (seed % 4)), seed, 0.005f, 0.06f), options);
+    RenderSettings settings = square(128);
+    settings.blend = false;
+    const Vec3 eyes[] = {{0.5, 0.5, 3.0}, {-1.0, 0.7, 0.4}, {0.5, 0.5, 0.5}, {2.0, 3.0, -1.0}, {0.5, 100.0, 0.5}};
+    settings.camera.eye = eyes[seed % 5];
+    settings.camera.target = seed % 5 == 2 ? Vec3{0.9, 0.8, 0.1} : Vec3{0.5, 0.5, 0.5};
+    settings.camera.fov_deg = seed % 5 == 4 ? 0.8 : 40;
+    const Comparison result = compare(path, renderFile(path, settings), false, 1e-4);
+    EXPECT_GT(result.hits, 1000u);
+    EXPECT_LE(result.wrong_hit, kRimPixels);
+    EXPECT_LE(result.wrong_depth, kRimPixels);
+    EXPECT_LE(result.wrong_normal, kRimPixels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomClouds, testing::Range(1u, 11u));
+
+TEST(FirstHits, BlendedSphereMatchesBruteForce) {
+    const std::string path = temporaryPath("sphere.pro");
+    writeScene(path, sphereSplats(6000, Vec3f(10, -20, 5), 2.0f), {});
+    const Comparison result = compare(path, renderFile(path, square(96)), true, 2e-4);
+    EXPECT_GT(result.hits, 3000u);
+    EXPECT_LE(result.wrong_hit, kRimPixels);
+    EXPECT_LE(result.wrong_depth, result.hits / 200); // leaf lists end where weights have nearly reached zero
+    EXPECT_LE(result.wrong_normal, result.hits / 200);
+}
+
+TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
+    const std::string path = temporaryPath("pruned.pro");
+    BuildOptions options;
+    options.prune = true;
+    writeScene(path, sphereSplats(40000, Vec3f(0, 0, 0), 1.0f), options);
+    const Rendered rendered = renderFile(path, square(256));
+    std::remove(path.c_str());
+    std::size_t inside = 0, holes = 0;
+    double depth_error = 0, angle_sum = 0, worst_angle = 0;
+    for (std::uint32_t y = 0; y < 256; ++y)
+        for (std::uint32_t x = 0; x < 256; ++x) {
+            const std::size_t i = std::size_t{y} * 256 + x;
+            RenderSettings settings = square(256);
+            const Vec3 d = centerRayDirection(settings, rendered.camera, x, y), eye = rendered.camera.eye;
+            const double b = dot(eye, d), c = dot(eye, eye) - 1.0, discriminant = b * b - c;
+            if (discriminant < 0.02) continue; // the silhouette is the discs' own
+            ++inside;
+            if (!std::isfinite(rendered.film.depth[i])) {
+                ++holes;
+                continue;
+            }
+            const double t = -b - std::sqrt(discriminant);
+            const Vec3 normal = eye + t * d, shown{rendered.film.normal[3 * i], rendered.film.normal[3 * i + 1], rendered.film.normal[3 * i + 2]};
+            const double angle = std::acos(std::min(1.0, dot(normal, shown))) * 57.29578;
+            depth_error = std::max(depth_error, std::abs(rendered.film.depth[i] - t));
+            angle_sum += angle;
+            worst_angle = std::max(worst_angle, angle);
+        }
+    std::printf("%zu inside, %zu holes, depth error %.2g, normal error mean %.3f worst %.3f degrees\n", inside, holes,
+                depth_error, angle_sum / static_cast<double>(inside), worst_angle);
+    EXPECT_GT(inside, 10000u);
+    EXPECT_EQ(holes, 0u);
+    EXPECT_LT(depth_error, 2e-3); // a disc's radius is 0.02, its rim stands 2e-4 off
+    EXPECT_LT(angle_sum / static_cast<double>(inside), 0.1);
+    EXPECT_LT(worst_angle, 1.2); // a flat disc's normal is up to 1.2 degrees off at its rim
+}
+
+TEST(FirstHits, AxisParallelRaysEndAndHit) {
+    // odd sizes put a centre ray exactly on the axis; the plane crosses the cube's middle, on cell borders of all levels
+    const std::string path = temporaryPath("axis.pro");
+    writeScene(path, squareSplats(63, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), 1.2f), {});
+    const Comparison result = compare(path, renderFile(path, square(65)), false, 1e-5);
+    EXPECT_EQ(result.wrong_hit + result.wrong_depth + result.wrong_normal, 0u);
+}
+
+TEST(FirstHits, NationalGridKeepsMillimetres) {
+    Splats splats = squareSplats(64, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), 1.2f);
+    splats.origin = Vec3d(512000.25, 5403000.5, 300.125);
+    const std::string path = temporaryPath("grid.pro");
+    writeScene(path, splats, {});
+    const Rendered rendered = renderFile(path, square(64));
+    std::remove(path.c_str());
+    const std::size_t middle = 32 * 64 + 32;
+    EXPECT_NEAR(rendered.camera.eye.z - rendered.film.depth[middle] * -centerRayDirection(square(64), rendered.camera, 32, 32).z, 300.125, 1e-3);
+}
+
+} // namespace
+
+} // namespace pointrt::test
