@@ -72,8 +72,8 @@ pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_
 pro_result pro_open_memory(const void* data, size_t bytes, uint32_t open_flags, pro_file** file, pro_message* message) {
     return guarded(message, [&]() -> pro_result {
         if (!data || !file) return badArgument(message, "pro_open_memory: null data or file");
-        if (!aligned(data)) return badArgument(message, "pro_open_memory: data is not 8-byte aligned");
         *file = nullptr;
+        if (!aligned(data)) return badArgument(message, "pro_open_memory: data is not 8-byte aligned");
         auto opened = std::make_unique<pro_file>();
         opened->bytes = {static_cast<const std::byte*>(data), bytes};
         if (const pro_result result = parse(*opened, open_flags, message)) return result;

@@ -2,23 +2,35 @@
 #include "preprocess/input/mesh.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace pointrt {
+
+namespace {
+
+/// Adds the face's unit normal to its corners, weighted by the angle there.
+void addFaceNormal(const Cloud& cloud, const std::array<std::uint32_t, 3>& face, std::vector<Vec3d>& sums) {
+    std::array<Vec3d, 3> corners;
+    for (int i = 0; i < 3; ++i) corners[i] = cloud.positions[face[i]].cast<double>();
+    for (int i = 0; i < 3; ++i) {
+        const Vec3d next = corners[(i + 1) % 3] - corners[i], last = corners[(i + 2) % 3] - corners[i];
+        const Vec3d cross = next.cross(last);
+        const double sine = cross.stableNorm();
+        if (sine > 0) sums[face[i]] += cross / sine * std::atan2(sine, next.dot(last));
+    }
+}
+
+} // namespace
 
 void addMeshNormals(Cloud& cloud) {
     if (cloud.triangles.empty()) return;
     std::vector<Vec3d> sums(cloud.positions.size(), Vec3d::Zero());
-    for (const auto& [a, b, c] : cloud.triangles) {
-        const Vec3d corner = cloud.positions[a].cast<double>();
-        // The length of the cross product is twice the area: the weight comes by itself.
-        const Vec3d normal =
-            (cloud.positions[b].cast<double>() - corner).cross(cloud.positions[c].cast<double>() - corner);
-        for (const std::uint32_t vertex : {a, b, c}) sums[vertex] += normal;
-    }
+    for (const auto& face : cloud.triangles) addFaceNormal(cloud, face, sums);
     cloud.normals.resize(cloud.positions.size(), Vec3f::Zero());
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const double length = sums[i].stableNorm();
-        if (cloud.normals[i].isZero(0) && length > 0) cloud.normals[i] = (sums[i] / length).cast<float>();
+        // Below this, rounding alone is left of faces that cancel.
+        if (cloud.normals[i].isZero(0) && length > 1e-9) cloud.normals[i] = (sums[i] / length).cast<float>();
     }
 }
 

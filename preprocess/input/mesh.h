@@ -9,8 +9,9 @@
 
 namespace pointrt {
 
-/// Gives each vertex of a face that has no normal (no array, or zero) the area-weighted mean of the normals of its
-/// faces, unit length. Vertices without faces, or whose faces cancel, keep zero.
+/// Gives each vertex of a face that has no normal (no array, or zero) the mean of its faces' normals, each weighted by
+/// its angle at the vertex, so that the triangulation does not matter (Thuermer and Wuethrich, "Computing vertex
+/// normals from polygonal facets", 1998). Unit length; vertices without faces, or whose faces cancel, keep zero.
 void addMeshNormals(Cloud& cloud);
 
 /// Replaces the vertices of scans with faces by sample_count points spread evenly over all faces, with unit normals and

@@ -2,79 +2,72 @@
 #include "preprocess/octree/blend.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pointrt {
 
-namespace {
-
-/// Distance along the ray to the disc, or a negative number.
-float hitDisc(const Disc& disc, const Ray& ray) {
-    const float slope = disc.normal.dot(ray.direction);
-    if (slope == 0.0f) return -1.0f;
-    const float t = disc.normal.dot(disc.center - ray.origin) / slope;
-    const Vec3f offset = ray.origin + t * ray.direction - disc.center;
-    return offset.squaredNorm() < disc.radius * disc.radius ? t : -1.0f;
-}
-
-bool firstHit(const DiscList& list, const Ray& ray, float t_min, float t_max, bool only_kept, SurfaceHit& hit) {
-    hit.t = t_max;
-    bool found = false;
-    for (std::uint32_t i = 0; i < list.discs.size(); ++i) {
-        if (only_kept && !list.kept[i]) continue;
-        const float t = hitDisc(list.discs[i], ray);
-        if (t < t_min || t >= hit.t) continue;
-        hit.t = t;
-        hit.first = i;
-        found = true;
+void DiscList::clear() {
+    for (int axis = 0; axis < 3; ++axis) {
+        center[axis].clear();
+        normal[axis].clear();
+        color[axis].clear();
     }
-    return found;
+    radius_squared.clear();
+    kept.clear();
 }
 
-Vec3f facing(const Vec3f& normal, const Vec3f& direction) { return normal.dot(direction) > 0.0f ? Vec3f(-normal) : normal; }
-
-} // namespace
-
-float blendWeight(const Disc& disc, const Vec3f& point, float& height) {
-    const Vec3f offset = point - disc.center;
-    height = disc.normal.dot(offset);
-    const float radius_squared = disc.radius * disc.radius;
-    const float in_plane = 1.0f - (offset.squaredNorm() - height * height) / radius_squared;
-    const float in_slab = 1.0f - height * height / (kBlendSlab * kBlendSlab * radius_squared);
-    if (in_plane <= 0.0f || in_slab <= 0.0f) return 0.0f;
-    return in_plane * in_plane * in_slab * in_slab;
-}
-
-bool intersectBlended(const DiscList& list, const Ray& ray, float t_min, float t_max, bool only_kept, SurfaceHit& hit) {
-    if (!firstHit(list, ray, t_min, t_max, only_kept, hit)) return false;
-    const Disc& first = list.discs[hit.first];
-    const Vec3f side = facing(first.normal, ray.direction);
-    const float front = list.oriented && side.dot(first.normal) < 0.0f ? -1.0f : 1.0f;
-    const Vec3f point = ray.origin + hit.t * ray.direction;
-    hit.normal = side;
-    hit.radius = first.radius;
-    hit.color = list.colors.empty() ? Vec3f(Vec3f::Zero()) : list.colors[hit.first];
-    Vec3f normal = Vec3f::Zero(), color = Vec3f::Zero();
-    float height = 0, weight = 0;
-    for (std::size_t i = 0; i < list.discs.size(); ++i) {
-        if (only_kept && !list.kept[i]) continue;
-        const float cosine = side.dot(list.discs[i].normal);
-        const float sign = list.oriented ? front : (cosine < 0.0f ? -1.0f : 1.0f);
-        if (sign * cosine <= kSameSideCosine) continue;
-        float h;
-        const float w = blendWeight(list.discs[i], point, h);
-        if (w == 0.0f) continue;
-        weight += w;
-        height += w * sign * h;
-        normal += w * sign * list.discs[i].normal;
-        if (!list.colors.empty()) color += w * list.colors[i];
+void DiscList::add(const Disc& disc, const Vec3f& rgb, bool keep) {
+    for (int axis = 0; axis < 3; ++axis) {
+        center[axis].push_back(disc.center[axis]);
+        normal[axis].push_back(disc.normal[axis]);
+        color[axis].push_back(rgb[axis]);
     }
-    if (weight <= 0.0f) return true;
-    const float slope = normal.dot(ray.direction);
-    const float step = slope == 0.0f ? 0.0f : -height / slope;
-    hit.t += std::clamp(step, -first.radius, first.radius);
-    hit.normal = facing(normal.normalized(), ray.direction);
-    hit.color = color / weight;
-    return true;
+    radius_squared.push_back(disc.radius * disc.radius);
+    kept.push_back(keep);
+}
+
+void castRay(DiscList& list, const Vec3f& origin, const Vec3f& direction, float t_max) {
+    const std::size_t count = list.size();
+    list.distance.resize(count);
+    const float ox = origin.x(), oy = origin.y(), oz = origin.z();
+    const float dx = direction.x(), dy = direction.y(), dz = direction.z();
+    const float *cx = list.center[0].data(), *cy = list.center[1].data(), *cz = list.center[2].data();
+    const float *nx = list.normal[0].data(), *ny = list.normal[1].data(), *nz = list.normal[2].data();
+    const float* r2 = list.radius_squared.data();
+    float* out = list.distance.data();
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = cx[i] - ox, y = cy[i] - oy, z = cz[i] - oz;
+        const float t = (nx[i] * x + ny[i] * y + nz[i] * z) / (nx[i] * dx + ny[i] * dy + nz[i] * dz);
+        const float ax = t * dx - x, ay = t * dy - y, az = t * dz - z;
+        const bool hit = (ax * ax + ay * ay + az * az < r2[i]) & (t >= 0.0f) & (t <= t_max);
+        out[i] = hit ? t : std::numeric_limits<float>::infinity();
+    }
+}
+
+void weighAt(DiscList& list, const Vec3f& point, const Vec3f& side, float front) {
+    const std::size_t count = list.size();
+    list.weight.resize(count);
+    list.height.resize(count);
+    list.turn.resize(count);
+    const float px = point.x(), py = point.y(), pz = point.z();
+    const float sx = side.x(), sy = side.y(), sz = side.z();
+    const float *cx = list.center[0].data(), *cy = list.center[1].data(), *cz = list.center[2].data();
+    const float *nx = list.normal[0].data(), *ny = list.normal[1].data(), *nz = list.normal[2].data();
+    const float* r2 = list.radius_squared.data();
+    float *weight = list.weight.data(), *height = list.height.data(), *turn = list.turn.data();
+    const bool oriented = list.oriented;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = px - cx[i], y = py - cy[i], z = pz - cz[i];
+        const float h = nx[i] * x + ny[i] * y + nz[i] * z;
+        const float cosine = nx[i] * sx + ny[i] * sy + nz[i] * sz;
+        const float to_viewer = oriented ? front : (cosine < 0.0f ? -1.0f : 1.0f);
+        const float in_plane = std::max(0.0f, 1.0f - (x * x + y * y + z * z - h * h) / r2[i]);
+        const float in_slab = std::max(0.0f, 1.0f - h * h / (kBlendSlab * kBlendSlab * r2[i]));
+        const float product = in_plane * in_slab;
+        weight[i] = to_viewer * cosine > kSameSideCosine ? product * product : 0.0f;
+        height[i] = to_viewer * h;
+        turn[i] = to_viewer;
+    }
 }
 
 } // namespace pointrt

@@ -66,10 +66,11 @@ struct Keyed {
     }
 };
 
-/// Position in the cube, in [0, 1). The difference of origins is taken in double, once.
+/// Position in the cube at the middle of its step, which float holds exactly: rounding in double, and only once.
 Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
-    const Vec3d unit = (position.cast<double>() + shift) / scale;
-    return unit.cwiseMax(0.0).cwiseMin(1.0 - 1.0 / PRO_POSITION_STEPS).cast<float>();
+    const Vec3d steps = ((position.cast<double>() + shift) * (PRO_POSITION_STEPS / scale)).array().floor();
+    const Vec3d code = steps.cwiseMax(0.0).cwiseMin(static_cast<double>(PRO_POSITION_MASK));
+    return ((code.array() + 0.5) * PRO_POSITION_STEP).cast<float>();
 }
 
 std::uint64_t mortonOf(const Vec3f& cube_position) {

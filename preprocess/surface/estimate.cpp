@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "preprocess/surface/check.h"
+#include "preprocess/surface/lines.h"
 #include "preprocess/surface/neighbors.h"
 #include "preprocess/surface/normals.h"
 #include "preprocess/surface/orient.h"
@@ -23,20 +24,29 @@ namespace {
 /// up to 3 (1 - 1 / 1.4^2)^2 = 0.72, against about 2 in the middle of a disc.
 constexpr double kOverlap = 1.4;
 
-/// Finds neighbours, and drops strays.
-void prepare(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, const SurfaceOptions& options,
-             SurfaceReport& report, const StageProgress& progress) {
-    const Stopwatch watch(report.seconds_neighbors);
-    const StageShare share{progress, "neighbors"};
-    search.emplace(points.positions);
-    lists = findNeighbors(points, *search, std::size_t(options.neighbors), share);
-    if (!options.remove_outliers) return;
-    const std::vector<std::uint8_t> keep = flagKept(points, lists, {progress, "neighbors", 1, 1});
+constexpr const char* kNeighborStage = "neighbors";
+
+/// Drops strays from the points and all that was made from them.
+void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, SurfaceReport& report) {
+    const std::vector<std::uint8_t> keep = flagKept(points, lists);
     report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (report.outliers_removed == 0) return;
     keepPoints(points, keep);
     search.emplace(points.positions);
     keepNeighbors(lists, keep, points, *search);
+}
+
+/// Finds the neighbours of all points but strays.
+NeighborLists connect(Points& points, std::optional<NearestSearch>& search, const SurfaceOptions& options,
+                      SurfaceReport& report, const StageProgress& progress) {
+    const Stopwatch watch(report.seconds_neighbors);
+    search.emplace(points.positions);
+    constexpr double kSearch = 0.9; // of the stage's time
+    NeighborLists lists =
+        findNeighbors(points, *search, std::size_t(options.neighbors), {progress, kNeighborStage, 0, kSearch});
+    if (options.remove_outliers) removeOutliers(points, lists, search, report);
+    spreadLines(lists, points, *search, {progress, kNeighborStage, kSearch, 1});
+    return lists;
 }
 
 /// Gives points their normals, on the right side; returns whether the side is known.
@@ -82,9 +92,8 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
 
     Points points = takePoints(std::move(cloud));
     report.duplicates_removed = input_count - points.size();
-    NeighborLists lists;
     std::optional<NearestSearch> search;
-    prepare(points, lists, search, options, report, progress);
+    NeighborLists lists = connect(points, search, options, report, progress);
     const bool oriented = shape(points, lists, options, report, progress);
     std::vector<float> radii;
     {

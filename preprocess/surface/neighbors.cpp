@@ -57,6 +57,12 @@ struct Found {
     explicit Found(std::size_t k) : indices(k + 1), squared(k + 1) {}
 };
 
+/// Six neighbours surround a point once; more would take in what is next to a small group of points.
+float nearSpacing(std::span<const float> distances) {
+    const std::size_t count = std::min<std::size_t>(6, distances.size());
+    return spacingFromReach(distances[count - 1], count);
+}
+
 void findOne(const Points& points, const NearestSearch& search, std::size_t point, Found& found, NeighborLists& lists) {
     search.nearest(points.positions[point], found.indices, found.squared);
     std::size_t slot = point * lists.k;
@@ -66,6 +72,7 @@ void findOne(const Points& points, const NearestSearch& search, std::size_t poin
         lists.indices[slot] = found.indices[i];
         lists.distances[slot++] = std::sqrt(found.squared[i]);
     }
+    lists.spacings[point] = nearSpacing(lists.distancesOf(point));
 }
 
 constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
@@ -87,6 +94,7 @@ bool moveList(NeighborLists& lists, std::size_t from, std::size_t to, const std:
         lists.indices[to * lists.k + slot] = neighbor;
         lists.distances[to * lists.k + slot] = lists.distances[from * lists.k + slot];
     }
+    lists.spacings[to] = lists.spacings[from];
     return complete;
 }
 
@@ -114,8 +122,8 @@ std::size_t NearestSearch::nearest(const Vec3f& query, std::span<std::uint32_t> 
     return result.count();
 }
 
-float spacingFromReach(float reach, std::size_t k) {
-    return reach * std::sqrt(std::numbers::pi_v<float> / float(k + 1));
+float spacingFromReach(float reach, std::size_t count) {
+    return reach * std::sqrt(std::numbers::pi_v<float> / float(count + 1));
 }
 
 NeighborLists findNeighbors(const Points& points, const NearestSearch& search, std::size_t k, const StageShare& share) {
@@ -123,6 +131,8 @@ NeighborLists findNeighbors(const Points& points, const NearestSearch& search, s
     lists.k = std::min(k, points.size() - 1);
     lists.indices.resize(points.size() * lists.k);
     lists.distances.resize(points.size() * lists.k);
+    lists.spacings.resize(points.size());
+    lists.thinned.resize(points.size(), 0);
     forRanges(points.size(), share, [&](std::size_t begin, std::size_t end) {
         Found found(lists.k);
         for (std::size_t i = begin; i < end; ++i) findOne(points, search, i, found, lists);
@@ -139,6 +149,8 @@ void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, 
             findOne(points, search, renumbered[i], found, lists);
     lists.indices.resize(points.size() * lists.k);
     lists.distances.resize(points.size() * lists.k);
+    lists.spacings.resize(points.size());
+    lists.thinned.resize(points.size());
 }
 
 } // namespace pointrt::surface

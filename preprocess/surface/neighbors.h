@@ -30,26 +30,33 @@ class NearestSearch {
     std::unique_ptr<Tree> tree_;
 };
 
-/// The k nearest neighbours of every point, nearest first, without the point itself.
+/// The k neighbours of every point that stand for its surroundings, nearest first, without the point itself:
+/// the nearest, or a thinned choice of the nearer ones where the nearest lie on a line (spreadLines).
 struct NeighborLists {
     std::size_t k = 0;
     std::vector<std::uint32_t> indices; ///< [points][k]
     std::vector<float> distances;       ///< [points][k], in the unit of positions
+    std::vector<float> spacings;        ///< [points], edge of the square that a point has to itself
+    std::vector<std::uint8_t> thinned;  ///< [points], 1: of the second half only some are listed
 
     std::span<const std::uint32_t> of(std::size_t point) const { return {&indices[point * k], k}; }
     std::span<const float> distancesOf(std::size_t point) const { return {&distances[point * k], k}; }
-    /// Distance to the k-th neighbour.
+    /// Distance to the last neighbour.
     float reach(std::size_t point) const { return distances[point * k + k - 1]; }
+    /// Within this distance every point is on the list.
+    float completeReach(std::size_t point) const { return thinned[point] ? distances[point * k + k / 2] : reach(point); }
 };
 
-/// Edge of the square that a point has to itself when k neighbours within reach are spread evenly over a plane.
-float spacingFromReach(float reach, std::size_t k);
+/// Edge of the square that a point has to itself when its count nearest neighbours, the farthest at distance reach,
+/// are spread evenly over a plane.
+float spacingFromReach(float reach, std::size_t count);
 
 /// Finds k neighbours of every point, or all others in smaller clouds (of at least 2 points).
 NeighborLists findNeighbors(const Points& points, const NearestSearch& search, std::size_t k, const StageShare& share);
 
 /// After keepPoints(keep): renumbers the lists, and finds those anew that held a point now gone.
 /// search is over the points that are left.
+/// All lists are of nearest neighbours still: call it before spreadLines.
 void keepNeighbors(NeighborLists& lists, const std::vector<std::uint8_t>& keep, const Points& points,
                    const NearestSearch& search);
 

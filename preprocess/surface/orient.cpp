@@ -81,8 +81,7 @@ Components findComponents(const NeighborLists& lists, std::size_t count) {
 }
 
 double areaOf(const NeighborLists& lists, std::size_t point) {
-    const double spacing = spacingFromReach(lists.reach(point), lists.k);
-    return spacing * spacing;
+    return double(lists.spacings[point]) * double(lists.spacings[point]);
 }
 
 void placeComponents(Components& components, const Points& points, const NeighborLists& lists, const Flags& known) {

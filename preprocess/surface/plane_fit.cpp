@@ -48,11 +48,11 @@ PlaneFit fitPlane(const Moments& moments) {
     return fit;
 }
 
-Moments momentsOf(const Points& points, const NeighborLists& lists, std::size_t point) {
+Moments momentsOf(const Points& points, std::span<const std::uint32_t> neighbors, std::size_t point) {
     MomentSum sum; // the point itself is at zero
     const Vec3d center = points.positions[point].cast<double>();
-    for (const std::uint32_t neighbor : lists.of(point)) sum.add(points.positions[neighbor].cast<double>() - center);
-    return sum.average(double(lists.k + 1));
+    for (const std::uint32_t neighbor : neighbors) sum.add(points.positions[neighbor].cast<double>() - center);
+    return sum.average(double(neighbors.size() + 1));
 }
 
 Moments spreadMoments(const std::vector<Moments>& moments, const Points& points, const NeighborLists& lists,

@@ -27,7 +27,7 @@ struct PlaneFit {
 PlaneFit fitPlane(const Moments& moments);
 
 /// Moments of a point and its neighbours, all of the same weight.
-Moments momentsOf(const Points& points, const NeighborLists& lists, std::size_t point);
+Moments momentsOf(const Points& points, std::span<const std::uint32_t> neighbors, std::size_t point);
 
 /// The average over a point and its neighbours of the moments of each: those of the wider, bell-shaped neighbourhood
 /// that the neighbours reach.

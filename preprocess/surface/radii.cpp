@@ -40,16 +40,15 @@ struct TangentPlane {
 /// Median of the neighbours' spacings, in scratch.
 float medianSpacing(const NeighborLists& lists, std::size_t point, std::vector<float>& scratch) {
     scratch.clear();
-    for (const std::uint32_t neighbor : lists.of(point)) scratch.push_back(lists.reach(neighbor));
+    for (const std::uint32_t neighbor : lists.of(point)) scratch.push_back(lists.spacings[neighbor]);
     const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
     std::nth_element(scratch.begin(), middle, scratch.end());
-    return spacingFromReach(*middle, lists.k);
+    return *middle;
 }
 
 float capOf(const RadiusJob& job, std::size_t point, std::vector<float>& scratch) {
     const float median = medianSpacing(job.lists, point, scratch);
-    const float own = spacingFromReach(job.lists.reach(point), job.lists.k);
-    return kCapSpacings * std::clamp(own, median, kLoneSpacings * median);
+    return kCapSpacings * std::clamp(job.lists.spacings[point], median, kLoneSpacings * median);
 }
 
 /// Whether two points lie on opposite sheets of something thin: normals further apart than any edge folds them.
@@ -85,10 +84,10 @@ bool clipAtCorner(const RadiusJob& job, std::size_t point, const TangentPlane& p
     return false;
 }
 
-/// Makes the cell exact where the neighbours on the list do not reach: they are all there is within lists.reach, so
-/// that a corner is settled when the circle round it through the point stays inside.
+/// Makes the cell exact where the neighbours on the list do not reach: they are all there is within completeReach,
+/// so that a corner is settled when the circle round it through the point stays inside.
 void verifyCorners(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell) {
-    const float settled = job.lists.reach(point) / 2;
+    const float settled = job.lists.completeReach(point) / 2;
     int clips_left = 64; // far more than a cell has edges: only rounding could ask for more
     for (std::size_t i = 0; i < cell.corners().size();) {
         const CellCorner corner = cell.corners()[i];

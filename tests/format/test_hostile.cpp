@@ -192,6 +192,15 @@ TEST(Hostile, SectionsMissingOrTwice) {
     EXPECT_EQ(openCopy(twice).message.finding, 2003u);
 }
 
+TEST(Hostile, OffsetPlusLengthMayNotWrap) {
+    Bytes bytes = tiny(); // META: stride 1, so that length and count can be anything
+    const std::uint64_t length = ~std::uint64_t{0} - 4095;
+    storeAt(bytes, record(PRO_KIND_META, PRO_SEC_OFF_COUNT), length);
+    storeAt(bytes, record(PRO_KIND_META, PRO_SEC_OFF_LENGTH), length);
+    fixHeaderChecksum(bytes);
+    EXPECT_EQ(openCopy(bytes).message.finding, 2006u);
+}
+
 TEST(Hostile, UnknownOptionalSectionsAreSkipped) {
     Bytes bytes = tiny();
     storeAt(bytes, recordOf(bytes, PRO_KIND_ORDR), 0x58585858u);

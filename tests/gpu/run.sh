@@ -11,27 +11,28 @@ set -euo pipefail
 }
 bin=$1/bin out=$2
 shift 2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
-"$bin/pointrt-view" --device list | tee "$folder/devices"
-export POINTRT_DEVICE=${POINTRT_DEVICE:-}
+"$bin/pointrt-view" --device list
 device_option=()
-[ -z "$POINTRT_DEVICE" ] || device_option=(--device "$POINTRT_DEVICE")
+[ -z "${POINTRT_DEVICE:-}" ] || device_option=(--device "$POINTRT_DEVICE")
 
-# The tests that trace on the device, by name: unit tests of readers and trees tell nothing new here.
+# The tests that trace on the device: those of readers and trees tell nothing new here.
 failed=0
 results=()
-for program in "$bin"/*runtime*test*; do
+for program in "$bin"/test_runtime*; do
     [ -x "$program" ] || continue
-    name=$(basename "$program")
     status=0
-    "$program" --gtest_brief=1 || status=$?
-    [ "$status" = 0 ] || failed=1
-    results+=("{\"program\": \"$name\", \"exit_status\": $status}")
+    if ldd "$program" | grep -F 'not found' >&2; then
+        echo "SKIPPED: $program lacks the libraries above" >&2
+        status=null
+    else
+        "$program" --gtest_brief=1 || status=$?
+        [ "$status" = 0 ] || failed=1
+    fi
+    results+=("{\"program\": \"$(basename "$program")\", \"exit_status\": $status}")
 done
 [ ${#results[@]} -gt 0 ] || {
-    echo "no runtime tests in $bin" >&2
+    echo "no test_runtime programs in $bin" >&2
     exit 2
 }
 

@@ -77,8 +77,8 @@ typedef struct pro_file pro_file;
 /* PRO_OPEN_SKIP_CHECKSUMS leaves the sections' XXH3 out; the structure is checked all the same. */
 enum { PRO_OPEN_SKIP_CHECKSUMS = 1 };
 
-/* Maps path read-only and validates it. On success *file is set and must be closed with pro_close; otherwise it is NULL.
- * message may be NULL. The file must not be written in place or cut short while it is open. */
+/* Maps path read-only and validates it. On success *file is set and must be closed with pro_close; otherwise it is
+ * NULL. message may be NULL. The file must not be written in place or cut short while it is open. */
 PRO_API pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_message* message);
 
 /* The same over bytes the caller keeps alive and unchanged until pro_close; data must be 8-byte aligned. */

@@ -67,8 +67,12 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
         const Cloud cloud = readText("a.xyz", meaning.text);
         ASSERT_EQ(!cloud.colors.empty(), meaning.colors) << meaning.text;
         ASSERT_EQ(!cloud.normals.empty(), meaning.normals) << meaning.text;
-        if (meaning.colors) EXPECT_EQ(cloud.colors[0], meaning.color) << meaning.text;
-        if (meaning.normals) EXPECT_EQ(cloud.normals[0], meaning.normal) << meaning.text;
+        if (meaning.colors) {
+            EXPECT_EQ(cloud.colors[0], meaning.color) << meaning.text;
+        }
+        if (meaning.normals) {
+            EXPECT_EQ(cloud.normals[0], meaning.normal) << meaning.text;
+        }
     }
 }
 

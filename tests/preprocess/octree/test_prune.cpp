@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "preprocess/octree/blend.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {
@@ -11,36 +8,6 @@ namespace pointrt::test {
 namespace {
 
 std::size_t references(const Built& built) { return built.packed.discs.size() + built.octree.refs.size(); }
-
-DiscList wholeList(const Built& built) {
-    DiscList list;
-    list.discs = built.packed.discs;
-    list.kept.assign(list.discs.size(), 1);
-    return list;
-}
-
-TEST(Blend, SphereOfDiscsIsSmooth) {
-    // flat discs of radius r on a sphere of radius R stand r^2 / 2R off at their rim; blending takes most of that away
-    const Built built = buildSplats(sphereSplats(4000, Vec3f(0, 0, 0), 1.0f), {});
-    const DiscList list = wholeList(built);
-    const double scale = built.packed.frame.scale;
-    double worst_height = 0, worst_angle = 0;
-    std::mt19937 random(5);
-    std::normal_distribution<float> gauss;
-    for (int i = 0; i < 300; ++i) {
-        const Vec3f outwards = Vec3f(gauss(random), gauss(random), gauss(random)).normalized();
-        const Vec3f center = Vec3f::Constant(0.5f);
-        const float sphere_radius = static_cast<float>(1.0 / scale);
-        const Ray ray{center + 3.0f * sphere_radius * outwards, -outwards};
-        SurfaceHit hit;
-        ASSERT_TRUE(intersectBlended(list, ray, 0, 10, false, hit));
-        worst_height = std::max(worst_height, std::abs(hit.t - 2.0 * sphere_radius) * scale);
-        worst_angle = std::max(worst_angle, std::acos(std::min(1.0f, hit.normal.dot(outwards))) * 57.3);
-    }
-    const double spacing = std::sqrt(4 * 3.14159265 / 4000), radius = 1.2 * spacing;
-    EXPECT_LT(worst_height, 0.5 * radius * radius / 2);
-    EXPECT_LT(worst_angle, 0.25); // a disc's own normal is up to 57.3 * radius = 3.9 degrees off at its rim
-}
 
 TEST(Prune, DropsReferencesAndKeepsMembers) {
     BuildOptions options;
