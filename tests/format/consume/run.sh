@@ -22,5 +22,5 @@ PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name pointrt.pc)")
 export PKG_CONFIG_PATH
 # the words of pkg-config's answer are separate arguments
 # shellcheck disable=SC2046,SC2086
-cc ${CONSUME_CFLAGS:-} "$here/main.c" $(pkg-config --define-variable=prefix="$prefix" --cflags --libs pointrt) -o "$work/consume"
+cc ${CONSUME_CFLAGS:-} "$here/main.c" $(pkg-config --cflags --libs pointrt) -o "$work/consume"
 "$work/consume" "$file"
