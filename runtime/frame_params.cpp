@@ -11,17 +11,23 @@ namespace {
 
 using std::numbers::pi;
 
-/// Room and lights in multiples of the scene's bounding radius: wide enough to walk around in.
-constexpr double kRoomHalfWidth = 2.4;
-constexpr double kRoomHeight = 3.2;
-constexpr double kRingRadius = 1.4;
-constexpr double kRingHeight = 1.7;
+/// Rooms in multiples of the scene's bounding radius. Mirrors stand close, so that their images are large; matte walls
+/// stand back, where the lights leave no bright spots.
+struct RoomSize {
+    double half_width, height;
+};
+constexpr RoomSize kMirrorRoom{1.8, 2.8};
+constexpr RoomSize kMatteRoom{3.6, 5.0};
+
+/// The ring of lights, in the same unit: inside either room.
+constexpr double kRingRadius = 1.5;
+constexpr double kRingHeight = 1.9;
 /// Share left between the eye and a wall behind it.
 constexpr double kEyeMargin = 0.05;
 /// The first light stands this far to the left of the eye, as a key light does.
 constexpr double kKeyLightAngle = -40.0 * pi / 180.0;
 /// Radiance that all lights together give a white surface at the scene's centre that faces them.
-constexpr double kLightSum = 1.9;
+constexpr double kLightSum = 1.5;
 
 struct Staging {
     Vec3 center, eye, up; ///< cube units; up is an axis
@@ -59,12 +65,13 @@ gpu::vec4 pack(Vec3 v, double w = 0) {
 }
 
 /// Lowest and highest corner of the room: its floor carries the scene, and the eye is inside.
-void placeRoom(const Staging& staging, gpu::FrameParams& params) {
+void placeRoom(const Staging& staging, Room room, gpu::FrameParams& params) {
+    const RoomSize size = room == Room::kMirror ? kMirrorRoom : kMatteRoom;
     const auto axisBounds = [&](Vec3 axis, double& lo, double& hi) {
         const double along = dot(staging.up, axis), center = dot(staging.center, axis), eye = dot(staging.eye, axis);
-        lo = center - kRoomHalfWidth * staging.radius;
-        hi = center + kRoomHalfWidth * staging.radius;
-        const double room_top = staging.floor + kRoomHeight * staging.radius;
+        lo = center - size.half_width * staging.radius;
+        hi = center + size.half_width * staging.radius;
+        const double room_top = staging.floor + size.height * staging.radius;
         if (along > 0) lo = center + staging.floor, hi = center + room_top;
         if (along < 0) lo = center - room_top, hi = center - staging.floor;
         const double margin = kEyeMargin * staging.radius;
@@ -122,7 +129,7 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
     params.grid = {scene.grid_bits, info.material_count, settings.lights, optionBits(scene, settings)};
     params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces,
                    static_cast<std::uint32_t>(settings.room), settings.seed};
-    placeRoom(staging, params);
+    placeRoom(staging, settings.room, params);
     placeLights(staging, settings, params);
     return params;
 }

@@ -48,7 +48,7 @@ struct RayCounts {
 /// Row-major pixels, y down. The first-hit arrays belong to the pixel's centre ray.
 struct Film {
     std::uint32_t width = 0, height = 0;
-    std::vector<float> rgba;     ///< 4 a pixel, linear light, averaged over the samples
+    std::vector<float> rgba;     ///< 4 a pixel: linear light, background included; share covered by the scene
     std::vector<float> depth;    ///< 1 a pixel, along the ray from the eye, input units; +infinity: nothing hit
     std::vector<float> normal;   ///< 3 a pixel, unit, towards the eye; 0 where nothing is hit
     std::vector<float> position; ///< 3 a pixel, input coordinates; 0 where nothing is hit

@@ -14,12 +14,6 @@ constexpr float kDesaturation = 0.15f; // of the Khronos reference
 // Comparisons with NaN are false, so that NaN becomes 0.
 float cleanChannel(float value) { return value > 0.0f ? std::min(value, std::numeric_limits<float>::max()) : 0.0f; }
 
-bool isOpaque(const Film& film) {
-    for (std::size_t i = 3; i < film.rgba.size(); i += 4)
-        if (!(film.rgba[i] >= 1.0f)) return false;
-    return true;
-}
-
 } // namespace
 
 std::array<float, 3> toneMap(std::array<float, 3> linear) {
@@ -43,16 +37,11 @@ std::uint8_t encodeSrgb(float linear) {
 }
 
 Image8 developFilm(const Film& film) {
-    Image8 image{film.width, film.height, isOpaque(film) ? 3u : 4u, {}};
+    Image8 image{film.width, film.height, 3, {}};
     image.pixels.reserve(film.rgba.size() / 4 * image.channels);
-    for (std::size_t i = 0; i < film.rgba.size(); i += 4) {
-        const float alpha = std::clamp(cleanChannel(film.rgba[i + 3]), 0.0f, 1.0f);
-        const float straight = alpha > 0.0f ? 1.0f / alpha : 0.0f;
-        const float* rgb = &film.rgba[i];
-        for (float channel : toneMap({rgb[0] * straight, rgb[1] * straight, rgb[2] * straight}))
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4)
+        for (const float channel : toneMap({film.rgba[i], film.rgba[i + 1], film.rgba[i + 2]}))
             image.pixels.push_back(encodeSrgb(channel));
-        if (image.channels == 4) image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0f * alpha)));
-    }
     return image;
 }
 

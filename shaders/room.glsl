@@ -12,7 +12,7 @@ float hitRoom(vec3 origin, vec3 direction, out vec3 normal) {
     return nearest;
 }
 
-const vec3 kMatteWall = vec3(0.62, 0.61, 0.60);
+const vec3 kMatteWall = vec3(0.42, 0.42, 0.43);
 // Silvered glass gives back nine tenths, a little less of the blue at every turn.
 const vec3 kMirrorWall = vec3(0.90, 0.90, 0.88);
 
@@ -27,4 +27,4 @@ vec3 skyColor(vec3 direction) {
 }
 
 // Share of the sky's light taken as ambient, standing in for what bounces around a scene.
-const float kAmbient = 0.22;
+const float kAmbient = 0.16;

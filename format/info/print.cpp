@@ -21,8 +21,8 @@ std::string humanBytes(std::uint64_t bytes) {
 
 const char* yesNo(std::uint32_t flags, std::uint32_t flag) { return flags & flag ? "yes" : "no"; }
 
-/// Shortest digits that read back as the same float.
-std::string vectorText(const double v[3]) { return fmt::format("({}, {}, {})", v[0], v[1], v[2]); }
+/// Ten digits: millimetres in a national grid of metres.
+std::string vectorText(const double v[3]) { return fmt::format("({:.10g}, {:.10g}, {:.10g})", v[0], v[1], v[2]); }
 
 std::string levelsText(const Summary& summary) {
     std::string text =
@@ -110,7 +110,7 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
                                info.max_depth, info.leaf_count, s.border_leaves, s.empty_leaves));
     line("references", fmt::format("{}, {:.2f} a splat", s.references, s.references_per_splat));
     line("bounds", fmt::format("{} to {} input units", vectorText(info.bounds_min), vectorText(info.bounds_max)));
-    line("cube", fmt::format("edge {} from {} input units", info.scale, vectorText(info.origin)));
+    line("cube", fmt::format("edge {:.10g} from {} input units", info.scale, vectorText(info.origin)));
     line("radii",
          fmt::format("{:.4g} to {:.4g} input units, at most {:.2f} % too large", double{radius_min} * info.scale,
                      double{info.radius_max} * info.scale, 100 * s.radius_error));

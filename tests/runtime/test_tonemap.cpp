@@ -58,10 +58,9 @@ TEST(Develop, WritesOpaquePicturesAsRgb) {
     EXPECT_EQ(image.pixels[3], encodeSrgb(0.25f));
 }
 
-TEST(Develop, StraightensPremultipliedAlpha) {
-    const Image8 image = developFilm({2, 1, {0.25f, 0, 0, 0.5f, 0, 0, 0, 0}, {}, {}, {}});
-    EXPECT_EQ(image.channels, 4u);
-    EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{188, 0, 0, 128, 0, 0, 0, 0}));
+TEST(Develop, KeepsTheBackground) {
+    const Image8 image = developFilm({1, 1, {0.25f, 0, 0, 0}, {}, {}, {}});
+    EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{encodeSrgb(0.25f), 0, 0}));
 }
 
 } // namespace
