@@ -21,6 +21,10 @@ struct uvec4 {
 
 #define MAX_LIGHTS 16
 
+// Share of the sky's light taken as ambient by phong and whitted, standing in for what bounces around a scene.
+#define AMBIENT_SHARE 0.16f
+#define SKY_HORIZON 0.82f, 0.83f, 0.84f
+
 #define INTEGRATOR_PHONG 0
 #define INTEGRATOR_WHITTED 1
 #define INTEGRATOR_PATH 2

@@ -17,7 +17,7 @@ const vec3 kMatteWall = vec3(0.42, 0.42, 0.43);
 const vec3 kMirrorWall = vec3(0.90, 0.90, 0.88);
 
 const vec3 kSkyZenith = vec3(0.46, 0.52, 0.62);
-const vec3 kSkyHorizon = vec3(0.82, 0.83, 0.84);
+const vec3 kSkyHorizon = vec3(SKY_HORIZON);
 const vec3 kSkyGround = vec3(0.30, 0.29, 0.28);
 
 // What a ray that leaves the scene sees, and the ambient light from its direction.
@@ -25,6 +25,3 @@ vec3 skyColor(vec3 direction) {
     float height = dot(direction, params.sky_up.xyz);
     return mix(kSkyHorizon, height > 0.0 ? kSkyZenith : kSkyGround, sqrt(abs(height)));
 }
-
-// Share of the sky's light taken as ambient, standing in for what bounces around a scene.
-const float kAmbient = 0.16;

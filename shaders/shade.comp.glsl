@@ -155,11 +155,11 @@ void main() {
     vec3 next_weight = throughput * (tracing_paths ? (choose_mirror ? mirror_color : point.albedo) : mirror_color * mirror_share);
 
     bool shaded = on_surface && !debug;
-    if (shaded && !tracing_paths) added += matte_weight * point.albedo * skyColor(point.normal) * kAmbient;
+    if (shaded && !tracing_paths) added += matte_weight * point.albedo * skyColor(point.normal) * AMBIENT_SHARE;
     // reflections weaker than a display's last step are not worth a ray
     bool goes_on = shaded && max(next_weight.x, max(next_weight.y, next_weight.z)) > 1.0 / 512.0;
     if (goes_on && bounce >= params.mode.y) {
-        if (!tracing_paths) added += next_weight * skyColor(next) * kAmbient;
+        if (!tracing_paths) added += next_weight * skyColor(next) * AMBIENT_SHARE;
         goes_on = false;
     }
     bool wants_light = shaded && max(matte_weight.x, max(matte_weight.y, matte_weight.z)) > 0.0;

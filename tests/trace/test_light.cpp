@@ -72,7 +72,7 @@ TEST(Light, MirrorShowsTheWallItFaces) {
         }
         EXPECT_GT(light, 0.02);
         const double red_seen = pixel(one_bounce.film, x, y, 0), green_seen = pixel(one_bounce.film, x, y, 1);
-        const double ambient = 0.22 * 0.82; // the sky at the horizon
+        const double horizon[] = {SKY_HORIZON}, ambient = AMBIENT_SHARE * horizon[0]; // the wall is upright
         EXPECT_NEAR(red_seen, light + ambient, 0.02 * (light + ambient));
         EXPECT_LT(green_seen, 1e-3);
     }
