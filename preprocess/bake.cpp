@@ -96,7 +96,7 @@ BakeReport bake(const BakeOptions& options) {
     progress.begin("read", 0);
     Cloud cloud = readInputs(options.inputs, options.read, show);
     progress.setPoints(cloud.positions.size());
-    report.input_points = cloud.points_read;
+    report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
     report.points_non_finite = cloud.points_non_finite;
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);

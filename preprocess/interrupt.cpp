@@ -12,11 +12,9 @@ namespace {
 constexpr int kSignalExitBase = 128; // the shells' convention
 
 volatile std::sig_atomic_t guarded = 0;
-volatile std::sig_atomic_t pending = 0;
 
 extern "C" void onInterrupt(int signal) {
-    if (guarded) pending = signal;
-    else _exit(kSignalExitBase + signal);
+    if (!guarded) _exit(kSignalExitBase + signal);
 }
 
 } // namespace
@@ -30,9 +28,6 @@ void installInterruptHandlers() {
 
 InterruptGuard::InterruptGuard() { guarded = 1; }
 
-InterruptGuard::~InterruptGuard() {
-    guarded = 0;
-    if (pending) _exit(kSignalExitBase + pending);
-}
+InterruptGuard::~InterruptGuard() { guarded = 0; }
 
 } // namespace pointrt

@@ -7,7 +7,7 @@ namespace pointrt {
 /// Ends the process with 128 + signal on SIGINT, SIGTERM and SIGHUP; nothing is on disk before the output is written.
 void installInterruptHandlers();
 
-/// While one lives, interrupts wait until it ends: the output is renamed into place or removed first.
+/// While one lives interrupts are ignored: once writing has begun the run is as good as done, and ends with its file.
 class InterruptGuard {
 public:
     InterruptGuard();

@@ -110,60 +110,77 @@ vec3 cosineDirection(vec3 normal, vec2 u) {
     return normalize(ring * cos(angle) * a + ring * sin(angle) * b + sqrt(max(0.0, 1.0 - u.y)) * normal);
 }
 
-void recordFirstHit(uint index, Point point) {
-    first_hits[index] = point.t < 0.0 ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(point.normal, point.t);
+// What a point adds to the film, gives to its lights, and sends on.
+struct Shading {
+    vec3 added;        // radiance that needs no further ray
+    vec3 matte_weight; // of the light that shadow rays may bring
+    vec3 next;         // direction of the next ray
+    vec3 next_weight;  // its throughput, 0 where there is none
+};
+
+// Nothing is hit: the sky.
+Shading shadeSky(PathState path) {
+    return Shading(path.throughput.rgb * skyColor(path.direction.xyz), vec3(0.0), vec3(0.0), vec3(0.0));
 }
 
-vec3 debugColor(Point point) {
-    if (point.t < 0.0) return vec3(0.0);
-    if (params.mode.x == INTEGRATOR_NORMAL) return linearFromSrgb(point.normal * 0.5 + 0.5);
-    return vec3(max(0.0, 1.0 - point.t / params.sky_up.w));
+// Phong and Whitted: matte share, highlight and mirror share side by side; the mirror's ray is the one that goes on.
+Shading shadeClassic(PathState path, Point point) {
+    float mirror_share = point.reflectivity;
+    if (params.mode.x == INTEGRATOR_WHITTED && point.specular > 0.0)
+        mirror_share = max(mirror_share, fresnel(-dot(path.direction.xyz, point.normal)) * min(1.0, 4.0 * point.specular));
+    vec3 matte_weight = path.throughput.rgb * (1.0 - mirror_share);
+    return Shading(matte_weight * point.albedo * skyColor(point.normal) * AMBIENT_SHARE, matte_weight,
+                   reflect(path.direction.xyz, point.normal), path.throughput.rgb * point.mirror * mirror_share);
 }
+
+// Path tracing: one of mirror and matte by chance; the chance and the share cancel.
+Shading shadePath(PathState path, Point point, vec3 random) {
+    if (random.z < point.reflectivity)
+        return Shading(vec3(0.0), vec3(0.0), reflect(path.direction.xyz, point.normal), path.throughput.rgb * point.mirror);
+    return Shading(vec3(0.0), path.throughput.rgb, cosineDirection(point.normal, random.xy),
+                   path.throughput.rgb * point.albedo);
+}
+
+// The normal and depth views.
+Shading shadeView(Point point) {
+    vec3 color = vec3(0.0);
+    if (point.t >= 0.0)
+        color = params.mode.x == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
+                                                   : vec3(max(0.0, 1.0 - point.t / params.sky_up.w));
+    return Shading(color, vec3(0.0), vec3(0.0), vec3(0.0));
+}
+
+Shading shade(PathState path, Point point, uint pixel, uint bounce) {
+    if (params.mode.x == INTEGRATOR_NORMAL || params.mode.x == INTEGRATOR_DEPTH) return shadeView(point);
+    if (point.t < 0.0) return shadeSky(path);
+    if (params.mode.x == INTEGRATOR_PATH) return shadePath(path, point, random3(pixel, push.step.x, bounce + 1u));
+    return shadeClassic(path, point);
+}
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// Rays weaker than a display's last step are not worth their cost.
+const float kLeastWeight = 1.0 / 512.0;
 
 void main() {
-    uint index = queuedPath(balancedLane());
-    bool live = index != NO_INDEX;
-    uint path_index = live ? index : 0u;
-    PathState path = paths[path_index];
-    uvec4 hit = live ? hits[path_index] : uvec4(0u, NO_INDEX, NO_INDEX, 0u);
-    Point point = findPoint(path, hit);
-    uint bounce = push.step.z & 0xFFFFu;
-    bool on_surface = live && point.t >= 0.0;
-
+    uint queued = queuedPath(balancedLane());
+    bool live = queued != NO_INDEX;
+    uint index = live ? queued : 0u; // idle lanes work along: the appends below need the whole subgroup
+    PathState path = paths[index];
+    Point point = findPoint(path, live ? hits[index] : uvec4(0u, NO_INDEX, NO_INDEX, 0u));
     if (hasStep(STEP_FIRST_HIT)) {
-        if (live) recordFirstHit(path_index, point);
+        if (live) first_hits[index] = point.t < 0.0 ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(point.normal, point.t);
         return;
     }
-    bool debug = params.mode.x == INTEGRATOR_NORMAL || params.mode.x == INTEGRATOR_DEPTH;
-    vec3 direction = path.direction.xyz, throughput = path.throughput.rgb;
-    vec3 added = vec3(0.0);
-    float coverage = bounce == 0u && (on_surface || params.mode.z != ROOM_NONE) ? 1.0 : 0.0;
-    if (debug) added = debugColor(point);
-    else if (!on_surface) added = throughput * skyColor(direction);
-
-    bool tracing_paths = params.mode.x == INTEGRATOR_PATH;
-    float cosine = on_surface ? -dot(direction, point.normal) : 1.0;
-    float mirror_share = on_surface ? point.reflectivity : 0.0;
-    vec3 mirror_color = on_surface ? point.mirror : vec3(1.0);
-    if (params.mode.x == INTEGRATOR_WHITTED && on_surface && point.specular > 0.0 && point.radius > 0.0)
-        mirror_share = max(mirror_share, fresnel(cosine) * min(1.0, 4.0 * point.specular));
-    vec3 random = random3(index + params.image.z * params.image.x, push.step.x, bounce + 1u);
-    // one ray leaves each point: paths choose between mirror and matte, the others reflect and light both shares
-    bool choose_mirror = !tracing_paths || random.z < mirror_share;
-    vec3 matte_weight = throughput * (tracing_paths ? (choose_mirror ? 0.0 : 1.0) : 1.0 - mirror_share);
-    vec3 next = choose_mirror ? reflect(direction, on_surface ? point.normal : vec3(0.0)) : cosineDirection(point.normal, random.xy);
-    vec3 next_weight = throughput * (tracing_paths ? (choose_mirror ? mirror_color : point.albedo) : mirror_color * mirror_share);
-
-    bool shaded = on_surface && !debug;
-    if (shaded && !tracing_paths) added += matte_weight * point.albedo * skyColor(point.normal) * AMBIENT_SHARE;
-    // reflections weaker than a display's last step are not worth a ray
-    bool goes_on = shaded && max(next_weight.x, max(next_weight.y, next_weight.z)) > 1.0 / 512.0;
-    if (goes_on && bounce >= params.mode.y) {
-        if (!tracing_paths) added += next_weight * skyColor(next) * AMBIENT_SHARE;
+    uint bounce = push.step.z & 0xFFFFu;
+    Shading shading = shade(path, point, index + params.image.z * params.image.x, bounce);
+    bool goes_on = live && largest(shading.next_weight) > kLeastWeight;
+    if (goes_on && bounce >= params.mode.y) { // the last mirror shows the sky's ambient light instead of black
+        if (params.mode.x != INTEGRATOR_PATH) shading.added += shading.next_weight * skyColor(shading.next) * AMBIENT_SHARE;
         goes_on = false;
     }
-    bool wants_light = shaded && max(matte_weight.x, max(matte_weight.y, matte_weight.z)) > 0.0;
-    if (live) film[path_index] += vec4(added, coverage);
-    appendLit(wants_light, path_index, point, -direction, matte_weight);
-    appendRay(goes_on, path_index, point, next, next_weight);
+    float coverage = bounce == 0u && point.t >= 0.0 ? 1.0 : 0.0;
+    if (live) film[index] += vec4(shading.added, coverage);
+    appendLit(live && largest(shading.matte_weight) > 0.0, index, point, -path.direction.xyz, shading.matte_weight);
+    appendRay(goes_on, index, point, shading.next, shading.next_weight);
 }

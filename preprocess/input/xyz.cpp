@@ -66,9 +66,10 @@ std::optional<std::string_view> commentText(std::string_view line) {
 }
 
 std::vector<Role> rolesOfHeader(std::string_view line) {
+    constexpr std::size_t kMostColumns = 4096;
     std::vector<Role> roles;
     Fields fields{line, delimiterOf(line)};
-    for (std::string_view field; fields.next(field);) {
+    for (std::string_view field; roles.size() < kMostColumns && fields.next(field);) {
         const std::string_view name = Fields::trim(field.substr(0, field.find_first_of("[(")));
         roles.push_back(roleOfName(name));
     }
@@ -102,14 +103,6 @@ void takeCount(const Source& source, std::string_view line, Layout& layout) {
     wholeInteger(line, layout.counted_points);
 }
 
-void takeHeader(const Source& source, std::string_view line, Layout& layout) {
-    if (!layout.named) layout.roles = rolesOfHeader(line);
-    if (layout.roles.empty())
-        refuseLine(source, line.data(),
-                   fmt::format("is neither a point nor a header with x, y and z: {}", quoted(line)));
-    layout.named = true;
-}
-
 /// Reads what stands before the first point.
 Layout readPrologue(const Source& source) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
@@ -127,6 +120,9 @@ Layout readPrologue(const Source& source) {
         const LineShape shape = shapeOf(line);
         if (isCount(shape)) {
             takeCount(source, line, layout);
+        } else if (const std::vector<Role> roles = rolesOfHeader(line); !roles.empty()) {
+            layout.roles = roles;
+            layout.named = true;
         } else if (shape.numbers >= 3 || layout.named) {
             layout.data = here;
             layout.delimiter = delimiterOf(line);
@@ -134,7 +130,8 @@ Layout readPrologue(const Source& source) {
             layout.first_line_size = here.size() - rest.size();
             return layout;
         } else {
-            takeHeader(source, line, layout);
+            refuseLine(source, line.data(),
+                       fmt::format("is neither a point nor a header with x, y and z: {}", quoted(line)));
         }
     }
     refuse(source, "holds no points");

@@ -21,7 +21,7 @@ constexpr std::uint32_t kTaskMembers = 2048;
 constexpr std::uint32_t kListPerMember = 8;
 
 /// Cells do not split below this many mean radii of their splats: smaller ones would all hold the same discs.
-constexpr float kMinEdgeRadii = 1.0f;
+constexpr float kMinEdgeRadii = 3.0f;
 
 /// Half a position step: boxes are tested this much larger, so that rounding never loses a disc that touches.
 constexpr float kTouchSlack = 0.5f * PRO_POSITION_STEP;

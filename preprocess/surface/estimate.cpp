@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "pointrt/tool.hpp"
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/lines.h"
 #include "preprocess/surface/neighbors.h"
@@ -19,9 +21,10 @@ namespace pointrt {
 namespace surface {
 namespace {
 
-/// Disc radius over closing radius. The viewer blends discs with the weight (1 - d^2 / r^2)^2, which must stay well
-/// above zero at the corners of the cells too: three discs meet there at d = r / kOverlap, so that their weights sum
-/// up to 3 (1 - 1 / 1.4^2)^2 = 0.72, against about 2 in the middle of a disc.
+/// Disc radius over closing radius. The viewer blends discs with the weight (1 - d^2 / r^2)^2, whose sum must stay well
+/// above zero everywhere. It is lowest at the corners of the cells, where three discs or more meet at d = r / kOverlap:
+/// 3 (1 - 1 / 1.4^2)^2 = 0.72. Measured over square, hexagonal, jittered, Poisson-disc and random points in a plane the
+/// lowest sum is 0.63 to 0.96, the median 0.76 to 1.9; at 1.3 the lowest is 0.43, at 1.5 there are a seventh more discs.
 constexpr double kOverlap = 1.4;
 
 constexpr const char* kNeighborStage = "neighbors";
@@ -79,6 +82,13 @@ Splats toSplats(Points&& points, std::vector<float>&& radii, double radius_scale
     return splats;
 }
 
+void requireSane(const SurfaceOptions& options) {
+    if (options.neighbors < 3 || options.neighbors > 255)
+        throw Error{ExitCode::kBadUsage, "the number of neighbors must be 3 to 255"};
+    if (!(options.radius_scale > 0) || !std::isfinite(options.radius_scale))
+        throw Error{ExitCode::kBadUsage, "the radius scale must be above 0"};
+}
+
 } // namespace
 } // namespace surface
 
@@ -86,6 +96,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
                       const StageProgress& progress) {
     using namespace surface;
     report = {};
+    requireSane(options);
     requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
     const std::size_t input_count = cloud.positions.size();

@@ -40,7 +40,8 @@ Choice chooseFrom(const NearestSearch& search, const Points& points, std::size_t
         choice.indices.push_back(indices[rank]);
         choice.distances.push_back(std::sqrt(squared[rank]));
     }
-    choice.spacing = spacingFromReach(choice.distances.back(), count);
+    // The farthest is on the next line or beyond, or isLine would not let the choice pass: the gap is shorter.
+    choice.spacing = choice.distances.back() * 0.3f;
     return choice;
 }
 

@@ -36,7 +36,8 @@ struct NeighborLists {
     std::size_t k = 0;
     std::vector<std::uint32_t> indices; ///< [points][k]
     std::vector<float> distances;       ///< [points][k], in the unit of positions
-    std::vector<float> spacings;        ///< [points], edge of the square that a point has to itself
+    std::vector<float> spacings;        ///< [points], edge of the square that a point has to itself; half the way to
+                                        ///< the next scan line where the list is thinned
     std::vector<std::uint8_t> thinned;  ///< [points], 1: of the second half only some are listed
 
     std::span<const std::uint32_t> of(std::size_t point) const { return {&indices[point * k], k}; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "pointrt/tool.hpp"
@@ -71,7 +72,8 @@ void widen(ScaleSpace& scales, const Points& points, const NeighborLists& lists,
 Vec3f smoothNormal(const Points& points, const NeighborLists& lists, std::size_t point) {
     constexpr float kUnrelated = 0.8f; // cosine of 37 degrees: from here on a neighbour has no say
     const Vec3f normal = points.normals[point];
-    const float width = lists.reach(point) / 1.5f; // the farthest neighbour weighs exp(-1.5^2) = 0.1
+    // The farthest neighbour weighs exp(-1.5^2) = 0.1. Where the squares of distances vanish all weigh the same.
+    const float width = std::max(lists.reach(point) / 1.5f, std::numeric_limits<float>::min());
     const auto neighbors = lists.of(point);
     const auto distances = lists.distancesOf(point);
     Vec3f sum = normal;

@@ -10,31 +10,32 @@ namespace {
 
 constexpr std::size_t kFewPoints = 1000; // too few to tell a stray from sparse sampling
 
-/// Where a surface changes its density a hundredfold at a line, the sparse side's points reach 2 to 3 times further
-/// than their dense neighbours; foliage and scan lines stay below 4 too, but for one point in 2000.
+/// How many times further than its neighbours a stray reaches. Nine spacings away from a surface it gets there.
 constexpr float kStrayReach = 4;
 
 /// Islands of a surface seen through a gap are as large as the gap, to within a factor of 5 in raw range scans;
 /// clumps of strays there are 45 times their size away from the rest.
 constexpr float kClumpDistance = 20;
 
-float medianReach(const NeighborLists& lists, std::span<const std::uint32_t> neighbors, std::vector<float>& scratch) {
+/// The distance within which three of four neighbours reach their k-th. Not the median: where density jumps, most
+/// neighbours of a point on the sparse side may be on the dense one.
+float commonReach(const NeighborLists& lists, std::span<const std::uint32_t> neighbors, std::vector<float>& scratch) {
     scratch.clear();
     for (const std::uint32_t neighbor : neighbors) scratch.push_back(lists.reach(neighbor));
-    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
-    std::nth_element(scratch.begin(), middle, scratch.end());
-    return *middle;
+    const auto rank = scratch.begin() + std::ptrdiff_t(scratch.size() * 3 / 4);
+    std::nth_element(scratch.begin(), rank, scratch.end());
+    return *rank;
 }
 
 /// Whether the point and its first `others` neighbours are a clump far from the remaining neighbours.
 bool isClump(const NeighborLists& lists, std::size_t point, std::size_t others, std::vector<float>& scratch) {
     const auto distances = lists.distancesOf(point);
     if (distances[others] < kClumpDistance * distances[others - 1]) return false;
-    return distances[others] > kStrayReach * medianReach(lists, lists.of(point).subspan(others), scratch);
+    return distances[others] > kStrayReach * commonReach(lists, lists.of(point).subspan(others), scratch);
 }
 
 bool isStray(const NeighborLists& lists, std::size_t point, std::vector<float>& scratch) {
-    if (lists.reach(point) > kStrayReach * medianReach(lists, lists.of(point), scratch)) return true;
+    if (lists.reach(point) > kStrayReach * commonReach(lists, lists.of(point), scratch)) return true;
     for (std::size_t others = 1; others < lists.k; ++others)
         if (isClump(lists, point, others, scratch)) return true;
     return false;

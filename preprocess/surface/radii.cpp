@@ -11,13 +11,17 @@
 namespace pointrt::surface {
 namespace {
 
-/// Half edge of the square that bounds a cell, in local spacings. In a surface of random points an empty circle of
-/// radius r spacings is as likely as exp(-pi r^2): at 2.5 one in 3e8.
-constexpr float kCapSpacings = 2.5f;
+/// Farthest corner that counts, in local spacings: what is open further than that is a border or a hole
+/// of the scan, which stays. Among points spread at random, the least even sampling there is, an empty circle of radius
+/// r spacings has the probability exp(-pi r^2): at 2 it is 3e-6.
+constexpr float kCapSpacings = 2;
 
 /// A point's spacing may exceed the median of its neighbours this many times before it counts as a lone point; where
 /// density jumps it is real.
 constexpr float kLoneSpacings = 4;
+
+/// Where even distances vanish: finer than the positions of a cloud whose extent is about 1.
+constexpr float kLeastRadius = 0x1p-24f;
 
 struct RadiusJob {
     const Points& points;
@@ -103,12 +107,14 @@ void verifyCorners(const RadiusJob& job, std::size_t point, const TangentPlane& 
 
 float closingRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std::vector<float>& scratch) {
     const TangentPlane plane(job.points.positions[point], job.points.normals[point]);
-    cell.reset(capOf(job, point, scratch));
+    const float cap = capOf(job, point, scratch);
+    cell.reset(cap);
     clipByNeighbors(job, point, plane, cell);
     verifyCorners(job, point, plane, cell);
     // Points along a line have no closed corner: half way to the second neighbour covers the line.
     const auto distances = job.lists.distancesOf(point);
-    return std::max(cell.closedReach(), distances[std::min<std::size_t>(1, distances.size() - 1)] / 2);
+    const float half_way = distances[std::min<std::size_t>(1, distances.size() - 1)] / 2;
+    return std::max({cell.closedReach(cap), std::min(half_way, cap), kLeastRadius});
 }
 
 } // namespace

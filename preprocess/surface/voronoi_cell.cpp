@@ -15,7 +15,10 @@ void VoronoiCell::reset(float half_edge) {
 bool VoronoiCell::clip(const Eigen::Vector2f& place, float height) {
     const float limit = (place.squaredNorm() + height * height) / 2;
     const auto beyond = [&](const CellCorner& corner) { return corner.place.dot(place) - limit; };
-    if (std::none_of(corners_.begin(), corners_.end(), [&](const auto& corner) { return beyond(corner) > 0; }))
+    // Less than rounding may amount to is not worth a cut: slivers would count as closed corners.
+    constexpr float kRounding = 1e-5f;
+    const float hair = kRounding * (limit + reach() * place.norm());
+    if (std::none_of(corners_.begin(), corners_.end(), [&](const auto& corner) { return beyond(corner) > hair; }))
         return false;
 
     clipped_.clear();
@@ -40,14 +43,14 @@ float VoronoiCell::reach() const {
     return std::sqrt(squared);
 }
 
-float VoronoiCell::closedReach() const {
-    float squared = 0;
+float VoronoiCell::closedReach(float limit) const {
+    float farthest = 0;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const CellCorner& before = corners_[(i + corners_.size() - 1) % corners_.size()];
-        if (!corners_[i].border_edge && !before.border_edge)
-            squared = std::max(squared, corners_[i].place.squaredNorm());
+        const float distance = corners_[i].place.norm();
+        if (!corners_[i].border_edge && !before.border_edge && distance <= limit) farthest = std::max(farthest, distance);
     }
-    return std::sqrt(squared);
+    return farthest;
 }
 
 } // namespace pointrt::surface

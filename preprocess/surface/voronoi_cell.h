@@ -31,8 +31,8 @@ class VoronoiCell {
 
     /// Distance to the farthest corner.
     float reach() const;
-    /// Distance to the farthest corner where two bisectors meet; 0 when there is none.
-    float closedReach() const;
+    /// Distance to the farthest corner, of those within limit, where two bisectors meet; 0 when there is none.
+    float closedReach(float limit) const;
 
   private:
     std::vector<CellCorner> corners_, clipped_;

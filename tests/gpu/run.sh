@@ -19,7 +19,7 @@ device_option=()
 # The tests that trace on the device: those of readers and trees tell nothing new here.
 failed=0
 results=()
-for program in "$bin"/test_runtime*; do
+for program in "$bin"/test_runtime* "$bin"/test_trace*; do
     [ -x "$program" ] || continue
     status=0
     if ldd "$program" | grep -F 'not found' >&2; then
@@ -32,7 +32,7 @@ for program in "$bin"/test_runtime*; do
     results+=("{\"program\": \"$(basename "$program")\", \"exit_status\": $status}")
 done
 [ ${#results[@]} -gt 0 ] || {
-    echo "no test_runtime programs in $bin" >&2
+    echo "no test_runtime or test_trace programs in $bin" >&2
     exit 2
 }
 

@@ -45,7 +45,9 @@ void expectExtents(const Cloud& cloud, const std::string& text) {
     }
 }
 
-bool isReadFormat(const std::string& format) {
+bool isReadFormat(const nlohmann::json& name) {
+    if (!name.is_string()) return false;
+    const std::string format = name;
     for (const char* prefix : {"PLY", "PCD", "OBJ", "Draco"})
         if (format.starts_with(prefix)) return true;
     return false;
@@ -79,7 +81,8 @@ void expectTruth(const std::string& name, const nlohmann::json& facts) {
 TEST(DataTest, ScansAreAsOthersReadThem) {
     if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
     int read = 0;
-    for (const auto& [name, facts] : truth().items()) {
+    const nlohmann::json all_facts = truth();
+    for (const auto& [name, facts] : all_facts.items()) {
         const bool has_extent = facts["ext"].is_string() && !parseExtents(facts["ext"]).empty();
         if (!isReadFormat(facts["fmt"]) || !has_extent || !fs::exists(dataFolder() / name)) continue;
         expectTruth(name, facts);

@@ -61,7 +61,7 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
         {"1 2 3 0 0 1 10 20 30\n1 2 3 0 1 0 1 1 1\n", true, true, rgb, up},
         {"1 2 3 0 0 1 10 20 30 255\n1 2 3 0 1 0 1 1 1 255\n", true, true, rgb, up},
         {"1 2 3 2560 5120 7680\n1 2 3 0 0 65535\n", true, false, rgb, {}},
-        {"1 2 3 0.04 0.08 0.12\n1 2 3 0 0 0.5\n", true, false, rgb, {}},
+        {"1 2 3 0.0392 0.0784 0.1176\n1 2 3 0 0 0.5\n", true, false, rgb, {}},
     };
     for (const Meaning& meaning : meanings) {
         const Cloud cloud = readText("a.xyz", meaning.text);

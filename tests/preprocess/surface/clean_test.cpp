@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+TEST(Duplicates, TheFirstStaysWithItsColor) {
+    Shape shape = randomSphere(500);
+    Cloud cloud = shape.cloud();
+    cloud.positions.insert(cloud.positions.end(), shape.positions.begin(), shape.positions.begin() + 100);
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i) cloud.colors.push_back({i < 500 ? Rgb8::value_type(1) : Rgb8::value_type(2), 0, 0});
+    SurfaceReport report;
+    const Splats splats = estimateSplats(std::move(cloud), {}, report);
+    EXPECT_EQ(report.duplicates_removed, 100u);
+    ASSERT_EQ(splats.positions.size(), 500u);
+    for (std::size_t i = 0; i < 500; ++i) {
+        EXPECT_LT(splats.input_index[i], 500u);
+        EXPECT_EQ(splats.colors[i][0], 1);
+    }
+}
+
+TEST(Duplicates, NegativeZeroEqualsZero) {
+    Cloud cloud;
+    cloud.positions = {{0, 0, 0}, {-0.f, 0, -0.f}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    SurfaceReport report;
+    const Splats splats = estimateSplats(std::move(cloud), {}, report);
+    EXPECT_EQ(report.duplicates_removed, 1u);
+    EXPECT_EQ(std::count(splats.input_index.begin(), splats.input_index.end(), 0u), 1);
+}
+
+TEST(Positions, ComeBackBitForBit) {
+    Shape shape = randomSphere(1000, Vec3d(-371, 12.5, 9000), 250);
+    const Splats splats = estimate(shape.cloud());
+    std::set<std::uint32_t> seen(splats.input_index.begin(), splats.input_index.end());
+    EXPECT_EQ(seen.size(), splats.positions.size());
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        EXPECT_EQ(splats.positions[i], shape.positions[splats.input_index[i]]);
+}
+
+/// Sphere of 20,000 points (spacing 0.025) with single strays and a clump.
+struct StrewnSphere {
+    Shape shape = randomSphere(20'000);
+    std::size_t strays = 0;
+
+    void stray(const Vec3d& position) {
+        shape.add(position, Vec3d::UnitZ());
+        ++strays;
+    }
+    StrewnSphere() {
+        for (const Vec3d& p : {Vec3d(2, 0, 0), Vec3d(0, 0.5, 0), Vec3d(0, -3, 1), Vec3d(0, 0, 1.5)}) stray(p);
+        for (int i = 0; i < 12; ++i) stray(Vec3d(-2 + 0.01 * (i % 4), 0.01 * (i / 4), 0)); // a patch of another scan
+    }
+};
+
+TEST(Outliers, StraysGoAndTheSurfaceStays) {
+    StrewnSphere sphere;
+    SurfaceReport report;
+    const Splats splats = estimateSplats(sphere.shape.cloud(), {}, report);
+    EXPECT_EQ(report.outliers_removed, sphere.strays);
+    ASSERT_EQ(splats.positions.size(), 20'000u);
+    for (const std::uint32_t index : splats.input_index) EXPECT_LT(index, 20'000u);
+    EXPECT_LT(normalErrors(splats, sphere.shape).back(), 5) << "lists of neighbours are found anew";
+}
+
+TEST(Outliers, StayWhenAskedTo) {
+    StrewnSphere sphere;
+    SurfaceOptions options;
+    options.remove_outliers = false;
+    EXPECT_EQ(estimate(sphere.shape.cloud(), options).positions.size(), 20'000 + sphere.strays);
+}
+
+TEST(Outliers, SmallCloudsKeepAll) {
+    Shape shape = randomSphere(900);
+    shape.add(Vec3d(50, 0, 0), Vec3d::UnitX());
+    EXPECT_EQ(estimate(shape.cloud()).positions.size(), 901u);
+}
+
+TEST(Outliers, SparseSurfaceBesideDenseOneStays) {
+    Shape shape = gridPlane(100); // 100 times the density of what goes on to its right
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 10; ++j) shape.add(Vec3d(1 + (i + 0.5) / 10, (j + 0.5) / 10, 0), Vec3d::UnitZ());
+    SurfaceReport report;
+    estimateSplats(shape.cloud(), {}, report);
+    EXPECT_EQ(report.outliers_removed, 0u);
+}
+
+TEST(Outliers, NearlyCoincidentPairsStay) {
+    Shape shape = gridPlane(40);
+    const Shape twin = shape;
+    for (const Vec3f& p : twin.positions) shape.add(p.cast<double>() + Vec3d(1e-6, 0, 0), Vec3d::UnitZ());
+    SurfaceReport report;
+    estimateSplats(shape.cloud(), {}, report);
+    EXPECT_EQ(report.outliers_removed, 0u);
+}
+
+} // namespace
+} // namespace pointrt::test

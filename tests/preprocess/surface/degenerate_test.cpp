@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "pointrt/tool.hpp"
+#include "shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+std::string reasonFor(Cloud cloud, const SurfaceOptions& options = {}) {
+    try {
+        estimate(std::move(cloud), options);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kBadInput);
+        return error.what();
+    }
+    return "no error";
+}
+
+Cloud cloudOf(std::vector<Vec3f> positions) {
+    Cloud cloud;
+    cloud.positions = std::move(positions);
+    return cloud;
+}
+
+TEST(Degenerate, TooFewPoints) {
+    EXPECT_EQ(reasonFor({}), "0 point(s): a surface needs at least 3");
+    EXPECT_EQ(reasonFor(cloudOf({{1, 2, 3}})), "1 point(s): a surface needs at least 3");
+    EXPECT_EQ(reasonFor(cloudOf({{1, 2, 3}, {3, 2, 1}})), "2 point(s): a surface needs at least 3");
+}
+
+TEST(Degenerate, AllEqual) {
+    EXPECT_EQ(reasonFor(cloudOf(std::vector<Vec3f>(7, Vec3f(1, 2, 3)))), "all 7 points are equal");
+}
+
+TEST(Degenerate, AllOnLine) {
+    std::vector<Vec3f> line;
+    for (int i = 0; i < 1000; ++i) line.push_back(Vec3f(1, 2, 3) + 0.1f * float(i) * Vec3f(0.3f, -0.7f, 0.2f));
+    EXPECT_EQ(reasonFor(cloudOf(line)), "all 1000 points lie on one line");
+    EXPECT_EQ(reasonFor(cloudOf({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}})), "all 3 points lie on one line");
+    line.push_back(Vec3f(0, 0, 0));
+    EXPECT_EQ(reasonFor(cloudOf(line)), "no error");
+}
+
+TEST(Degenerate, MissingNormalsAndSensors) {
+    Cloud cloud = randomSphere(100).cloud();
+    cloud.normals.assign(100, Vec3f::UnitX());
+    cloud.normals[3].setZero();
+    cloud.normals[4].setConstant(std::numeric_limits<float>::quiet_NaN());
+    SurfaceOptions keep, sensor;
+    keep.normals = NormalSource::kKeep;
+    sensor.orient = OrientMode::kSensor;
+    EXPECT_EQ(reasonFor(cloud, keep), "2 of 100 points have no normal to keep: let them be estimated");
+    EXPECT_EQ(reasonFor(cloud, sensor), "the sensor of 100 of 100 points is not known");
+}
+
+TEST(Degenerate, OptionsOutOfRange) {
+    SurfaceOptions options;
+    options.neighbors = 2;
+    EXPECT_THROW(estimate(randomSphere(100).cloud(), options), Error);
+    options = {};
+    options.radius_scale = 0;
+    EXPECT_THROW(estimate(randomSphere(100).cloud(), options), Error);
+}
+
+void expectSoundSplats(const Splats& splats) {
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        EXPECT_TRUE(splats.positions[i].allFinite());
+        EXPECT_NEAR(splats.normals[i].norm(), 1, 1e-5);
+        EXPECT_TRUE(std::isfinite(splats.radii[i]));
+        EXPECT_GT(splats.radii[i], 0);
+    }
+}
+
+TEST(Degenerate, TinyCloudsHaveSoundSplats) {
+    for (std::size_t count = 3; count < 40; ++count) {
+        const Splats splats = estimate(randomSphere(count).cloud());
+        EXPECT_EQ(splats.positions.size(), count);
+        expectSoundSplats(splats);
+    }
+}
+
+TEST(Degenerate, AnyScaleOfCoordinates) {
+    const Shape shape = randomSphere(2000);
+    for (const double scale : {1e-30, 1e-6, 1.0, 1e6, 1e30}) {
+        Cloud cloud;
+        for (const Vec3f& p : shape.positions) cloud.positions.push_back((p.cast<double>() * scale).cast<float>());
+        const Splats splats = estimate(std::move(cloud));
+        expectSoundSplats(splats);
+        EXPECT_LT(normalErrors(splats, shape).back(), 10);
+        EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 0.5 * scale);
+    }
+}
+
+TEST(Degenerate, PointsMuchCloserThanTheExtent) {
+    Shape shape = randomSphere(2000, Vec3d::Zero(), 1e-25);
+    shape.append(randomSphere(2000));
+    expectSoundSplats(estimate(shape.cloud()));
+}
+
+} // namespace
+} // namespace pointrt::test

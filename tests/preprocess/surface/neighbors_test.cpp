@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "preprocess/surface/lines.h"
+#include "preprocess/surface/neighbors.h"
+#include "shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+using namespace surface;
+
+const StageProgress kSilent;
+
+TEST(Neighbors, AreTheNearestByBruteForce) {
+    const Points points = takePoints(randomTorus(700).cloud());
+    const NearestSearch search(points.positions);
+    const NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        std::vector<std::pair<float, std::uint32_t>> all;
+        for (std::uint32_t j = 0; j < points.size(); ++j)
+            if (j != i) all.emplace_back((points.positions[i] - points.positions[j]).squaredNorm(), j);
+        std::sort(all.begin(), all.end());
+        for (std::size_t n = 0; n < 16; ++n) {
+            EXPECT_EQ(lists.of(i)[n], all[n].second);
+            EXPECT_NEAR(lists.distancesOf(i)[n], std::sqrt(all[n].first), 1e-6);
+        }
+    }
+}
+
+TEST(Neighbors, TiesGoToTheLowerIndex) {
+    const Points points = takePoints(gridPlane(20).cloud());
+    const NearestSearch search(points.positions);
+    std::vector<std::uint32_t> indices(3);
+    std::vector<float> squared(3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        search.nearest(points.positions[i], indices, squared);
+        const auto as_near = [&](std::uint32_t j) {
+            return j != i && (points.positions[i] - points.positions[j]).squaredNorm() == squared[1];
+        };
+        for (std::uint32_t j = 0; j < indices[1]; ++j) EXPECT_FALSE(as_near(j));
+    }
+}
+
+TEST(Neighbors, SmallCloudsListAllOthers) {
+    const Points points = takePoints(randomSphere(5).cloud());
+    const NearestSearch search(points.positions);
+    const NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
+    EXPECT_EQ(lists.k, 4u);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const auto others = lists.of(i);
+        EXPECT_EQ(std::accumulate(others.begin(), others.end(), std::size_t(0)) + i, 10u);
+    }
+}
+
+/// Scan lines 20 times as far apart as their points.
+Shape scanLines() {
+    Shape shape;
+    for (int line = 0; line < 40; ++line)
+        for (int i = 0; i < 800; ++i) shape.add(Vec3d(i + 0.37 * line, 20 * line, 0), Vec3d::UnitZ());
+    return shape;
+}
+
+TEST(Lines, ListsReachTheNextLine) {
+    const Points points = takePoints(scanLines().cloud());
+    const NearestSearch search(points.positions);
+    NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
+    spreadLines(lists, points, search, {kSilent, "test"});
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        const auto others = lists.of(i);
+        EXPECT_TRUE(std::any_of(others.begin(), others.end(), [&](std::uint32_t j) {
+            return points.positions[j].y() != points.positions[i].y();
+        }));
+        EXPECT_TRUE(std::is_sorted(lists.distancesOf(i).begin(), lists.distancesOf(i).end()));
+        EXPECT_EQ(std::count(others.begin(), others.end(), i), 0);
+    }
+}
+
+TEST(Lines, NormalsStandOnThePlaneOfTheLines) {
+    const Shape shape = scanLines();
+    EXPECT_LT(normalErrors(estimate(shape.cloud()), shape, true).back(), 0.1);
+}
+
+} // namespace
+} // namespace pointrt::test

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+/// What the discs amount to over a place: the summed blending weight (1 - d^2 / r^2)^2.
+double weightAt(const Splats& splats, const Vec3f& place) {
+    double sum = 0;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        const float squared = (splats.positions[i] - place).squaredNorm() / (splats.radii[i] * splats.radii[i]);
+        if (squared < 1) sum += (1 - squared) * (1 - squared);
+    }
+    return sum;
+}
+
+/// The least weight over random places of a square, margin inside [0, 1]^2.
+double leastWeight(const Splats& splats, double margin) {
+    Random random(11);
+    double least = 1e9;
+    for (int i = 0; i < 4000; ++i) {
+        const double x = margin + (1 - 2 * margin) * uniform(random), y = margin + (1 - 2 * margin) * uniform(random);
+        least = std::min(least, weightAt(splats, Vec3f(float(x), float(y), 0)));
+    }
+    return least;
+}
+
+float medianRadius(Splats splats) {
+    const auto middle = splats.radii.begin() + std::ptrdiff_t(splats.radii.size() / 2);
+    std::nth_element(splats.radii.begin(), middle, splats.radii.end());
+    return *middle;
+}
+
+TEST(Radii, GridIsClosedByTheSmallestDiscs) {
+    const Splats splats = estimate(gridPlane(50).cloud());
+    EXPECT_GT(leastWeight(splats, 0), 0.1) << "to the very rim, half a spacing outside the last points";
+    EXPECT_GT(leastWeight(splats, 0.03), 0.9);
+    // The corners of a square cell of edge 1/50 are 0.0141 away; discs overlap by 1.4.
+    for (const float radius : splats.radii) EXPECT_NEAR(radius, 1.4 * 0.02 * std::numbers::sqrt2 / 2, 1e-4);
+}
+
+TEST(Radii, HexagonsPoissonAndRandomPlanesAreClosed) {
+    EXPECT_GT(leastWeight(estimate(hexPlane(50).cloud()), 0.05), 0.6);
+    EXPECT_GT(leastWeight(estimate(poissonPlane(0.02).cloud()), 0.05), 0.5);
+    EXPECT_GT(leastWeight(estimate(randomPlane(4000).cloud()), 0.05), 0.5);
+}
+
+TEST(Radii, ScaleMultiplies) {
+    SurfaceOptions options;
+    options.radius_scale = 2.5;
+    const Splats plain = estimate(gridPlane(30).cloud()), scaled = estimate(gridPlane(30).cloud(), options);
+    for (std::size_t i = 0; i < plain.radii.size(); ++i) EXPECT_NEAR(scaled.radii[i], 2.5 * plain.radii[i], 1e-6);
+}
+
+TEST(Radii, BorderIsNotBloated) {
+    const Splats splats = estimate(randomPlane(4000).cloud());
+    const float typical = medianRadius(splats);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        const Vec3f& p = splats.positions[i];
+        const float from_rim = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
+        EXPECT_LT(splats.radii[i] - from_rim, 3.5f * typical) << "sticks out";
+        EXPECT_LT(splats.radii[i], 4 * typical);
+    }
+}
+
+/// Dense to the left of 0.5, a hundred times sparser to the right.
+TEST(Radii, DensityJumpIsClosed) {
+    Shape shape;
+    for (const auto& [steps, from, to] : {std::tuple{200, 0.0, 0.5}, {20, 0.5, 1.0}})
+        for (int i = 0; i < steps; ++i)
+            for (int j = 0; j < steps; ++j) {
+                const double x = (i + 0.5) / steps;
+                if (x >= from && x < to) shape.add(Vec3d(x, (j + 0.5) / steps, 0), Vec3d::UnitZ());
+            }
+    const Splats splats = estimate(shape.cloud());
+    EXPECT_GT(leastWeight(splats, 0.06), 0.3);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i)
+        if (splats.positions[i].x() < 0.4f) EXPECT_LT(splats.radii[i], 1.5f / 200) << "dense discs stay small";
+}
+
+TEST(Radii, LonePointsStaySmall) {
+    Shape shape = gridPlane(30);
+    shape.add(Vec3d(0.5, 0.5, 10), Vec3d::UnitZ());
+    const Splats splats = estimate(shape.cloud()); // too few points for outliers to be removed
+    EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 0.7);
+}
+
+TEST(Radii, SheetsOfThinPlateDoNotShrinkEachOther) {
+    Shape shape = gridPlane(50, 0, -Vec3d::UnitZ());
+    Shape top = gridPlane(50, 0.01, Vec3d::UnitZ()); // half a spacing apart
+    shape.append(top);
+    Cloud cloud = shape.cloud();
+    cloud.normals = shape.normals;
+    const Splats splats = estimate(std::move(cloud));
+    for (const float radius : splats.radii) EXPECT_NEAR(radius, 1.4 * 0.02 * std::numbers::sqrt2 / 2, 1e-4);
+}
+
+TEST(Radii, DiscsReachTheEdgesOfACube) {
+    const Shape shape = gridCube(30);
+    Cloud cloud = shape.cloud();
+    cloud.normals = shape.normals;
+    const Splats splats = estimate(std::move(cloud));
+    for (int i = 0; i < 500; ++i) EXPECT_GT(weightAt(splats, Vec3f(float(i) / 500, 0, 0)), 0.1);
+}
+
+TEST(Radii, ScanLinesAreClosed) {
+    Shape shape;
+    for (int line = 0; line < 20; ++line)
+        for (int i = 0; i < 300; ++i) shape.add(Vec3d((i + 0.5) / 300, (line + 0.5) / 20, 0), Vec3d::UnitZ());
+    EXPECT_GT(leastWeight(estimate(shape.cloud()), 0.1), 0.3);
+}
+
+} // namespace
+} // namespace pointrt::test
