@@ -30,7 +30,9 @@ std::size_t threadCount(int requested) {
 /// Found out before the work, not after it.
 void checkOutput(const BakeOptions& options) {
     const std::filesystem::path path(options.output);
-    const auto fail = [&](const std::string& reason) { throw Error(ExitCode::kCannotWrite, options.output + ": " + reason); };
+    const auto fail = [&](const std::string& reason) {
+        throw Error(ExitCode::kCannotWrite, options.output + ": " + reason);
+    };
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) fail("is a directory");
     if (!options.force && std::filesystem::exists(path, ignored)) fail("exists already; --force overwrites it");
@@ -40,8 +42,9 @@ void checkOutput(const BakeOptions& options) {
 }
 
 std::string sourceName(const BakeOptions& options) {
-    return options.inputs.size() == 1 ? options.inputs.front()
-                                      : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
+    return options.inputs.size() == 1
+               ? options.inputs.front()
+               : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
 }
 
 /// Reasons found later than the reader belong to the inputs as a whole: they get their name here.

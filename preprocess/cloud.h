@@ -23,10 +23,10 @@ struct Cloud {
     /// Input coordinate = origin + position, per axis; whole numbers, so that no bit is lost in double.
     Vec3d origin = Vec3d::Zero();
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals; ///< as given, any length; zero where missing
-    std::vector<Rgb8> colors;   ///< sRGB
-    std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
-    std::vector<Vec3f> sensors;                 ///< scanner positions, relative to origin
+    std::vector<Vec3f> normals;                          ///< as given, any length; zero where missing
+    std::vector<Rgb8> colors;                            ///< sRGB
+    std::vector<std::uint32_t> sensor_of_point;          ///< index into sensors, or kNoSensor
+    std::vector<Vec3f> sensors;                          ///< scanner positions, relative to origin
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< faces of a mesh, indices into positions
 
     std::size_t points_read = 0;       ///< in the files, non-finite ones included

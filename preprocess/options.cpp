@@ -21,21 +21,22 @@ const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 const std::map<std::string, bool> kOutlierModes{{"remove", true}, {"keep", false}};
 
 template <typename Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value, const std::map<std::string, Value>& choices,
-                       const std::string& help) {
-    return app.add_option_function<std::string>(
-                  name,
-                  [&value, &choices, name](const std::string& text) {
-                      const auto choice = choices.find(text);
-                      if (choice != choices.end()) {
-                          value = choice->second;
-                          return;
-                      }
-                      std::string known;
-                      for (const auto& [key, unused] : choices) known += (known.empty() ? "" : ", ") + key;
-                      throw CLI::ValidationError(name, "'" + text + "' is none of " + known);
-                  },
-                  help)
+CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
+                       const std::map<std::string, Value>& choices, const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&value, &choices, name](const std::string& text) {
+                const auto choice = choices.find(text);
+                if (choice != choices.end()) {
+                    value = choice->second;
+                    return;
+                }
+                std::string known;
+                for (const auto& [key, unused] : choices) known += (known.empty() ? "" : ", ") + key;
+                throw CLI::ValidationError(name, "'" + text + "' is none of " + known);
+            },
+            help)
         ->type_name("");
 }
 
@@ -46,7 +47,8 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.add_option("--input-format", options.read.format, "ply, pcd, xyz, obj, off, drc or conf (default: by content)")
         ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}))
         ->type_name("NAME");
-    app.add_option("--sample", options.read.sample_count, "points to spread over a mesh's faces (default: its vertices)")
+    app.add_option("--sample", options.read.sample_count,
+                   "points to spread over a mesh's faces (default: its vertices)")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{2000000000}))
         ->type_name("N");
     app.add_option("--seed", options.read.seed, "of sampling and probe rays (default 0)")->type_name("N");
@@ -54,7 +56,8 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
 
 void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
     auto& surface = options.surface;
-    addChoice(app, "--normals", surface.normals, kNormalSources, "keep|estimate|auto: auto estimates missing ones (auto)");
+    addChoice(app, "--normals", surface.normals, kNormalSources,
+              "keep|estimate|auto: auto estimates missing ones (auto)");
     app.add_option("--neighbors", surface.neighbors, "of a normal estimate, 3 to 255 (default 16)")
         ->check(CLI::Range(3, 255))
         ->type_name("K");
@@ -71,13 +74,15 @@ void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
 }
 
 void addOctreeOptions(CLI::App& app, BakeOptions& options) {
-    app.add_option("--max-leaf-splats", options.octree.max_leaf_splats, "members before a leaf splits, 1 to 65535 (default 8)")
+    app.add_option("--max-leaf-splats", options.octree.max_leaf_splats,
+                   "members before a leaf splits, 1 to 65535 (default 8)")
         ->check(CLI::Range(1u, PRO_LEAF_LIST_MAX))
         ->type_name("N");
     app.add_option("--max-depth", options.octree.max_depth, "levels below the root, 0 to 21 (default 21)")
         ->check(CLI::Range(0u, PRO_MAX_DEPTH))
         ->type_name("N");
-    addChoice(app, "--prune", options.prune, kSwitch, "on|off: drop references that probe rays show to be needless (on)");
+    addChoice(app, "--prune", options.prune, kSwitch,
+              "on|off: drop references that probe rays show to be needless (on)");
     app.add_option("--probe-rays", options.probes.probe_rays, "probes a leaf, 1 to 65536 (default 64)")
         ->check(CLI::Range(1u, 65536u))
         ->type_name("N");
@@ -88,8 +93,10 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
         ->check(CLI::Range(0, 4096))
         ->type_name("N");
     app.add_option("--stats", options.stats_path, "write figures as JSON; - is standard output")->type_name("FILE");
-    app.add_flag_callback("-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "no progress");
-    app.add_flag_callback("-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "more detail");
+    app.add_flag_callback(
+        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "no progress");
+    app.add_flag_callback(
+        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "more detail");
 }
 
 void checkOptions(BakeOptions& options) {

@@ -61,13 +61,17 @@ void Progress::end() {
     if (stage_.empty()) return;
     const double elapsed_s = secondsBetween(stage_start_, Clock::now());
     const auto known = std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& s) { return s.first == stage_; });
-    if (known != seconds_.end()) known->second += elapsed_s;
-    else seconds_.emplace_back(stage_, elapsed_s);
+    if (known != seconds_.end())
+        known->second += elapsed_s;
+    else
+        seconds_.emplace_back(stage_, elapsed_s);
     const bool show = verbosity_ == Verbosity::kDetailed || (verbosity_ == Verbosity::kNormal && !terminal_);
     if (line_open_) fmt::print(stderr, "\r\033[K");
     line_open_ = false;
-    if (show && points_ > 0) fmt::print(stderr, "{}: {} points, {:.2f} s\n", stage_, points_, elapsed_s);
-    else if (show) fmt::print(stderr, "{}: {:.2f} s\n", stage_, elapsed_s);
+    if (show && points_ > 0)
+        fmt::print(stderr, "{}: {} points, {:.2f} s\n", stage_, points_, elapsed_s);
+    else if (show)
+        fmt::print(stderr, "{}: {:.2f} s\n", stage_, elapsed_s);
     stage_.clear();
 }
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "pointrt/tool.hpp"
@@ -68,13 +69,15 @@ std::string summaryLine(const BakeReport& report) {
 std::string metadataJson(const BakeOptions& options) {
     Json json;
     json["writer"] = "pointrt-bake " POINTRT_VERSION;
-    json["sources"] = options.inputs;
+    for (const std::string& input : options.inputs) // folders are nobody else's business
+        json["sources"].push_back(std::filesystem::path(input).filename().string());
     Json& settings = json["settings"];
     settings["sample"] = options.read.sample_count;
     settings["seed"] = options.read.seed;
     settings["neighbors"] = options.surface.neighbors;
     settings["normals"] = std::array{"auto", "keep", "estimate"}.at(static_cast<std::size_t>(options.surface.normals));
-    settings["orient"] = std::array{"auto", "sensor", "mst", "none"}.at(static_cast<std::size_t>(options.surface.orient));
+    settings["orient"] =
+        std::array{"auto", "sensor", "mst", "none"}.at(static_cast<std::size_t>(options.surface.orient));
     settings["radius_scale"] = options.surface.radius_scale;
     settings["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
     settings["max_leaf_splats"] = options.octree.max_leaf_splats;

@@ -135,7 +135,8 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
 }
 
 Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
-    const double tangent = tangentOfHalf(camera.fov_deg), aspect = static_cast<double>(settings.width) / settings.height;
+    const double tangent = tangentOfHalf(camera.fov_deg),
+                 aspect = static_cast<double>(settings.width) / settings.height;
     const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * tangent * aspect;
     const double upwards = (1.0 - 2.0 * (y + 0.5) / settings.height) * tangent;
     return normalize(camera.forward + across * camera.right + upwards * camera.up);

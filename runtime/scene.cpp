@@ -29,14 +29,16 @@ void mapFile(Scene& scene) {
 }
 
 /// A section as a texel buffer: the mapped pages themselves where device and host share memory, else a copy.
-Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
+Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes,
+                     VkFormat format) {
     static constexpr std::array<std::uint32_t, 4> kNothing{}; // views of no texels are not allowed
     const void* source = bytes > 0 ? data : kNothing.data();
     const std::uint64_t size = bytes > 0 ? bytes : sizeof kNothing;
     Buffer buffer;
     if (device.unified_memory && bytes > 0)
         buffer = importHostBuffer(device, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    if (!buffer.handle) buffer = createFilledBuffer(device, what, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    if (!buffer.handle)
+        buffer = createFilledBuffer(device, what, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
     createTexelView(device, what, buffer, format);
     scene.device_bytes += size;
     return buffer;
@@ -48,10 +50,12 @@ void uploadSections(Device& device, Scene& scene) {
     const auto words = [](std::uint32_t count, std::uint32_t per_row) {
         return std::uint64_t{count} * per_row * sizeof(std::uint32_t);
     };
-    scene.nodes = sectionBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
+    scene.nodes =
+        sectionBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
     scene.leaves = sectionBuffer(device, scene, "leaf buffer", view.leaves, words(info.leaf_count, PRO_LEAF_WORDS),
                                  VK_FORMAT_R32G32B32A32_UINT);
-    scene.refs = sectionBuffer(device, scene, "reference buffer", view.refs, words(info.ref_count, 1), VK_FORMAT_R32_UINT);
+    scene.refs =
+        sectionBuffer(device, scene, "reference buffer", view.refs, words(info.ref_count, 1), VK_FORMAT_R32_UINT);
     scene.splats = sectionBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
                                  VK_FORMAT_R32G32B32A32_UINT);
     scene.materials = sectionBuffer(device, scene, "material buffer", view.materials,

@@ -45,11 +45,11 @@ void createBuffers(Device& device, TracerState& state) {
     state.band_rows = std::clamp(kBandPixels / width, 1u, state.settings.height);
     const std::uint64_t pixels = std::uint64_t{width} * state.band_rows;
     const std::uint64_t lanes = lanesOf(width, state.band_rows);
-    const auto storage = [&](const char* what, std::uint64_t bytes, MemoryHome home = MemoryHome::kDevice) {
-        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, home);
+    const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
     };
-    state.params = storage("frame parameters", sizeof(gpu::FrameParams), MemoryHome::kHost);
-    state.control = storage("control buffer", sizeof(gpu::Control), MemoryHome::kHost);
+    state.params = storage("frame parameters", sizeof(gpu::FrameParams));
+    state.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
     state.queues = storage("queue buffer", 3 * lanes * sizeof(std::uint32_t));
     state.paths = storage("path buffer", pixels * sizeof(gpu::PathState));
     state.hits = storage("hit buffer", pixels * sizeof(gpu::uvec4));
@@ -70,10 +70,20 @@ void createBindings(Device& device, TracerState& state) {
     const Scene& scene = *state.scene;
     state.pool = createDescriptorPool(device, 1);
     state.set = createDescriptorSet(device, state.pool, state.trace,
-                                    {{0, &scene.nodes}, {1, &scene.leaves}, {2, &scene.refs}, {3, &scene.splats},
-                                     {4, &scene.grid}, {5, &scene.materials}, {6, &state.params}, {7, &state.control},
-                                     {8, &state.queues}, {9, &state.paths}, {10, &state.hits}, {11, &state.lit},
-                                     {12, &state.film}, {13, &state.first_hits}});
+                                    {{0, &scene.nodes},
+                                     {1, &scene.leaves},
+                                     {2, &scene.refs},
+                                     {3, &scene.splats},
+                                     {4, &scene.grid},
+                                     {5, &scene.materials},
+                                     {6, &state.params},
+                                     {7, &state.control},
+                                     {8, &state.queues},
+                                     {9, &state.paths},
+                                     {10, &state.hits},
+                                     {11, &state.lit},
+                                     {12, &state.film},
+                                     {13, &state.first_hits}});
 }
 
 /// Records the dispatches of one sample.
@@ -113,13 +123,15 @@ private:
         return {{sample_, state_.settings.spp, bounce | light << 16, bits}};
     }
 
-    void run(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits, std::uint32_t count) {
+    void run(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits,
+             std::uint32_t count) {
         const gpu::PushParams params = push(bounce, light, bits);
         recordDispatch(commands_, program, state_.set, pushBytes(params), {count, 1, 1});
         recordBarrier(commands_);
     }
 
-    void runIndirect(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits, std::size_t offset) {
+    void runIndirect(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits,
+                     std::size_t offset) {
         const gpu::PushParams params = push(bounce, light, bits);
         recordDispatchIndirect(commands_, program, state_.set, pushBytes(params), state_.control, offset);
         recordBarrier(commands_);
@@ -131,13 +143,13 @@ private:
     std::uint32_t sample_ = 0;
 };
 
-/// Adds the sample's counters and clears them: they are 32 bits wide on the device.
-void collectCounts(TracerState& state, RayCounts& counts) {
-    auto* control = static_cast<gpu::Control*>(state.control.mapped);
-    counts.primary += control->traced.x;
-    counts.shadow += control->traced.y;
-    counts.secondary += control->traced.z;
-    control->traced = {};
+/// Adds the sample's counters, which are 32 bits wide on the device and start at 0 with each sample.
+void collectCounts(Device& device, const TracerState& state, RayCounts& counts) {
+    gpu::Control control{};
+    downloadBuffer(device, state.control, &control, sizeof control);
+    counts.primary += control.traced.x;
+    counts.shadow += control.traced.y;
+    counts.secondary += control.traced.z;
 }
 
 void allocateFilm(const RenderSettings& settings, Film& film) {
@@ -169,7 +181,8 @@ void storeFirstHits(Device& device, TracerState& state, std::uint32_t first_row,
             if (hit.w < 0) continue;
             const std::size_t pixel = std::size_t{first_row + row} * width + x;
             const double distance = hit.w * state.scene->info.scale;
-            const Vec3 at = state.camera.eye + distance * centerRayDirection(state.settings, state.camera, x, first_row + row);
+            const Vec3 at =
+                state.camera.eye + distance * centerRayDirection(state.settings, state.camera, x, first_row + row);
             state.result.depth[pixel] = static_cast<float>(distance);
             state.result.normal[3 * pixel] = hit.x;
             state.result.normal[3 * pixel + 1] = hit.y;
@@ -216,18 +229,17 @@ RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(d
     const RenderSettings& settings = state.settings;
     RayCounts counts;
     allocateFilm(settings, state.result);
-    *static_cast<gpu::Control*>(state.control.mapped) = {};
     for (std::uint32_t row = 0; row < settings.height; row += state.band_rows) {
         const std::uint32_t rows = std::min(state.band_rows, settings.height - row);
-        *static_cast<gpu::FrameParams*>(state.params.mapped) =
-            makeFrameParams(*state.scene, settings, state.camera, row, rows);
+        const gpu::FrameParams params = makeFrameParams(*state.scene, settings, state.camera, row, rows);
+        uploadBuffer(device, state.params, &params, sizeof params);
         for (std::uint32_t s = 0; s < settings.spp; ++s) {
             VkCommandBuffer commands = beginCommands(device);
             SampleRecorder recorder(commands, state, rows);
             if (s == 0 && settings.first_hits) recorder.firstHits();
             recorder.sample(s);
             submitAndWait(device, commands);
-            collectCounts(state, counts);
+            collectCounts(device, state, counts);
             const double bands_done = row + static_cast<double>(rows) * (s + 1) / settings.spp;
             if (progress) progress(bands_done / settings.height);
         }

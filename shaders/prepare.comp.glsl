@@ -13,6 +13,7 @@ void main() {
         control.queued = uvec4(bandLanes(), 0u, 0u, 0u);
         control.ray_groups = groupsFor(bandLanes());
         control.lit_groups = groupsFor(0u);
+        control.traced = uvec4(0u);
         return;
     }
     // the queue just shaded is empty again; the other holds the next rays

@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include <draco/compression/config/compression_shared.h>
-#include <draco/compression/decode.h>
-#include <draco/compression/point_cloud/point_cloud_decoder.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/compression/point_cloud/point_cloud_kd_tree_decoder.h>
+#include <draco/compression/point_cloud/point_cloud_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
 
@@ -41,13 +43,20 @@ bool decodeMeshCounts(draco::DecoderBuffer& buffer, std::uint8_t method, Counts&
     return decodeCount(buffer, kVariable, counts.points) && decodeCount(buffer, kVariable, counts.faces);
 }
 
+/// Leaves the buffer behind the header.
+draco::DracoHeader decodeHeader(const Source& source, draco::DecoderBuffer& buffer) {
+    buffer.Init(source.bytes.data(), source.bytes.size());
+    draco::DracoHeader header;
+    if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok() || header.encoder_method > 1)
+        refuse(source, "the Draco header is broken or cut short");
+    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+    return header;
+}
+
 /// Reads the file up to its counts of points and faces.
 bool decodeCounts(const Source& source, Counts& counts) {
     draco::DecoderBuffer buffer;
-    buffer.Init(source.bytes.data(), source.bytes.size());
-    draco::DracoHeader header;
-    if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok()) return false;
-    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+    const draco::DracoHeader header = decodeHeader(source, buffer);
     draco::GeometryMetadata ignored;
     const bool has_metadata =
         buffer.bitstream_version() >= DRACO_BITSTREAM_VERSION(1, 3) && (header.flags & METADATA_FLAG_MASK) != 0;
@@ -56,17 +65,38 @@ bool decodeCounts(const Source& source, Counts& counts) {
     return buffer.Decode(&counts.points);
 }
 
-/// The library allocates what the counts promise. Even a flat regular grid takes more than a thousandth of a byte for
-/// each point and face.
+/// The library allocates what a file promises. What a file may ask for is this much, and as much for each of its bytes
+/// as sixteen points of it: the best compressed regular grid of points has seven a byte.
+constexpr std::uint64_t kPointsAtLeast = 1 << 20, kPointsPerByte = 16;
+constexpr std::uint64_t kBytesPerPoint = 64;
+
+bool promisesTooMuch(std::uint64_t points, std::size_t file_size) {
+    return points > kPointsAtLeast + kPointsPerByte * file_size;
+}
+
 void checkCounts(const Source& source) {
-    constexpr std::uint64_t kLargestGain = 1024;
     Counts counts;
     if (!decodeCounts(source, counts)) refuse(source, "the Draco header is broken or cut short");
-    const std::uint64_t most = kLargestGain * source.bytes.size();
-    if (counts.points > most || counts.faces > most)
+    if (promisesTooMuch(counts.points, source.bytes.size()) || promisesTooMuch(counts.faces, source.bytes.size()))
         refuse(source, fmt::format("the header promises {} points and {} faces in {} bytes", counts.points,
                                    counts.faces, source.bytes.size()));
 }
+
+/// A decoder of the library that looks at the size of the attributes before they are decoded.
+template <typename Decoder>
+struct Guarded : Decoder {
+    std::size_t file_size = 0;
+
+protected:
+    bool DecodeAllAttributes() override {
+        const draco::PointCloud& cloud = *this->point_cloud();
+        std::uint64_t point_size = 0;
+        for (int i = 0; i < cloud.num_attributes(); ++i)
+            point_size += static_cast<std::uint64_t>(cloud.attribute(i)->byte_stride());
+        const std::uint64_t points = point_size * cloud.num_points() / kBytesPerPoint;
+        return !promisesTooMuch(points, file_size) && Decoder::DecodeAllAttributes();
+    }
+};
 
 /// A mesh is also a point cloud; mesh points to it where it is one.
 struct Decoded {
@@ -74,22 +104,40 @@ struct Decoded {
     const draco::Mesh* mesh = nullptr;
 };
 
-Decoded decode(const Source& source) {
+template <typename Decoder, typename Geometry>
+draco::Status decodeInto(const Source& source, Geometry& geometry) {
     draco::DecoderBuffer buffer;
     buffer.Init(source.bytes.data(), source.bytes.size());
-    Decoded decoded;
-    std::string reason = "out of bounds";
+    Guarded<Decoder> decoder;
+    decoder.file_size = source.bytes.size();
     try {
-        auto result = draco::Decoder().DecodePointCloudFromBuffer(&buffer);
-        if (result.ok())
-            decoded.points = std::move(result).value();
-        else
-            reason = result.status().error_msg_string();
+        return decoder.Decode(draco::DecoderOptions(), &buffer, &geometry);
     } catch (const std::bad_alloc&) {
     } catch (const std::length_error&) {
     }
-    if (!decoded.points) refuse(source, fmt::format("the Draco data is broken or cut short: {}", quoted(reason)));
-    decoded.mesh = dynamic_cast<const draco::Mesh*>(decoded.points.get());
+    return draco::Status(draco::Status::DRACO_ERROR, "impossible sizes");
+}
+
+Decoded decode(const Source& source) {
+    draco::DecoderBuffer ignored;
+    const draco::DracoHeader header = decodeHeader(source, ignored);
+    Decoded decoded;
+    draco::Status status;
+    if (header.encoder_type == draco::TRIANGULAR_MESH) {
+        auto mesh = std::make_unique<draco::Mesh>();
+        const bool sequential = header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING;
+        status = sequential ? decodeInto<draco::MeshSequentialDecoder>(source, *mesh)
+                            : decodeInto<draco::MeshEdgebreakerDecoder>(source, *mesh);
+        decoded.mesh = mesh.get();
+        decoded.points = std::move(mesh);
+    } else {
+        decoded.points = std::make_unique<draco::PointCloud>();
+        const bool sequential = header.encoder_method == draco::POINT_CLOUD_SEQUENTIAL_ENCODING;
+        status = sequential ? decodeInto<draco::PointCloudSequentialDecoder>(source, *decoded.points)
+                            : decodeInto<draco::PointCloudKdTreeDecoder>(source, *decoded.points);
+    }
+    if (!status.ok())
+        refuse(source, fmt::format("the Draco data is broken or cut short: {}", quoted(status.error_msg_string())));
     return decoded;
 }
 

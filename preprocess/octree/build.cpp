@@ -95,7 +95,8 @@ void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
         std::vector<std::uint32_t> touched;
         for (std::uint32_t s = tasks[t].members.begin; s < tasks[t].members.end; ++s) {
             const Disc& disc = splats.discs[s];
-            const Vec3f reach = (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
+            const Vec3f reach =
+                (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
             const bool enclosed = ((disc.center - reach).array() >= own.lo.array()).all() &&
                                   ((disc.center + reach).array() <= own.hi.array()).all();
             if (enclosed) continue;
@@ -122,8 +123,10 @@ public:
 
     void run(const Work& work) {
         if (work.members.size() == 0 && !crossedByDisc(work)) return;
-        if (mustSplit(work)) split(work);
-        else emit(work);
+        if (mustSplit(work))
+            split(work);
+        else
+            emit(work);
     }
 
 private:

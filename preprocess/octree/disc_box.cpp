@@ -40,7 +40,8 @@ float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plan
 
 bool discMeetsBox(const Disc& disc, const Box& box) {
     const Vec3f reach = discReach(disc);
-    if (((disc.center - reach).array() > box.hi.array()).any() || ((disc.center + reach).array() < box.lo.array()).any())
+    if (((disc.center - reach).array() > box.hi.array()).any() ||
+        ((disc.center + reach).array() < box.lo.array()).any())
         return false;
     const Vec3f half = 0.5f * (box.hi - box.lo);
     const float plane_distance = std::abs(disc.normal.dot(disc.center - 0.5f * (box.lo + box.hi)));

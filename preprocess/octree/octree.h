@@ -40,8 +40,8 @@ struct Octree {
 };
 
 struct OctreeOptions {
-    std::uint32_t max_leaf_splats = 8;        ///< members a leaf may hold before it splits, at least 1
-    std::uint32_t max_depth = PRO_MAX_DEPTH;  ///< 0 to PRO_MAX_DEPTH
+    std::uint32_t max_leaf_splats = 8;       ///< members a leaf may hold before it splits, at least 1
+    std::uint32_t max_depth = PRO_MAX_DEPTH; ///< 0 to PRO_MAX_DEPTH
 };
 
 struct PruneOptions {

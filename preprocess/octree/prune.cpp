@@ -18,10 +18,10 @@ namespace pointrt {
 namespace {
 
 /// How far the pruned surface may be off where a probe looks.
-constexpr float kFirstHitTolerance = 0.25f;      ///< radii along the normal, half a slab: the same field blends there
-constexpr float kHeightTolerance = 0.02f;        ///< radii, of the blended surface
+constexpr float kFirstHitTolerance = 0.25f;        ///< radii along the normal, half a slab: the same field blends there
+constexpr float kHeightTolerance = 0.02f;          ///< radii, of the blended surface
 constexpr float kNormalToleranceCosine = 0.99998f; ///< 0.36 degrees
-constexpr float kColorTolerance = 4.0f;          ///< of 255, in any channel
+constexpr float kColorTolerance = 4.0f;            ///< of 255, in any channel
 
 /// Leaves are shared out in blocks this long.
 constexpr std::size_t kBlockLeaves = 256;
@@ -151,8 +151,9 @@ private:
     }
 
     void add(std::uint32_t splat, bool keep) {
-        const Vec3f color = splats_.colors.empty() ? Vec3f(Vec3f::Zero())
-                                                   : Vec3f(splats_.colors[splat][0], splats_.colors[splat][1], splats_.colors[splat][2]);
+        const Vec3f color = splats_.colors.empty()
+                                ? Vec3f(Vec3f::Zero())
+                                : Vec3f(splats_.colors[splat][0], splats_.colors[splat][1], splats_.colors[splat][2]);
         list_.add(splats_.discs[splat], color, keep);
         splat_of_.push_back(splat);
     }
@@ -256,7 +257,8 @@ void rebuild(std::vector<std::vector<std::uint32_t>>& kept_refs, Octree& octree)
 
 } // namespace
 
-void pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree, const OctreeProgress& progress) {
+void pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree,
+                 const OctreeProgress& progress) {
     const std::size_t blocks = (octree.leaves.size() + kBlockLeaves - 1) / kBlockLeaves;
     std::vector<std::vector<std::uint32_t>> kept_refs(blocks);
     tbb::enumerable_thread_specific<LeafPruner> pruners([&] { return LeafPruner(splats, options); });

@@ -110,8 +110,8 @@ PackedSplats quantizeSplats(Splats&& splats) {
         keys[i] = {mortonOf(cubePosition(splats.positions[i], shift, frame.scale)), static_cast<std::uint32_t>(i)};
     });
     tbb::parallel_sort(keys);
-    const auto last = std::unique(keys.begin(), keys.end(),
-                                  [](const Keyed& a, const Keyed& b) { return a.morton == b.morton; });
+    const auto last =
+        std::unique(keys.begin(), keys.end(), [](const Keyed& a, const Keyed& b) { return a.morton == b.morton; });
     packed.merged = static_cast<std::size_t>(keys.end() - last);
     keys.erase(last, keys.end());
 
@@ -128,8 +128,11 @@ PackedSplats quantizeSplats(Splats&& splats) {
         const Vec3f& normal = splats.normals[i];
         const Rgb8 color = has_colors ? splats.colors[i] : Rgb8{255, 255, 255};
         const float radius = static_cast<float>(splats.radii[i] / frame.scale);
-        const pro_splat plain{{position.x(), position.y(), position.z()}, {normal.x(), normal.y(), normal.z()},
-                              radius, {color[0], color[1], color[2]}, 0};
+        const pro_splat plain{{position.x(), position.y(), position.z()},
+                              {normal.x(), normal.y(), normal.z()},
+                              radius,
+                              {color[0], color[1], color[2]},
+                              0};
         pro_splat_encode(&plain, frame.radius_max, frame.radius_step, packed.words[k].data());
         pro_splat decoded;
         pro_splat_decode(packed.words[k].data(), frame.radius_max, frame.radius_step, &decoded);

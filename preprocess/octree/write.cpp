@@ -45,7 +45,8 @@ pro_info makeInfo(const PackedSplats& splats, const Octree& octree, const ProCon
 
 } // namespace
 
-OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree, const ProContent& content) {
+OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree,
+                      const ProContent& content) {
     pro_info info = makeInfo(splats, octree, content);
     const auto nodes = encodeNodes(octree.leaves, info.max_depth);
     info.node_count = static_cast<std::uint32_t>(nodes.size());

@@ -20,7 +20,7 @@ struct ProContent {
 };
 
 struct OctreeCounts {
-    std::uint64_t nodes = 0; ///< inner nodes and leaves, padding left out
+    std::uint64_t nodes = 0;                                              ///< inner nodes and leaves, padding left out
     std::uint64_t filled_leaves = 0, border_leaves = 0, empty_leaves = 0; ///< border leaves are filled ones
     std::uint64_t references = 0;                                         ///< members included
     std::uint32_t max_depth = 0;
@@ -28,6 +28,7 @@ struct OctreeCounts {
 };
 
 /// Writes path, over what is there. Throws Error (kCannotWrite) and leaves nothing behind on failure.
-OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree, const ProContent& content);
+OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree,
+                      const ProContent& content);
 
 } // namespace pointrt

@@ -14,7 +14,8 @@ namespace pointrt::surface {
 ///   2. kAuto, kMst: what is left follows its neighbours along a minimum spanning tree (Hoppe et al. 1992). So do
 ///      normals that see their sensor at a grazing angle.
 ///   3. A component of the neighbour graph that holds no known side is turned as a whole: outwards, seen from its
-///      centroid, where its normals agree on that; the others (terrain, walls) upwards, towards +Z.
+///      centroid, or upwards, towards +Z, whichever its normals agree on more: the first for objects, the second for
+///      ground. Rooms seen from within come out with their normals in the walls, unless the sensor is known.
 /// given flags the points whose normals came with the cloud. Returns whether the normals are oriented: with kNone
 /// only when all were given. Throws Error (kBadInput) when kSensor lacks a sensor.
 bool orientNormals(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& given, OrientMode mode,

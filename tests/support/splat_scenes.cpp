@@ -39,7 +39,9 @@ Splats squareSplats(std::size_t side, const Vec3f& center, const Vec3f& u, const
     Splats splats;
     splats.oriented = true;
     const float spacing = 2.0f * u.norm() / static_cast<float>(side);
-    const auto at = [&](std::size_t k) { return (2.0f * static_cast<float>(k) + 1.0f) / static_cast<float>(side) - 1.0f; };
+    const auto at = [&](std::size_t k) {
+        return (2.0f * static_cast<float>(k) + 1.0f) / static_cast<float>(side) - 1.0f;
+    };
     for (std::size_t j = 0; j < side; ++j)
         for (std::size_t i = 0; i < side; ++i)
             add(splats, center + at(i) * u + at(j) * v, u.cross(v), radius_factor * spacing);
@@ -90,7 +92,8 @@ Built writeScene(const std::string& path, Splats splats, const BuildOptions& opt
                  const std::vector<std::uint8_t>& material) {
     Built built = buildSplats(std::move(splats), options);
     for (std::size_t i = 0; i < built.packed.words.size() && !material.empty(); ++i)
-        built.packed.words[i][2] |= static_cast<std::uint32_t>(material[built.packed.input_index[i]]) << PRO_MATERIAL_SHIFT;
+        built.packed.words[i][2] |= static_cast<std::uint32_t>(material[built.packed.input_index[i]])
+                                    << PRO_MATERIAL_SHIFT;
     ProContent content;
     content.materials = options.materials.empty() ? std::vector{matteRow(1, 1, 1)} : options.materials;
     content.metadata = "{}";

@@ -51,7 +51,8 @@ Reference loadReference(const std::string& path) {
     scene.oriented = (info.flags & PRO_FLAG_ORIENTED) != 0;
     for (std::uint32_t s = 0; s < info.splat_count; ++s) {
         pro_splat splat;
-        pro_splat_decode(file.view().splats + std::size_t{s} * PRO_SPLAT_WORDS, info.radius_max, info.radius_step, &splat);
+        pro_splat_decode(file.view().splats + std::size_t{s} * PRO_SPLAT_WORDS, info.radius_max, info.radius_step,
+                         &splat);
         const Vec3 unit{splat.position[0], splat.position[1], splat.position[2]};
         scene.splats.push_back({Vec3{info.origin[0], info.origin[1], info.origin[2]} + info.scale * unit,
                                 normalize({splat.normal[0], splat.normal[1], splat.normal[2]}),
@@ -67,7 +68,8 @@ std::optional<ReferenceHit> firstDisc(const Reference& scene, Vec3 origin, Vec3 
         const double t = dot(splat.normal, splat.center - origin) / dot(splat.normal, direction);
         if (!(t > 0) || t >= (best ? best->t : t_max)) continue;
         const Vec3 offset = origin + t * direction - splat.center;
-        if (dot(offset, offset) < splat.radius * splat.radius) best = {t, facing(splat.normal, direction), origin + t * direction, s};
+        if (dot(offset, offset) < splat.radius * splat.radius)
+            best = {t, facing(splat.normal, direction), origin + t * direction, s};
     }
     return best;
 }
@@ -82,8 +84,10 @@ std::optional<ReferenceHit> firstSurface(const Reference& scene, Vec3 origin, Ve
     Sums sums = gather(scene, origin + t_first * direction, side, front);
     double t = t_first + newton(sums, direction, first.radius);
     const Sums second = gather(scene, origin + t * direction, side, front);
-    if (second.weight > 0) sums = second;
-    else t = t_first;
+    if (second.weight > 0)
+        sums = second;
+    else
+        t = t_first;
     if (sums.weight <= 0) return hit;
     t += newton(sums, direction, first.radius);
     hit->t = std::clamp(t, t_first - first.radius, t_first + first.radius);

@@ -43,8 +43,8 @@ Comparison compare(const std::string& path, const Rendered& rendered, bool blend
             const Vec3 normal{film.normal[3 * i], film.normal[3 * i + 1], film.normal[3 * i + 2]};
             result.wrong_normal += dot(normal, expected->normal) < 0.9998;
         }
-    std::printf("%zu pixels, %zu hits, wrong: hit %zu, depth %zu (at most %.2g), normal %zu\n", result.pixels, result.hits,
-                result.wrong_hit, result.wrong_depth, result.worst_depth, result.wrong_normal);
+    std::printf("%zu pixels, %zu hits, wrong: hit %zu, depth %zu (at most %.2g), normal %zu\n", result.pixels,
+                result.hits, result.wrong_hit, result.wrong_depth, result.worst_depth, result.wrong_normal);
     std::remove(path.c_str());
     return result;
 }
@@ -114,7 +114,8 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
                 continue;
             }
             const double t = -b - std::sqrt(discriminant);
-            const Vec3 normal = eye + t * d, shown{rendered.film.normal[3 * i], rendered.film.normal[3 * i + 1], rendered.film.normal[3 * i + 2]};
+            const Vec3 normal = eye + t * d, shown{rendered.film.normal[3 * i], rendered.film.normal[3 * i + 1],
+                                                   rendered.film.normal[3 * i + 2]};
             const double angle = std::acos(std::min(1.0, dot(normal, shown))) * 57.29578;
             depth_error = std::max(depth_error, std::abs(rendered.film.depth[i] - t));
             angle_sum += angle;
@@ -130,7 +131,8 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
 }
 
 TEST(FirstHits, AxisParallelRaysEndAndHit) {
-    // odd sizes put a centre ray exactly on the axis; the plane crosses the cube's middle, on cell borders of all levels
+    // odd sizes put a centre ray exactly on the axis; the plane crosses the cube's middle, on cell borders of all
+    // levels
     const std::string path = temporaryPath("axis.pro");
     writeScene(path, squareSplats(63, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), 1.2f), {});
     RenderSettings settings = square(65);
@@ -147,7 +149,9 @@ TEST(FirstHits, NationalGridKeepsMillimetres) {
     const Rendered rendered = renderFile(path, square(64));
     std::remove(path.c_str());
     const std::size_t middle = 32 * 64 + 32;
-    EXPECT_NEAR(rendered.camera.eye.z - rendered.film.depth[middle] * -centerRayDirection(square(64), rendered.camera, 32, 32).z, 300.125, 1e-3);
+    EXPECT_NEAR(rendered.camera.eye.z -
+                    rendered.film.depth[middle] * -centerRayDirection(square(64), rendered.camera, 32, 32).z,
+                300.125, 1e-3);
 }
 
 } // namespace

@@ -65,7 +65,8 @@ TEST(Light, MirrorShowsTheWallItFaces) {
         double light = 0;
         for (std::uint32_t l = 0; l < settings.lights; ++l) {
             const auto& p = one_bounce.params.light_position[l];
-            const Vec3 lamp = Vec3{one_bounce.info.origin[0], one_bounce.info.origin[1], one_bounce.info.origin[2]} + scale * Vec3{p.x, p.y, p.z};
+            const Vec3 lamp = Vec3{one_bounce.info.origin[0], one_bounce.info.origin[1], one_bounce.info.origin[2]} +
+                              scale * Vec3{p.x, p.y, p.z};
             const Vec3 to = lamp - wall;
             const double cosine = dot(n, to) / length(to);
             light += std::max(0.0, cosine) * one_bounce.params.light_power[l].x * scale * scale / dot(to, to);
@@ -96,7 +97,8 @@ TEST(Light, ShadowsFallWhereBruteForceSaysSo) {
     const Reference scene = loadReference(path);
     std::remove(path.c_str());
     const auto& p = rendered.params.light_position[0];
-    const Vec3 lamp = Vec3{rendered.info.origin[0], rendered.info.origin[1], rendered.info.origin[2]} + rendered.info.scale * Vec3{p.x, p.y, p.z};
+    const Vec3 lamp = Vec3{rendered.info.origin[0], rendered.info.origin[1], rendered.info.origin[2]} +
+                      rendered.info.scale * Vec3{p.x, p.y, p.z};
     std::size_t checked = 0, dark = 0, wrong = 0;
     for (std::uint32_t y = 0; y < 96; ++y)
         for (std::uint32_t x = 0; x < 96; ++x) {
@@ -188,7 +190,8 @@ TEST(Light, BandsJoinWithoutASeam) {
     std::remove(path.c_str());
     for (std::uint32_t y = 0; y < 400; y += 7)
         for (std::uint32_t x = 0; x < 400; x += 7) { // pixel centres coincide
-            const float a = large.film.depth[std::size_t{3 * y + 1} * 1200 + 3 * x + 1], b = small.film.depth[std::size_t{y} * 400 + x];
+            const float a = large.film.depth[std::size_t{3 * y + 1} * 1200 + 3 * x + 1],
+                        b = small.film.depth[std::size_t{y} * 400 + x];
             if (std::isfinite(a) && std::isfinite(b)) {
                 ASSERT_NEAR(a, b, 1e-4);
             } else {

@@ -16,7 +16,8 @@ float sampledDistance(const Disc& disc, const Box& box) {
     float least = std::numeric_limits<float>::infinity();
     for (int ring = 0; ring <= 60; ++ring)
         for (int turn = 0; turn < 180; ++turn) {
-            const float r = disc.radius * static_cast<float>(ring) / 60.0f, angle = 0.0349066f * static_cast<float>(turn);
+            const float r = disc.radius * static_cast<float>(ring) / 60.0f,
+                        angle = 0.0349066f * static_cast<float>(turn);
             const Vec3f p = disc.center + r * (std::cos(angle) * a + std::sin(angle) * b);
             const Vec3f outside = (box.lo - p).cwiseMax(p - box.hi).cwiseMax(0.0f);
             least = std::min(least, outside.norm());
@@ -52,14 +53,15 @@ TEST(DiscBox, AgreesWithDenseSampling) {
 TEST(DiscBox, KnownCases) {
     const Box box{Vec3f(0, 0, 0), Vec3f(1, 1, 1)};
     const Vec3f z = Vec3f::UnitZ(), diagonal = Vec3f(1, 1, 1).normalized();
-    EXPECT_TRUE(discMeetsBox({Vec3f(0.5f, 0.5f, 0.5f), z, 0.01f}, box));   // inside
-    EXPECT_TRUE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.51f}, box));   // rim reaches the face
-    EXPECT_FALSE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.49f}, box));  // and here not
-    EXPECT_FALSE(discMeetsBox({Vec3f(0.5f, 0.5f, 1.1f), z, 0.5f}, box));   // floats above
-    EXPECT_FALSE(discMeetsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.42f}, box));  // its box meets, it does not: edge at 0.424
+    EXPECT_TRUE(discMeetsBox({Vec3f(0.5f, 0.5f, 0.5f), z, 0.01f}, box));  // inside
+    EXPECT_TRUE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.51f}, box));  // rim reaches the face
+    EXPECT_FALSE(discMeetsBox({Vec3f(1.5f, 0.5f, 0.5f), z, 0.49f}, box)); // and here not
+    EXPECT_FALSE(discMeetsBox({Vec3f(0.5f, 0.5f, 1.1f), z, 0.5f}, box));  // floats above
+    EXPECT_FALSE(discMeetsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.42f}, box)); // its box meets, it does not: edge at 0.424
     EXPECT_TRUE(discMeetsBox({Vec3f(1.3f, 1.3f, 0.5f), z, 0.43f}, box));
     EXPECT_FALSE(discMeetsBox({Vec3f(1.2f, 1.2f, 1.2f), diagonal, 0.9f}, box)); // its plane passes the corner by
-    EXPECT_TRUE(discMeetsBox({Vec3f(0.99f, 0.99f, 0.99f) + 0.4f * Vec3f(1, -1, 0), diagonal, 0.6f}, box)); // cuts the corner
+    EXPECT_TRUE(
+        discMeetsBox({Vec3f(0.99f, 0.99f, 0.99f) + 0.4f * Vec3f(1, -1, 0), diagonal, 0.6f}, box)); // cuts the corner
 }
 
 } // namespace
