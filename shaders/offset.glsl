@@ -2,11 +2,11 @@
 // Where secondary rays start.
 
 // Neighbouring discs stand off the blended surface by curvature, by noise, and where several scans overlap by what
-// their registration left: on real merges up to a radius or so. So the ray starts a little up, where rounding cannot
+// their registration left: two or three radii on dense merges. So the ray starts a little up, where rounding cannot
 // put it below, and hits on discs of the same facing are its own surface's until it is kOwnHeight radii up. At grazing
-// angles it never would be: kOwnReach radii end it, two discs' width, beyond which the same surface may be met again.
-const float kOwnHeight = 1.5;
-const float kOwnReach = 4.0;
+// angles it never would be: kOwnReach radii end it, four discs' width, beyond which the same surface may be met again.
+const float kOwnHeight = 3.0;
+const float kOwnReach = 8.0;
 // Radii the origin is lifted by.
 const float kLift = 0.25;
 // For surfaces without splats (the room's walls): a few units in the last place of a coordinate near 4.

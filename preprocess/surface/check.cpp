@@ -45,7 +45,8 @@ void requireSurface(const std::vector<Vec3f>& positions) {
     const Vec3d direction = (farthestFrom(positions, base) - base).normalized();
     // Rounding moves a coordinate by 2^-24 of itself at most; four such errors meet in the distance.
     const double rounding = std::ldexp(bounds.low.cwiseAbs().cwiseMax(bounds.high.cwiseAbs()).maxCoeff(), -22);
-    if (allOnLine(positions, base, direction, 1e-6 * extent + rounding)) fail("all " + count + " points lie on one line");
+    if (allOnLine(positions, base, direction, 1e-6 * extent + rounding))
+        fail("all " + count + " points lie on one line");
 }
 
 } // namespace pointrt::surface

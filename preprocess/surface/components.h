@@ -10,7 +10,7 @@ namespace pointrt::surface {
 
 /// Sets of points, each point knowing whether it is flipped against its set's root.
 class ParitySets {
-  public:
+public:
     explicit ParitySets(std::size_t count);
 
     /// The root of a point's set, and whether the point is flipped against it.
@@ -19,7 +19,7 @@ class ParitySets {
     /// done, when they are in one set already.
     bool join(std::uint32_t a, std::uint32_t b, bool flipped);
 
-  private:
+private:
     std::vector<std::uint32_t> parent_; ///< of a root: itself
     std::vector<std::uint8_t> flipped_; ///< against the parent
     std::vector<std::uint8_t> rank_;

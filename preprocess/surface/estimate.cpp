@@ -24,7 +24,8 @@ namespace {
 /// Disc radius over closing radius. The viewer blends discs with the weight (1 - d^2 / r^2)^2, whose sum must stay well
 /// above zero everywhere. It is lowest at the corners of the cells, where three discs or more meet at d = r / kOverlap:
 /// 3 (1 - 1 / 1.4^2)^2 = 0.72. Measured over square, hexagonal, jittered, Poisson-disc and random points in a plane the
-/// lowest sum is 0.63 to 0.96, the median 0.76 to 1.9; at 1.3 the lowest is 0.43, at 1.5 there are a seventh more discs.
+/// lowest sum is 0.63 to 0.96, the median 0.76 to 1.9; at 1.3 the lowest is 0.43, at 1.5 there are a seventh more
+/// discs.
 constexpr double kOverlap = 1.4;
 
 constexpr const char* kNeighborStage = "neighbors";

@@ -46,8 +46,8 @@ using StageProgress = std::function<void(const char* stage, double share)>;
 /// The cloud is emptied while it is used, to keep the peak memory low; the result does not depend on the number of
 /// threads.
 /// Throws Error (kBadInput) when there are fewer than 3 points, when all are equal or lie on one line, and when
-/// kKeep or kSensor lack a normal or a sensor; (kBadUsage) when an option is out of range. The message is the reason alone: the caller puts the file's name
-/// and ": " before it.
+/// kKeep or kSensor lack a normal or a sensor; (kBadUsage) when an option is out of range. The message is the reason
+/// alone: the caller puts the file's name and ": " before it.
 Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceReport& report,
                       const StageProgress& progress = {});
 

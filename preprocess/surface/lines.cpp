@@ -14,8 +14,8 @@ bool isLine(const Moments& moments) {
     constexpr double kLine = 1.0 / (10 * 10);
     const auto& [xx, xy, xz, yy, yz, zz] = moments.covariance;
     const double trace = double(xx) + yy + zz;
-    const double invariant = double(xx) * yy + double(xx) * zz + double(yy) * zz - double(xy) * xy - double(xz) * xz -
-                             double(yz) * yz;
+    const double invariant =
+        double(xx) * yy + double(xx) * zz + double(yy) * zz - double(xy) * xy - double(xz) * xz - double(yz) * yz;
     return invariant < kLine * trace * trace;
 }
 

@@ -15,7 +15,7 @@ using Index = flann::KDTreeSingleIndex<Distance>;
 
 /// Keeps the nearest points sorted in the caller's arrays; ties go to the lower index.
 class NearestSet final : public flann::ResultSet<float> {
-  public:
+public:
     NearestSet(std::span<std::uint32_t> indices, std::span<float> distances)
         : indices_(indices), distances_(distances) {}
 
@@ -39,7 +39,7 @@ class NearestSet final : public flann::ResultSet<float> {
         indices_[slot] = index;
     }
 
-  private:
+private:
     bool before(float distance, std::uint32_t index, std::size_t slot) const {
         return distance < distances_[slot] || (distance == distances_[slot] && index < indices_[slot]);
     }

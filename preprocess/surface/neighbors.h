@@ -15,7 +15,7 @@ namespace pointrt::surface {
 /// FLANN's single kd-tree over positions, which must stay unchanged while it lives. Searches are exact and may run on
 /// any number of threads at once; of equally distant points the lower index comes first.
 class NearestSearch {
-  public:
+public:
     explicit NearestSearch(const std::vector<Vec3f>& positions);
     ~NearestSearch();
     NearestSearch(NearestSearch&&) noexcept;
@@ -25,7 +25,7 @@ class NearestSearch {
     /// squared_distances is as long as indices. Returns how many there are.
     std::size_t nearest(const Vec3f& query, std::span<std::uint32_t> indices, std::span<float> squared_distances) const;
 
-  private:
+private:
     struct Tree;
     std::unique_ptr<Tree> tree_;
 };
@@ -45,7 +45,9 @@ struct NeighborLists {
     /// Distance to the last neighbour.
     float reach(std::size_t point) const { return distances[point * k + k - 1]; }
     /// Within this distance every point is on the list.
-    float completeReach(std::size_t point) const { return thinned[point] ? distances[point * k + k / 2] : reach(point); }
+    float completeReach(std::size_t point) const {
+        return thinned[point] ? distances[point * k + k / 2] : reach(point);
+    }
 };
 
 /// Edge of the square that a point has to itself when its count nearest neighbours, the farthest at distance reach,

@@ -48,8 +48,8 @@ void offerFits(ScaleSpace& scales, Points& points, const std::vector<std::uint8_
     });
 }
 
-void startScales(ScaleSpace& scales, Points& points, const NeighborLists& lists,
-                 const std::vector<std::uint8_t>& given, const StageShare& share) {
+void startScales(ScaleSpace& scales, Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& given,
+                 const StageShare& share) {
     scales.moments.resize(points.size());
     scales.misfit.resize(points.size());
     forEach(points.size(), share, [&](std::size_t i) {

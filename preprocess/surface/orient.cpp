@@ -162,7 +162,8 @@ bool orientNormals(Points& points, const NeighborLists& lists, const std::vector
 
     const std::vector<Vec3f> before = points.normals;
     const Flags nothing(points.size(), 0);
-    const Flags known = mode == OrientMode::kMst ? nothing : faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
+    const Flags known =
+        mode == OrientMode::kMst ? nothing : faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
     if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, known, share);
     flipped_count = countTurned(before, points.normals);
     share.report(1);

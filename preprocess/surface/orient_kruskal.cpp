@@ -38,16 +38,14 @@ void forEdges(const NeighborLists& lists, std::size_t point, const Body& body) {
 /// Every edge of the graph once, lightest first.
 std::vector<std::uint64_t> sortedEdges(const Points& points, const NeighborLists& lists) {
     std::vector<std::size_t> first(points.size() + 1, 0);
-    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
-        forEdges(lists, i, [&](std::uint32_t, std::size_t) { ++first[i + 1]; });
-    });
+    tbb::parallel_for(std::size_t(0), points.size(),
+                      [&](std::size_t i) { forEdges(lists, i, [&](std::uint32_t, std::size_t) { ++first[i + 1]; }); });
     for (std::size_t i = 0; i < points.size(); ++i) first[i + 1] += first[i];
     std::vector<std::uint64_t> edges(first.back());
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) {
         std::size_t next = first[i];
-        forEdges(lists, i, [&](std::uint32_t neighbor, std::size_t slot) {
-            edges[next++] = edgeOf(points, i, neighbor, slot);
-        });
+        forEdges(lists, i,
+                 [&](std::uint32_t neighbor, std::size_t slot) { edges[next++] = edgeOf(points, i, neighbor, slot); });
     });
     tbb::parallel_sort(edges);
     return edges;

@@ -12,7 +12,8 @@ namespace pointrt::surface {
 /// Flags the points to keep: 0 marks a stray. Measures are relative to the neighbours, so that a change of density is
 /// no reason to go. A point is a stray when
 ///   - it reaches its k-th neighbour only at 4 times the distance within which most of its neighbours reach theirs, or
-///   - it is in a clump of at most k points that is 20 times its own size away from all others, and 4 times the distance
+///   - it is in a clump of at most k points that is 20 times its own size away from all others, and 4 times the
+///   distance
 ///     at which those reach their k-th neighbour.
 /// Everything stays in clouds of fewer than 1000 points. lists are of nearest neighbours.
 std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists);

@@ -11,11 +11,11 @@ namespace pointrt {
 struct Splats {
     Vec3d origin = Vec3d::Zero(); ///< input coordinate = origin + position
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;   ///< unit length
-    std::vector<float> radii;     ///< input units, > 0, finite
-    std::vector<Rgb8> colors;     ///< sRGB, or empty
+    std::vector<Vec3f> normals;             ///< unit length
+    std::vector<float> radii;               ///< input units, > 0, finite
+    std::vector<Rgb8> colors;               ///< sRGB, or empty
     std::vector<std::uint32_t> input_index; ///< index of each splat's point in the cloud
-    bool oriented = false;        ///< normals point outwards as far as can be told
+    bool oriented = false;                  ///< normals point outwards as far as can be told
 };
 
 } // namespace pointrt

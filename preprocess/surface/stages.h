@@ -47,13 +47,13 @@ void forEach(std::size_t count, const StageShare& share, const Body& body) {
 
 /// Adds the seconds of its lifetime to a sum.
 class Stopwatch {
-  public:
+public:
     explicit Stopwatch(double& seconds) : seconds_(seconds) {}
     ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
 
-  private:
+private:
     double& seconds_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -48,7 +48,8 @@ float VoronoiCell::closedReach(float limit) const {
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const CellCorner& before = corners_[(i + corners_.size() - 1) % corners_.size()];
         const float distance = corners_[i].place.norm();
-        if (!corners_[i].border_edge && !before.border_edge && distance <= limit) farthest = std::max(farthest, distance);
+        if (!corners_[i].border_edge && !before.border_edge && distance <= limit)
+            farthest = std::max(farthest, distance);
     }
     return farthest;
 }

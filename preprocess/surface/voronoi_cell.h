@@ -16,7 +16,7 @@ struct CellCorner {
 
 /// Convex polygon around the origin.
 class VoronoiCell {
-  public:
+public:
     /// Starts with the square of this half edge; 0 < half_edge.
     void reset(float half_edge);
 
@@ -34,7 +34,7 @@ class VoronoiCell {
     /// Distance to the farthest corner, of those within limit, where two bisectors meet; 0 when there is none.
     float closedReach(float limit) const;
 
-  private:
+private:
     std::vector<CellCorner> corners_, clipped_;
 };
 

@@ -13,7 +13,8 @@ TEST(Duplicates, TheFirstStaysWithItsColor) {
     Shape shape = randomSphere(500);
     Cloud cloud = shape.cloud();
     cloud.positions.insert(cloud.positions.end(), shape.positions.begin(), shape.positions.begin() + 100);
-    for (std::size_t i = 0; i < cloud.positions.size(); ++i) cloud.colors.push_back({i < 500 ? Rgb8::value_type(1) : Rgb8::value_type(2), 0, 0});
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+        cloud.colors.push_back({i < 500 ? Rgb8::value_type(1) : Rgb8::value_type(2), 0, 0});
     SurfaceReport report;
     const Splats splats = estimateSplats(std::move(cloud), {}, report);
     EXPECT_EQ(report.duplicates_removed, 100u);

@@ -70,9 +70,8 @@ TEST(Lines, ListsReachTheNextLine) {
     spreadLines(lists, points, search, {kSilent, "test"});
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         const auto others = lists.of(i);
-        EXPECT_TRUE(std::any_of(others.begin(), others.end(), [&](std::uint32_t j) {
-            return points.positions[j].y() != points.positions[i].y();
-        }));
+        EXPECT_TRUE(std::any_of(others.begin(), others.end(),
+                                [&](std::uint32_t j) { return points.positions[j].y() != points.positions[i].y(); }));
         EXPECT_TRUE(std::is_sorted(lists.distancesOf(i).begin(), lists.distancesOf(i).end()));
         EXPECT_EQ(std::count(others.begin(), others.end(), i), 0);
     }

@@ -107,10 +107,13 @@ inline Shape poissonPlane(double distance) {
     Shape shape;
     const int cells = int(1 / distance);
     std::vector<std::vector<Vec3f>> grid(std::size_t((cells + 2) * (cells + 2)));
-    const auto cell = [&](int x, int y) -> std::vector<Vec3f>& { return grid[std::size_t((y + 1) * (cells + 2) + x + 1)]; };
+    const auto cell = [&](int x, int y) -> std::vector<Vec3f>& {
+        return grid[std::size_t((y + 1) * (cells + 2) + x + 1)];
+    };
     for (int dart = 0; dart < 60 * cells * cells; ++dart) {
         const Vec3f p(float(uniform(random)), float(uniform(random)), 0);
-        const int x = std::min(int(p.x() * float(cells)), cells - 1), y = std::min(int(p.y() * float(cells)), cells - 1);
+        const int x = std::min(int(p.x() * float(cells)), cells - 1),
+                  y = std::min(int(p.y() * float(cells)), cells - 1);
         bool free = true;
         for (int dx = -1; dx <= 1; ++dx)
             for (int dy = -1; dy <= 1; ++dy)
@@ -140,7 +143,8 @@ inline Shape gridCube(int steps) {
 }
 
 inline double degreesBetween(const Vec3f& a, const Vec3f& b) {
-    const double sine = a.cast<double>().cross(b.cast<double>()).norm(), cosine = a.cast<double>().dot(b.cast<double>());
+    const double sine = a.cast<double>().cross(b.cast<double>()).norm(),
+                 cosine = a.cast<double>().dot(b.cast<double>());
     return std::atan2(sine, cosine) * 180 / std::numbers::pi;
 }
 
