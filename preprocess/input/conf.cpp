@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The .conf files of the Stanford 3D Scanning Repository: which scan lies where.
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "preprocess/input/detect.h"

@@ -123,7 +123,7 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
 void addVertex(Sink& sink, const Row& row) {
     const Vec3d position = toWorld(sink, {row[kX], row[kY], row[kZ]});
     const std::uint64_t index = sink.vertices++;
-    constexpr std::uint64_t kStep = 1 << 16;
+    constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
     if (index % kStep == 0 && sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
     if (index >= kMostPoints)

@@ -28,6 +28,9 @@ TEST_F(SourceTest, FilesThatCannotBeRead) {
     EXPECT_HAS(reasonOfText("a.ply", ""), "the file is empty");
     EXPECT_HAS(reasonOf("/dev/null"), "is no regular file");
     EXPECT_EQ(last_code, ExitCode::kBadInput);
+}
+
+TEST_F(SourceTest, FilesWithoutPermission) {
     const std::string closed = write("closed.xyz", "1 2 3\n");
     std::filesystem::permissions(closed, std::filesystem::perms::none);
     if (::access(closed.c_str(), R_OK) == 0) GTEST_SKIP() << "running as root: permissions do not hold";
