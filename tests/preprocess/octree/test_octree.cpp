@@ -102,7 +102,8 @@ INSTANTIATE_TEST_SUITE_P(Clouds, OctreeInvariants,
 TEST(Octree, SplitsByMembers) {
     BuildOptions options;
     options.octree.max_leaf_splats = 5;
-    const Built built = buildSplats(sphereSplats(20000, Vec3f(1, 2, 3), 0.5f), options);
+    // radii far below the leaves' edges, which then split by members alone
+    const Built built = buildSplats(sphereSplats(20000, Vec3f(1, 2, 3), 0.5f, 0.2f), options);
     for (const Leaf& leaf : built.octree.leaves) EXPECT_LE(leaf.member_count, 5u);
 }
 

@@ -56,7 +56,9 @@ TEST(Normals, CubeEdgesStaySharp) {
         for (int axis = 0; axis < 3; ++axis)
             if (truth[axis] == 0) from_edge = std::min({from_edge, p[axis], 1 - p[axis]});
         // Three rows from the edge, no neighbour is on the other face.
-        if (from_edge > 3.0f / 40) EXPECT_LT(degreesBetween(splats.normals[i], truth), 1) << p.transpose();
+        if (from_edge > 3.0f / 40) {
+            EXPECT_LT(degreesBetween(splats.normals[i], truth), 1) << p.transpose();
+        }
         EXPECT_LT(degreesBetween(splats.normals[i], truth), 56) << "more than the corner's bisector, " << p.transpose();
     }
 }
@@ -71,7 +73,9 @@ TEST(Normals, GivenOnesAreKeptAndOthersEstimated) {
     const Splats splats = estimateSplats(Cloud(cloud), {}, report);
     EXPECT_EQ(report.normals_estimated, 4500u);
     for (std::size_t i = 0; i < 5000; ++i)
-        if (splats.input_index[i] % 10 == 0) EXPECT_LT((splats.normals[i] - odd).norm(), 1e-6);
+        if (splats.input_index[i] % 10 == 0) {
+            EXPECT_LT((splats.normals[i] - odd).norm(), 1e-6);
+        }
 
     SurfaceOptions options;
     options.normals = NormalSource::kEstimate;

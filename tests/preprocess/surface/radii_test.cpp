@@ -77,7 +77,9 @@ TEST(Radii, DensityJumpIsClosed) {
     const Splats splats = estimate(shape.cloud());
     EXPECT_GT(leastWeight(splats, 0.06), 0.3);
     for (std::size_t i = 0; i < splats.radii.size(); ++i)
-        if (splats.positions[i].x() < 0.4f) EXPECT_LT(splats.radii[i], 1.5f / 200) << "dense discs stay small";
+        if (splats.positions[i].x() < 0.4f) {
+            EXPECT_LT(splats.radii[i], 1.5f / 200) << "dense discs stay small";
+        }
 }
 
 TEST(Radii, LonePointsStaySmall) {
