@@ -27,6 +27,24 @@ std::size_t threadCount(int requested) {
     return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
 }
 
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+/// The report must not land on a scan or on the scene.
+void checkStats(const BakeOptions& options) {
+    const std::string& path = options.stats_path;
+    if (path.empty() || path == "-") return;
+    for (const std::string& other : options.inputs)
+        if (sameFile(path, other)) throw Error(ExitCode::kBadUsage, path + ": --stats would overwrite an input");
+    if (sameFile(path, options.output))
+        throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty() && access(folder.c_str(), W_OK) != 0)
+        throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+}
+
 /// Found out before the work, not after it.
 void checkOutput(const BakeOptions& options) {
     const std::filesystem::path path(options.output);
@@ -91,6 +109,7 @@ void store(const BakeOptions& options, const PackedSplats& splats, const Octree&
 
 BakeReport bake(const BakeOptions& options) {
     checkOutput(options);
+    checkStats(options);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
     Progress progress(options.verbosity);
     const auto show = [&](double share) { progress.update(share); };

@@ -23,7 +23,11 @@ void installInterruptHandlers() {
     struct sigaction action {};
     action.sa_handler = onInterrupt;
     action.sa_flags = SA_RESTART; // a write that is put through must not fail half-way
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup stays in force
+    }
 }
 
 InterruptGuard::InterruptGuard() { guarded = 1; }

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "pointrt/tool.hpp"
@@ -106,6 +107,10 @@ void checkOptions(BakeOptions& options) {
     if (!named) usage(options.output + ": the output's name must end in .pro");
     const bool from_stdin = std::find(options.inputs.begin(), options.inputs.end(), "-") != options.inputs.end();
     if (from_stdin && options.read.format.empty()) usage("-: standard input needs --input-format");
+    if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1)
+        usage("-: standard input can be read only once");
+    if (!std::isfinite(options.surface.radius_scale)) usage("--radius-scale: must be a number");
+    if (!std::isfinite(options.reflectivity)) usage("--reflectivity: must be a number");
     options.probes.seed = options.read.seed;
 }
 

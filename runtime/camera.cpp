@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 
 #include "pointrt/tool.hpp"
 
@@ -18,6 +20,17 @@ double framingDistance(double radius, double fov_deg, double aspect) {
     return radius / std::sin(std::min(verticalHalfAngle(fov_deg), horizontalHalfAngle(fov_deg, aspect)));
 }
 
+/// Distances along rays are float on the device: from here they still resolve a thousandth of the scene's radius.
+constexpr double kFarthestRadii = 1e4;
+/// Below this, neighbouring rays are the same in float.
+constexpr double kLeastFov_deg = 1e-3;
+
+/// A vector of the same direction whose squares neither overflow nor vanish.
+Vec3 withinRange(Vec3 v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return largest > 0 ? v * (1 / largest) : v;
+}
+
 bool isParallel(Vec3 up, Vec3 forward) { return length(cross(forward, up)) < kParallelSine * length(up); }
 
 Vec3 usableUp(Vec3 up, Vec3 forward) {
@@ -27,12 +40,17 @@ Vec3 usableUp(Vec3 up, Vec3 forward) {
 }
 
 void requireUsable(const CameraRequest& request) {
-    if (!(request.fov_deg > 0 && request.fov_deg < 180))
-        throw Error{ExitCode::kBadUsage, "--fov: must be above 0 and below 180 degrees"};
-    if (request.up && !(length(*request.up) > 0))
+    if (!(request.fov_deg >= kLeastFov_deg && request.fov_deg < 180))
+        throw Error{ExitCode::kBadUsage, "--fov: must be 0.001 or more and below 180 degrees"};
+    if (request.up && !(length(withinRange(*request.up)) > 0))
         throw Error{ExitCode::kBadUsage, "--up: the zero vector has no direction"};
     if (request.eye && request.target && !(length(*request.target - *request.eye) > 0))
         throw Error{ExitCode::kBadUsage, "--eye and --target: must be different points"};
+}
+
+void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 centre, double radius) {
+    if (point && !(length(*point - centre) <= kFarthestRadii * radius))
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": more than 10000 scene radii away"};
 }
 
 } // namespace
@@ -49,6 +67,8 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
     const double half_diagonal = length(bounds_max - bounds_min) / 2;
     // A scene of one splat has no extent; any distance shows it.
     const double radius = half_diagonal > 0 ? half_diagonal : 1;
+    requireNear("--eye", request.eye, centre, radius);
+    requireNear("--target", request.target, centre, radius);
     const Vec3 back{0, 0, framingDistance(radius, request.fov_deg, aspect)};
 
     const Vec3 eye = request.eye.value_or(request.target.value_or(centre) + back);
@@ -59,7 +79,8 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
     camera.fov_deg = request.fov_deg;
     camera.eye = eye;
     camera.forward = normalize(target - eye);
-    camera.right = normalize(cross(camera.forward, usableUp(request.up.value_or(Vec3{0, 1, 0}), camera.forward)));
+    camera.right =
+        normalize(cross(camera.forward, usableUp(withinRange(request.up.value_or(Vec3{0, 1, 0})), camera.forward)));
     camera.up = cross(camera.right, camera.forward);
     return camera;
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <thread>
+#include <future>
 
 #include "pointrt/pro_layout.h"
 
@@ -78,11 +78,11 @@ EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t lea
 
     std::vector<char> filled(grid.words.size());
     for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = grid.words[c] != kUnset;
-    std::array<std::vector<std::uint8_t>, 8> skips;
-    std::vector<std::thread> threads;
+    std::array<std::future<std::vector<std::uint8_t>>, 8> work;
     for (std::uint32_t octant = 0; octant < 8; ++octant)
-        threads.emplace_back([&, octant] { skips[octant] = skipsTowards(filled, grid.bits, octant); });
-    for (std::thread& thread : threads) thread.join();
+        work[octant] = std::async(std::launch::async, [&, octant] { return skipsTowards(filled, grid.bits, octant); });
+    std::array<std::vector<std::uint8_t>, 8> skips;
+    for (std::uint32_t octant = 0; octant < 8; ++octant) skips[octant] = work[octant].get();
     for (std::size_t c = 0; c < filled.size(); ++c) {
         if (filled[c]) continue;
         grid.words[c] = 0;

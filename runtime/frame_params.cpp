@@ -16,10 +16,10 @@ using std::numbers::pi;
 struct RoomSize {
     double half_width, height;
 };
-constexpr RoomSize kMirrorRoom{1.8, 2.8};
+constexpr RoomSize kMirrorRoom{1.8, 3.0};
 constexpr RoomSize kMatteRoom{3.6, 5.0};
 
-/// The ring of lights, in the same unit: inside either room.
+/// The ring of lights, in the same unit: inside either room, whose floor is at most 1 below the centre.
 constexpr double kRingRadius = 1.5;
 constexpr double kRingHeight = 1.9;
 /// Share left between the eye and a wall behind it.
@@ -54,7 +54,8 @@ Staging stageScene(const Scene& scene, const RenderSettings& settings, const Cam
     staging.center = 0.5 * (lo + hi);
     staging.eye = cubePoint(info, camera.eye);
     staging.up = nearestAxis(settings.camera.up.value_or(Vec3{0, 1, 0}));
-    staging.radius = std::max(0.5 * length(hi - lo), 1e-3);
+    staging.radius =
+        std::max(0.5 * length(hi - lo), static_cast<double>(info.radius_max)); // a lone splat has a size too
     const Vec3 size = hi - lo;
     staging.floor = -0.5 * std::abs(dot(size, staging.up));
     return staging;

@@ -48,7 +48,7 @@ Camera cameraFor(const Scene& scene, const RenderSettings& render) {
 
 void load(Session& session, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
-    session.scene = loadScene(session.device, options.scene, options.render, options.verbose);
+    session.scene = loadScene(session.device, options.scene, options.verbose);
     session.tracer =
         createTracer(session.device, *session.scene, options.render, cameraFor(*session.scene, options.render));
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -57,7 +57,7 @@ void load(Session& session, const Options& options, Report& report) {
     report.height = options.render.height;
     report.spp = options.render.spp;
     report.splats = session.scene->info.splat_count;
-    report.device_bytes = session.scene->device_bytes;
+    report.device_bytes = session.scene->device_bytes + deviceBytes(*session.tracer);
 }
 
 /// Renders one frame and returns its milliseconds.
@@ -94,7 +94,7 @@ void render(const Options& options) {
     Session session(options);
     load(session, options, report);
     renderFrames(session, options, report);
-    if (!options.output.empty()) writeImage(options.output, readFilm(session.device, *session.tracer, *session.scene));
+    if (!options.output.empty()) writeImage(options.output, readFilm(*session.tracer));
     const std::string json = reportJson(report);
     if (options.bench_frames != 0) writeText("-", json);
     // A benchmark has already printed it.

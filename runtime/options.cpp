@@ -16,7 +16,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::uint32_t kMaxSize = 16384; // pixels; larger buffers exceed what devices bind at once
+constexpr std::uint32_t kMaxSize = 16384; // pixels: what image viewers and GPUs take as a texture
 constexpr std::uint32_t kMaxBounces = 64;
 constexpr std::uint32_t kMaxLights = 16;
 constexpr std::uint32_t kMaxSpp = 65536;

@@ -71,7 +71,7 @@ void uploadSections(Device& device, Scene& scene) {
 
 } // namespace
 
-Scene loadScene(Device& device, const std::string& path, const RenderSettings&, bool verbose) {
+Scene loadScene(Device& device, const std::string& path, bool verbose) {
     Scene scene;
     scene.path = path;
     try {

@@ -6,7 +6,6 @@
 
 #include "pointrt/pro.h"
 #include "runtime/device.h"
-#include "runtime/render.h"
 #include "runtime/resources.h"
 
 namespace pointrt {
@@ -23,7 +22,7 @@ struct Scene {
 };
 
 /// Maps, validates and uploads (or imports) path. Throws Error: kBadInput "FILE: reason" or kCannotRun.
-Scene loadScene(Device& device, const std::string& path, const RenderSettings& settings, bool verbose);
+Scene loadScene(Device& device, const std::string& path, bool verbose);
 void destroyScene(Device& device, Scene& scene);
 
 } // namespace pointrt

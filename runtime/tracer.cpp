@@ -33,6 +33,7 @@ struct TracerState {
     Buffer params, control, queues, paths, hits, lit, film, first_hits;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
+    std::uint64_t device_bytes = 0;
     Film result;
 };
 
@@ -46,6 +47,7 @@ void createBuffers(Device& device, TracerState& state) {
     const std::uint64_t pixels = std::uint64_t{width} * state.band_rows;
     const std::uint64_t lanes = lanesOf(width, state.band_rows);
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+        state.device_bytes += bytes;
         return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
     };
     state.params = storage("frame parameters", sizeof(gpu::FrameParams));
@@ -157,6 +159,7 @@ void allocateFilm(const RenderSettings& settings, Film& film) {
     film.width = settings.width;
     film.height = settings.height;
     film.rgba.assign(4 * pixels, 0.0f);
+    if (!settings.first_hits) return;
     film.depth.assign(pixels, std::numeric_limits<float>::infinity());
     film.normal.assign(3 * pixels, 0.0f);
     film.position.assign(3 * pixels, 0.0f);
@@ -170,7 +173,7 @@ void storeColors(Device& device, TracerState& state, std::uint32_t first_row, st
     std::for_each(out, out + floats, [&](float& value) { value *= share; });
 }
 
-/// Cube units to input units; positions are taken along the ray in double, where national grids keep their millimetres.
+/// Cube units to input units; positions are taken along the ray in double, and rounded to float once.
 void storeFirstHits(Device& device, TracerState& state, std::uint32_t first_row, std::uint32_t rows) {
     const std::uint32_t width = state.settings.width;
     std::vector<gpu::vec4> hits(std::size_t{width} * rows);
@@ -212,6 +215,8 @@ Tracer createTracer(Device& device, const Scene& scene, const RenderSettings& se
     return tracer;
 }
 
+std::uint64_t deviceBytes(const Tracer& tracer) { return tracer.state->device_bytes; }
+
 void destroyTracer(Device& device, Tracer& tracer) {
     if (!tracer.state) return;
     TracerState& state = *tracer.state;
@@ -249,6 +254,6 @@ RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(d
     return counts;
 }
 
-Film readFilm(Device&, const Tracer& tracer, const Scene&) { return tracer.state->result; }
+const Film& readFilm(const Tracer& tracer) { return tracer.state->result; }
 
 } // namespace pointrt

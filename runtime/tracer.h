@@ -24,7 +24,10 @@ void destroyTracer(Device& device, Tracer& tracer);
 /// Renders every sample from scratch and returns the rays it counted. progress gets the share done in [0, 1].
 RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double share)>& progress);
 
-/// The picture and the first-hit channels, converted to input units.
-Film readFilm(Device& device, const Tracer& tracer, const Scene& scene);
+/// The picture of the last frame; with settings.first_hits also the first-hit channels, in input units.
+const Film& readFilm(const Tracer& tracer);
+
+/// Bytes of the tracer's own buffers; the scene's come on top.
+std::uint64_t deviceBytes(const Tracer& tracer);
 
 } // namespace pointrt

@@ -9,10 +9,11 @@ const float kOwnHeight = 3.0;
 const float kOwnReach = 8.0;
 // Radii the origin is lifted by.
 const float kLift = 0.25;
-// For surfaces without splats (the room's walls): a few units in the last place of a coordinate near 4.
-const float kWallOffset = 2e-6;
+// For surfaces without splats (the room's walls): 4 units in the last place of the largest coordinate.
+const float kWallUlps = 4.0 / 8388608.0;
 
 vec3 leaveSurface(vec3 position, vec3 normal, float radius, vec3 direction, out float own_t) {
     own_t = radius * min(kOwnHeight / max(dot(normal, direction), 1e-6), kOwnReach);
-    return position + normal * (radius > 0.0 ? kLift * radius : kWallOffset);
+    float largest = max(abs(position.x), max(abs(position.y), abs(position.z)));
+    return position + normal * (radius > 0.0 ? kLift * radius : kWallUlps * largest);
 }

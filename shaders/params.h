@@ -23,7 +23,10 @@ struct uvec4 {
 
 // Share of the sky's light taken as ambient by phong and whitted, standing in for what bounces around a scene.
 #define AMBIENT_SHARE 0.16f
+// The sky, linear: between these by the square root of the height over the horizon.
+#define SKY_ZENITH 0.46f, 0.52f, 0.62f
 #define SKY_HORIZON 0.82f, 0.83f, 0.84f
+#define SKY_GROUND 0.30f, 0.29f, 0.28f
 
 #define INTEGRATOR_PHONG 0
 #define INTEGRATOR_WHITTED 1

@@ -7,11 +7,12 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// R2 sequence (Roberts 2018): steps of the plastic number, shifted per pixel.
+// R2 sequence (Roberts 2018): steps of 1/p and 1/p^2 for the plastic number p in units of 2^-32, so that late samples
+// lose no bits; shifted per pixel.
 vec2 samplePosition(uint pixel) {
     if (hasStep(STEP_CENTER)) return vec2(0.5);
-    vec2 shift = random3(pixel, 0u, 0u).xy;
-    return fract(shift + float(push.step.x) * vec2(0.7548776662, 0.5698402910));
+    uvec2 steps = push.step.x * uvec2(0xC13FA9A9u, 0x91E10DA6u);
+    return fract(random3(pixel, 0u, 0u).xy + vec2(steps >> 8u) * (1.0 / 16777216.0));
 }
 
 void main() {

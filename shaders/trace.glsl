@@ -2,7 +2,8 @@
 // Stackless traversal. A grid of entry points stands for the octree's upper levels: an empty cell says for each
 // direction octant how many cells can be skipped, a filled one names its node. From the node down the tree is walked
 // by the bits of the position. Positions are carried as 21-bit integers, and a step sets the coordinate of the axis it
-// leaves by to the neighbour's exactly: no epsilon, no cell visited twice, none jumped over.
+// leaves by to the neighbour's exactly: no epsilon, and no cell is jumped over. (A leaf larger than a grid cell is met
+// once in each of its grid cells.)
 //
 // Loops are written as while over state declared before them: lavapipe's do-while loses values (see tests), and an
 // inner loop per phase keeps lanes that wait from costing a turn of the other phase.
@@ -40,60 +41,88 @@ float hitSplat(uvec4 words, vec3 origin, TraceRay ray, float own_t, float t_min,
 // Cells to skip from an empty grid cell: the nibble of the ray's direction octant.
 int skipCells(uint word, uint octant) { return int((word >> (4u * octant)) & 15u); }
 
-TraceHit trace(TraceRay ray) {
-    vec3 direction = mix(ray.direction, vec3(1e-20), equal(ray.direction, vec3(0.0)));
-    vec3 inverse = 1.0 / direction;
-    ivec3 forward = ivec3(greaterThan(direction, vec3(0.0)));
-    uint octant = uint(forward.x | forward.y << 1 | forward.z << 2);
+// Where a ray stands in the octree.
+struct Walk {
+    vec3 origin;    // on the cube's border or inside
+    vec3 direction; // no component is 0
+    vec3 inverse;
+    ivec3 forward;  // 1 where the direction rises, else 0
+    uint octant;
+    ivec3 position; // 21-bit cell
+    float t;        // from origin to where the ray enters that cell
+    bool inside;
+};
+
+// Starts at the cube's border: from a distant eye t would leave too few bits for the splat test.
+// t_start receives the distance from the ray's origin.
+Walk startWalk(TraceRay ray, out float t_start) {
+    Walk walk;
+    // smaller components would make inverses whose products are not numbers
+    walk.direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20)));
+    walk.inverse = 1.0 / walk.direction;
+    walk.forward = ivec3(greaterThan(walk.direction, vec3(0.0)));
+    walk.octant = uint(walk.forward.x | walk.forward.y << 1 | walk.forward.z << 2);
+    vec3 near = (vec3(1 - walk.forward) - ray.origin) * walk.inverse;
+    vec3 far = (vec3(walk.forward) - ray.origin) * walk.inverse;
+    t_start = max(max(near.x, near.y), max(near.z, 0.0));
+    walk.inside = t_start <= min(min(far.x, far.y), far.z);
+    walk.origin = ray.origin + ray.direction * t_start;
+    walk.position = clamp(ivec3(walk.origin * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
+    walk.t = 0.0;
+    return walk;
+}
+
+// One step: finds the leaf or the empty cells at the ray's position and moves on behind them.
+// Returns the leaf's index, NO_INDEX where there is none.
+uint stepWalk(inout Walk walk) {
     int grid_bits = int(params.grid.x);
+    int shift = kFullDepth - grid_bits;
+    ivec3 cell = walk.position >> shift;
+    uint word = loadGrid(((cell.z << grid_bits) | cell.y) << grid_bits | cell.x);
+    int skip = skipCells(word, walk.octant);
+    bool filled = (word & 15u) == 0u;
+    uint leaf = NO_INDEX;
+    // where the ray leaves by each axis: the far side of the skipped cells, or of the leaf
+    ivec3 plane = (cell + walk.forward * (2 * skip - 1) - (skip - 1)) << shift;
+    if (filled) {
+        uint node = loadNode(word >> 4);
+        while ((node & PRO_NODE_INNER) != 0u && shift > 0) {
+            shift--;
+            ivec3 bits = (walk.position >> shift) & 1;
+            node = loadNode((node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + uint(bits.x | bits.y << 1 | bits.z << 2));
+        }
+        plane = ((walk.position >> shift) + walk.forward) << shift;
+        leaf = node - 1u; // an empty leaf becomes NO_INDEX
+    }
+    vec3 t_planes = (vec3(plane) * PRO_POSITION_STEP - walk.origin) * walk.inverse;
+    float t_exit = max(min(t_planes.x, min(t_planes.y, t_planes.z)), walk.t);
+    bvec3 leaving = lessThanEqual(t_planes, vec3(t_exit));
+    // on the axes it does not leave by, the ray stays on this side of the plane and never turns back
+    bvec3 falling = equal(walk.forward, ivec3(0));
+    ivec3 exit_cell = ivec3((walk.origin + walk.direction * t_exit) * PRO_POSITION_STEPS);
+    ivec3 limit = plane - walk.forward;
+    ivec3 ahead = mix(max(exit_cell, walk.position), min(exit_cell, walk.position), falling);
+    ahead = mix(min(ahead, limit), max(ahead, limit), falling);
+    walk.position = mix(ahead, plane + walk.forward - 1, leaving);
+    walk.t = t_exit;
+    walk.inside = any(leaving) && all(greaterThanEqual(walk.position, ivec3(0))) &&
+                  all(lessThanEqual(walk.position, ivec3(kLastCell)));
+    return leaf;
+}
 
-    // Start at the cube's border: from a distant eye t would leave too few bits for the splat test.
-    vec3 near = (vec3(1 - forward) - ray.origin) * inverse;
-    vec3 far = (vec3(forward) - ray.origin) * inverse;
-    float t_start = max(max(near.x, near.y), max(near.z, 0.0));
-    float t_end = min(min(far.x, far.y), far.z);
-    vec3 origin = ray.origin + ray.direction * t_start;
-    float own_t = ray.own_t - t_start;
-
+TraceHit trace(TraceRay ray) {
+    float t_start;
+    Walk walk = startWalk(ray, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
-    bool inside = t_start <= t_end && hit.t > 0.0;
-    ivec3 position = clamp(ivec3(origin * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
+    float own_t = ray.own_t - t_start;
     uint last_leaf = NO_INDEX;
-    float t = 0.0;
+    bool searching = walk.inside && hit.t > 0.0;
 
-    while (inside) {
+    while (searching) {
         uint leaf_index = NO_INDEX;
-        while (inside && leaf_index == NO_INDEX) {
-            int shift = kFullDepth - grid_bits;
-            ivec3 cell = position >> shift;
-            uint word = loadGrid(((cell.z << grid_bits) | cell.y) << grid_bits | cell.x);
-            int skip = skipCells(word, octant);
-            bool filled = (word & 15u) == 0u;
-            // exit planes of the box from here to the end of the skipped cells
-            ivec3 plane = (cell + (filled ? forward : forward * (2 * skip - 1) - (skip - 1))) << shift;
-            if (filled) {
-                uint node = loadNode(word >> 4);
-                while ((node & PRO_NODE_INNER) != 0u && shift > 0) {
-                    shift--;
-                    ivec3 bits = (position >> shift) & 1;
-                    node = loadNode((node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE +
-                                    uint(bits.x | bits.y << 1 | bits.z << 2));
-                }
-                plane = ((position >> shift) + forward) << shift;
-                leaf_index = node - 1u; // an empty leaf becomes NO_INDEX
-            }
-            vec3 t_planes = (vec3(plane) * PRO_POSITION_STEP - origin) * inverse;
-            float t_exit = max(min(t_planes.x, min(t_planes.y, t_planes.z)), t);
-            bvec3 leaving = lessThanEqual(t_planes, vec3(t_exit));
-            // where the ray leaves, kept on this side on the axes it does not leave by
-            ivec3 exit_cell = ivec3((origin + direction * t_exit) * PRO_POSITION_STEPS);
-            ivec3 limit = plane - forward;
-            ivec3 ahead = mix(max(exit_cell, position), min(exit_cell, position), equal(forward, ivec3(0)));
-            ahead = mix(min(ahead, limit), max(ahead, limit), equal(forward, ivec3(0)));
-            position = mix(ahead, plane + forward - 1, leaving);
-            t = t_exit;
-            inside = all(greaterThanEqual(position, ivec3(0))) && all(lessThanEqual(position, ivec3(kLastCell))) &&
-                     (t < hit.t || leaf_index != NO_INDEX);
+        while (searching && leaf_index == NO_INDEX) {
+            leaf_index = stepWalk(walk);
+            searching = walk.inside && walk.t < hit.t;
         }
         uvec4 leaf = leaf_index == NO_INDEX ? uvec4(0u) : loadLeaf(leaf_index);
         last_leaf = leaf_index == NO_INDEX ? last_leaf : leaf_index;
@@ -101,18 +130,18 @@ TraceHit trace(TraceRay ray) {
         uint k = 0u;
         while (k < count) {
             uint splat = listedSplat(leaf, k);
-            float t_hit = hitSplat(loadSplat(splat), origin, ray, own_t, -t_start, hit.t);
+            float t_hit = hitSplat(loadSplat(splat), walk.origin, ray, own_t, -t_start, hit.t);
             if (t_hit < hit.t) {
                 hit.t = t_hit;
                 hit.splat = splat;
 #ifdef ANY_HIT
-                inside = false;
+                searching = false;
                 count = 0u;
 #endif
             }
             k++;
         }
-        inside = inside && t < hit.t;
+        searching = searching && walk.t < hit.t;
     }
     hit.leaf = hit.splat == NO_INDEX ? NO_INDEX : last_leaf;
     hit.t += t_start;

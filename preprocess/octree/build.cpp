@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "pointrt/tool.hpp"
@@ -107,8 +108,10 @@ void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
                 if (other != t) crossing[t].emplace_back(other, s);
         }
     });
-    for (const auto& pairs : crossing) // in splat order, whatever the threads did
+    for (auto& pairs : crossing) { // in splat order, whatever the threads did
         for (const auto& [task, splat] : pairs) tasks[task].touching.push_back(splat);
+        pairs = {};
+    }
 }
 
 /// One task's leaves; first_ref counts from the task's own refs.
@@ -141,6 +144,7 @@ private:
     bool mustSplit(const Work& work) const {
         if (work.cell.depth >= options_.max_depth) return false;
         const std::size_t listed = work.members.size() + work.touching.size();
+        if (listed > PRO_LEAF_LIST_MAX) return true; // no leaf can hold them
         const bool crowded = work.members.size() > options_.max_leaf_splats ||
                              listed > std::size_t{kListPerMember} * options_.max_leaf_splats;
         return crowded && cellEdge(work.cell.depth) > kMinEdgeRadii * meanRadius(work);
@@ -169,7 +173,7 @@ private:
     }
 
     void emit(const Work& work) {
-        if (work.members.size() > PRO_LEAF_LIST_MAX || work.touching.size() > PRO_LEAF_LIST_MAX)
+        if (work.members.size() + work.touching.size() > PRO_LEAF_LIST_MAX)
             throw Error(ExitCode::kBadUsage, "a leaf would hold more than 65535 splats: raise --max-depth, or lower "
                                              "--max-leaf-splats or --radius-scale");
         const auto first_ref = static_cast<std::uint32_t>(output_.refs.size());
@@ -190,6 +194,8 @@ Octree concatenate(std::vector<Output>& outputs) {
         leaf_count += output.leaves.size();
         ref_count += output.refs.size();
     }
+    if (ref_count > std::numeric_limits<std::uint32_t>::max())
+        throw Error(ExitCode::kBadUsage, "more than 2^32 references: lower --radius-scale");
     octree.leaves.reserve(leaf_count);
     octree.refs.reserve(ref_count);
     for (Output& output : outputs) {

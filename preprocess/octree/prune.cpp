@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pruning by probe rays, after Kashyap et al. (I3D 2010). The original keeps what the probes hit first and lets
 // blending suffer. Here a reference is dropped only while the blended surface that the probes see stays the same
-// within a tolerance: members are kept, probes aim at the splats about to be dropped, and where the pruned surface
-// differs the missing splats that weigh most are put back until it does not.
+// within a tolerance at every probe: members are kept, probes aim at the splats about to be dropped, and where the
+// pruned surface differs the missing splats that weigh most are put back until it does not.
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -26,7 +26,10 @@ constexpr float kColorTolerance = 4.0f;            ///< of 255, in any channel
 /// Leaves are shared out in blocks this long.
 constexpr std::size_t kBlockLeaves = 256;
 
-/// Points tried on a disc before its part inside the leaf counts as a sliver.
+/// Probes that a splat must pass at least to be dropped.
+constexpr std::size_t kProbesPerSplat = 2;
+
+/// Points tried on a disc before its part inside the leaf counts as a sliver: too small to aim at, so it is kept.
 constexpr int kTriesPerProbe = 16;
 
 /// Additive recurrences: the k-th of 4 coordinates advances by phi_4^-k, phi_4 = 1.1673039782614187 the root of
@@ -132,7 +135,9 @@ public:
         members_ = leaf.member_count;
         ProbeSequence sequence(options_.seed, leaf.cell.code);
         std::size_t target = members_;
-        for (std::uint32_t p = 0; p < options_.probe_rays; ++p) {
+        // no splat goes untested, however many a leaf lists
+        const std::size_t probes = std::max<std::size_t>(options_.probe_rays, kProbesPerSplat * leaf.ref_count);
+        for (std::size_t p = 0; p < probes; ++p) {
             target = nextDropped(target);
             if (target == list_.size()) break; // all are kept already
             probeDisc(target, sequence);
@@ -177,6 +182,7 @@ private:
             probe(point, sphereDirection(sample[2], sample[3]));
             return;
         }
+        if (discMeetsBox(disc, box_)) list_.kept[target] = 1;
     }
 
     void probe(const Vec3f& through, const Vec3f& direction) {
@@ -216,29 +222,24 @@ private:
             full.add(list_, i);
             if (list_.kept[i]) pruned.add(list_, i);
         }
-        while (!agree(full, pruned, radius)) {
-            const std::size_t missed = heaviestDropped();
-            if (missed == list_.size()) return;
-            list_.kept[missed] = 1;
-            pruned.add(list_, missed);
+        if (agree(full, pruned, radius)) return;
+        dropped_.clear();
+        for (std::size_t i = members_; i < list_.size(); ++i)
+            if (!list_.kept[i] && list_.weight[i] > 0.0f) dropped_.push_back(i);
+        std::stable_sort(dropped_.begin(), dropped_.end(),
+                         [&](std::size_t a, std::size_t b) { return list_.weight[a] > list_.weight[b]; });
+        for (const std::size_t i : dropped_) {
+            list_.kept[i] = 1;
+            pruned.add(list_, i);
+            if (agree(full, pruned, radius)) return;
         }
-    }
-
-    std::size_t heaviestDropped() const {
-        std::size_t best = list_.size();
-        float weight = 0;
-        for (std::size_t i = members_; i < list_.size(); ++i) {
-            if (list_.kept[i] || list_.weight[i] <= weight) continue;
-            weight = list_.weight[i];
-            best = i;
-        }
-        return best;
     }
 
     const PackedSplats& splats_;
     const PruneOptions& options_;
     DiscList list_;
     std::vector<std::uint32_t> splat_of_;
+    std::vector<std::size_t> dropped_; ///< scratch of restoreField
     std::size_t members_ = 0;
     Box box_;
 };

@@ -64,7 +64,9 @@ OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const
     pro_message message{};
     const pro_result result = pro_write(path.c_str(), &info, &view, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (result != PRO_OK) throw Error(ExitCode::kCannotWrite, path + ": " + message.text);
+    // what the writer refuses to write is a scan that no .pro can hold
+    const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;
+    if (result != PRO_OK) throw Error(code, path + ": " + message.text);
     OctreeCounts counts = countOctree(splats, octree, nodes.size());
     counts.max_depth = info.max_depth;
     counts.file_bytes = std::filesystem::file_size(path);

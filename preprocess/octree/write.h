@@ -27,7 +27,8 @@ struct OctreeCounts {
     std::uint64_t file_bytes = 0;
 };
 
-/// Writes path, over what is there. Throws Error (kCannotWrite) and leaves nothing behind on failure.
+/// Writes path, over what is there. Throws Error (kCannotWrite, or kBadInput where the cloud's scale does not fit the
+/// format) and leaves nothing behind on failure.
 OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree,
                       const ProContent& content);
 

@@ -23,7 +23,7 @@ Device& sharedDevice() {
 Rendered renderFile(const std::string& path, RenderSettings settings) {
     Device& device = sharedDevice();
     settings.first_hits = true;
-    Scene scene = loadScene(device, path, settings, false);
+    Scene scene = loadScene(device, path, false);
     Rendered rendered;
     rendered.info = scene.info;
     const Vec3 lo{scene.info.bounds_min[0], scene.info.bounds_min[1], scene.info.bounds_min[2]};
@@ -32,7 +32,7 @@ Rendered renderFile(const std::string& path, RenderSettings settings) {
     rendered.params = makeFrameParams(scene, settings, rendered.camera, 0, settings.height);
     Tracer tracer = createTracer(device, scene, settings, rendered.camera);
     rendered.rays = renderFrame(device, tracer, {});
-    rendered.film = readFilm(device, tracer, scene);
+    rendered.film = readFilm(tracer);
     destroyTracer(device, tracer);
     destroyScene(device, scene);
     EXPECT_EQ(validationMessages(), 0u);

@@ -130,6 +130,30 @@ TEST(FirstHits, PrunedSphereStaysClosedAndRound) {
     EXPECT_LT(worst_angle, 1.2); // a flat disc's normal is up to 1.2 degrees off at its rim
 }
 
+TEST(FirstHits, PruningLongListsOpensNothing) {
+    // leaves that list far more splats than they have probes
+    const auto depths = [](bool prune) {
+        const std::string path = temporaryPath("long.pro");
+        BuildOptions options;
+        options.octree.max_leaf_splats = 200;
+        options.prune = prune;
+        writeScene(path, sphereSplats(30000, Vec3f(0, 0, 0), 1.0f), options);
+        const Film film = renderFile(path, square(400)).film;
+        std::remove(path.c_str());
+        return film.depth;
+    };
+    const std::vector<float> full = depths(false), pruned = depths(true);
+    std::size_t moved = 0, lost = 0;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+        lost += std::isfinite(full[i]) != std::isfinite(pruned[i]);
+        moved +=
+            std::isfinite(full[i]) && std::isfinite(pruned[i]) && std::abs(full[i] - pruned[i]) > 0.025; // a radius
+    }
+    std::printf("%zu lost, %zu moved by more than a radius\n", lost, moved);
+    EXPECT_EQ(lost, 0u);
+    EXPECT_EQ(moved, 0u);
+}
+
 TEST(FirstHits, AxisParallelRaysEndAndHit) {
     // odd sizes put a centre ray exactly on the axis; the plane crosses the cube's middle, on cell borders of all
     // levels

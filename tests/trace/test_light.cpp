@@ -200,20 +200,53 @@ TEST(Light, BandsJoinWithoutASeam) {
         }
 }
 
-TEST(Light, PathIntegratorLosesNoEnergyAgainstTheSky) {
-    // a white sphere under a sky sees what leaves it come from the sky: radiance lies between ground and zenith
+/// The sky's green averaged over the hemisphere around +Z by the cosine, up being +Y.
+double skyOverHemisphere() {
+    const float zenith[] = {SKY_ZENITH}, horizon[] = {SKY_HORIZON}, ground[] = {SKY_GROUND};
+    double sum = 0;
+    const int steps = 400;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const double ring = std::sqrt((i + 0.5) / steps),
+                         height = ring * std::sin(6.28318530718 * (j + 0.5) / steps);
+            const double share = std::sqrt(std::abs(height)), end = height > 0 ? zenith[1] : ground[1];
+            sum += horizon[1] + share * (end - horizon[1]);
+        }
+    return sum / (steps * steps);
+}
+
+TEST(Light, WhiteSphereGivesBackTheWholeSky) {
+    // a white convex body is lit by the sky alone: where its normal is +Z it shows the sky's mean over that hemisphere
     const std::string path = temporaryPath("furnace.pro");
-    writeScene(path, sphereSplats(5000, Vec3f(0, 0, 0), 1.0f), {});
+    writeScene(path, sphereSplats(20000, Vec3f(0, 0, 0), 1.0f), {});
     RenderSettings settings = square(32);
-    settings.spp = 64;
+    settings.spp = 400;
     settings.lights = 0;
     settings.bounces = 8;
     settings.integrator = Integrator::kPath;
     const Rendered rendered = renderFile(path, settings);
     std::remove(path.c_str());
-    const float middle = pixel(rendered.film, 16, 16, 1);
-    EXPECT_GT(middle, 0.5f);
-    EXPECT_LT(middle, 0.8f);
+    const double middle = 0.25 * (pixel(rendered.film, 15, 15, 1) + pixel(rendered.film, 16, 15, 1) +
+                                  pixel(rendered.film, 15, 16, 1) + pixel(rendered.film, 16, 16, 1));
+    EXPECT_NEAR(middle, skyOverHemisphere(), 0.02 * skyOverHemisphere());
+}
+
+TEST(Light, WholeCloudInOneLeaf) {
+    // no octree at all: the root is the leaf, and its list is longer than any leaf of a real scene
+    const std::string path = temporaryPath("root.pro");
+    BuildOptions options;
+    options.octree.max_depth = 0;
+    writeScene(path, sphereSplats(2000, Vec3f(0, 0, 0), 1.0f), options);
+    const Rendered one = renderFile(path, square(48));
+    writeScene(path, sphereSplats(2000, Vec3f(0, 0, 0), 1.0f), {});
+    const Rendered many = renderFile(path, square(48));
+    std::remove(path.c_str());
+    for (std::size_t i = 0; i < one.film.depth.size(); ++i) {
+        ASSERT_EQ(std::isfinite(one.film.depth[i]), std::isfinite(many.film.depth[i])) << i;
+        if (std::isfinite(one.film.depth[i])) {
+            EXPECT_NEAR(one.film.depth[i], many.film.depth[i], 2e-3);
+        }
+    }
 }
 
 } // namespace
