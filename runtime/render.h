@@ -37,7 +37,7 @@ struct RenderSettings {
     bool shadows = true;
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
-    bool first_hits = false; ///< also fill the Film's depth, normal and position
+    bool first_hits = false;           ///< also fill the Film's depth, normal and position
 };
 
 /// Rays counted on the device while tracing.

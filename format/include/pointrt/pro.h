@@ -22,12 +22,12 @@ extern "C" {
 
 typedef enum pro_result {
     PRO_OK = 0,
-    PRO_CANNOT_READ = 1,   /* missing, no permission, not a regular file, empty */
-    PRO_INVALID = 2,       /* a structural or checksum finding; message has its number */
-    PRO_UNSUPPORTED = 3,   /* newer major version, or an unknown section marked required */
-    PRO_CANNOT_WRITE = 4,  /* output folder missing, disk full, no permission */
+    PRO_CANNOT_READ = 1,  /* missing, no permission, not a regular file, empty */
+    PRO_INVALID = 2,      /* a structural or checksum finding; message has its number */
+    PRO_UNSUPPORTED = 3,  /* newer major version, or an unknown section marked required */
+    PRO_CANNOT_WRITE = 4, /* output folder missing, disk full, no permission */
     PRO_OUT_OF_MEMORY = 5,
-    PRO_BAD_ARGUMENT = 6   /* a caller's bug: null pointer, count out of range */
+    PRO_BAD_ARGUMENT = 6 /* a caller's bug: null pointer, count out of range */
 } pro_result;
 
 /* One line for people, without the file's name; always terminated. */
@@ -43,23 +43,23 @@ typedef struct pro_info {
     uint32_t flags;     /* PRO_FLAG_* */
     uint32_t max_depth; /* 0 to PRO_MAX_DEPTH */
     uint32_t splat_count, node_count, leaf_count, ref_count, material_count;
-    float radius_max;  /* cube units */
-    float radius_step; /* octaves per code */
-    float blend_slab;  /* over the radius */
-    double origin[3];  /* input units */
-    double scale;      /* input units per cube edge */
+    float radius_max;                    /* cube units */
+    float radius_step;                   /* octaves per code */
+    float blend_slab;                    /* over the radius */
+    double origin[3];                    /* input units */
+    double scale;                        /* input units per cube edge */
     double bounds_min[3], bounds_max[3]; /* input units */
 } pro_info;
 
 /* The sections, pointing into the file's bytes. order is NULL and metadata_bytes 0 where absent. */
 typedef struct pro_view {
-    const uint32_t* nodes;     /* [node_count] */
-    const uint32_t* leaves;    /* [leaf_count][4] */
-    const uint32_t* refs;      /* [ref_count] */
-    const uint32_t* splats;    /* [splat_count][4] */
-    const float* materials;    /* [material_count][16] */
-    const uint32_t* order;     /* [splat_count] or NULL */
-    const char* metadata;      /* JSON, not terminated */
+    const uint32_t* nodes;  /* [node_count] */
+    const uint32_t* leaves; /* [leaf_count][4] */
+    const uint32_t* refs;   /* [ref_count] */
+    const uint32_t* splats; /* [splat_count][4] */
+    const float* materials; /* [material_count][16] */
+    const uint32_t* order;  /* [splat_count] or NULL */
+    const char* metadata;   /* JSON, not terminated */
     uint64_t metadata_bytes;
 } pro_view;
 
