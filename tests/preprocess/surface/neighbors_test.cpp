@@ -55,6 +55,22 @@ TEST(Neighbors, SmallCloudsListAllOthers) {
     }
 }
 
+TEST(Neighbors, WithoutSomePointsAreAsIfTheyHadNeverBeen) {
+    Points points = takePoints(randomTorus(3000).cloud());
+    NearestSearch search(points.positions);
+    NeighborLists lists = findNeighbors(points, search, 16, {kSilent, "test"});
+    std::vector<std::uint8_t> keep(points.size(), 1);
+    for (std::size_t i = 0; i < keep.size(); i += 37) keep[i] = 0;
+    keepPoints(points, keep);
+    search = NearestSearch(points.positions);
+    keepNeighbors(lists, keep, points, search);
+    const NeighborLists fresh = findNeighbors(points, search, 16, {kSilent, "test"});
+    EXPECT_EQ(lists.indices, fresh.indices);
+    EXPECT_EQ(lists.distances, fresh.distances);
+    EXPECT_EQ(lists.spacings, fresh.spacings);
+    EXPECT_EQ(lists.thinned, fresh.thinned);
+}
+
 /// Scan lines 20 times as far apart as their points.
 Shape scanLines() {
     Shape shape;

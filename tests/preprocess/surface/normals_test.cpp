@@ -20,7 +20,7 @@ TEST(Normals, FibonacciSphere) {
     const Shape shape = fibonacciSphere(20'000);
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
     EXPECT_LT(meanOf(errors), 0.1);
-    EXPECT_LT(errors.back(), 1.0);
+    EXPECT_LT(errors.back(), 0.5);
 }
 
 TEST(Normals, RandomSphere) {
@@ -43,8 +43,8 @@ TEST(Normals, NoiseIsAveragedOverWiderNeighborhoods) {
     Random random(5);
     for (Vec3f& p : shape.positions) p *= float(1 + 0.008 * (uniform(random) - 0.5));
     const auto errors = normalErrors(estimate(shape.cloud()), shape);
-    EXPECT_LT(meanOf(errors), 2.5);
-    EXPECT_LT(p99Of(errors), 7);
+    EXPECT_LT(meanOf(errors), 1);
+    EXPECT_LT(p99Of(errors), 3);
 }
 
 TEST(Normals, CubeEdgesStaySharp) {

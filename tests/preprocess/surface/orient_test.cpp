@@ -42,6 +42,15 @@ TEST(Orient, ThinPlateOfTwoSheets) {
     EXPECT_EQ(wrongSides(estimate(std::move(cloud)), shape), 0u);
 }
 
+TEST(Orient, BowlOutwardsThoughItsHighestPointFacesDown) {
+    Shape shape;
+    const Shape sphere = randomSphere(20'000);
+    for (std::size_t i = 0; i < sphere.positions.size(); ++i)
+        if (sphere.positions[i].z() < -0.1f)
+            shape.add(sphere.positions[i].cast<double>(), sphere.normals[i].cast<double>());
+    EXPECT_EQ(wrongSides(estimate(shape.cloud()), shape), 0u);
+}
+
 TEST(Orient, TerrainUpwards) {
     Shape shape;
     for (int i = 0; i < 80; ++i)

@@ -91,8 +91,8 @@ TEST(Radii, LonePointsStaySmall) {
 
 TEST(Radii, SheetsOfThinPlateDoNotShrinkEachOther) {
     Shape shape = gridPlane(50, 0, -Vec3d::UnitZ());
-    Shape top = gridPlane(50, 0.01, Vec3d::UnitZ()); // half a spacing apart
-    shape.append(top);
+    for (const Vec3f& p : gridPlane(50).positions) // a quarter of a spacing above, half a cell to the side
+        shape.add(p.cast<double>() + Vec3d(0.01, 0.01, 0.005), Vec3d::UnitZ());
     Cloud cloud = shape.cloud();
     cloud.normals = shape.normals;
     const Splats splats = estimate(std::move(cloud));
