@@ -111,6 +111,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     {
         const Stopwatch watch(report.seconds_radii);
         radii = closingRadii(points, lists, *search, oriented, {progress, "radii"});
+        limitRadii(radii);
     }
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
     splats.origin = origin;

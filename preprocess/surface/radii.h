@@ -15,4 +15,8 @@ namespace pointrt::surface {
 std::vector<float> closingRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
                                 bool oriented, const StageShare& share);
 
+/// Shrinks the few radii far above all others. Points far apart are each other's neighbours, and no local rule tells
+/// their spacing from a surface's: their discs would hang in the picture like sails.
+void limitRadii(std::vector<float>& radii);
+
 } // namespace pointrt::surface

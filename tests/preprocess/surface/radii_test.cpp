@@ -82,6 +82,17 @@ TEST(Radii, DensityJumpIsClosed) {
         }
 }
 
+TEST(Radii, SparseGroupsStaySmall) {
+    // nine points far apart, each other's neighbours, over a dense plane
+    Shape shape = gridPlane(150);
+    for (int i = 0; i < 9; ++i) shape.add(Vec3d(0.4 * (i % 3), 0.4 * (i / 3), 5), Vec3d::UnitZ());
+    SurfaceOptions options;
+    options.remove_outliers = false;
+    const Splats splats = estimate(shape.cloud(), options);
+    const float spacing = 1.0f / 150;
+    EXPECT_LT(*std::max_element(splats.radii.begin(), splats.radii.end()), 3 * spacing);
+}
+
 TEST(Radii, LonePointsStaySmall) {
     Shape shape = gridPlane(30);
     shape.add(Vec3d(0.5, 0.5, 10), Vec3d::UnitZ());
