@@ -47,6 +47,18 @@ Json toJson(const BakeReport& report) {
     return json;
 }
 
+/// " (left out: 2 not finite, 1 stray)", or nothing.
+std::string leftOut(const BakeReport& report) {
+    const std::pair<std::uint64_t, const char*> reasons[] = {
+        {report.points_non_finite, "not finite"},
+        {report.surface.duplicates_removed + report.merged, "duplicate"},
+        {report.surface.outliers_removed, "stray"}};
+    std::string text;
+    for (const auto& [count, reason] : reasons)
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason);
+    return text.empty() ? text : " (left out: " + text + ")";
+}
+
 } // namespace
 
 void writeStats(const BakeReport& report, const std::string& path) {
@@ -60,10 +72,11 @@ void writeStats(const BakeReport& report, const std::string& path) {
 
 std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
-    return fmt::format("{} points, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
+    return fmt::format("{} points{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
                        "{} bytes ({:.1f} per splat), {:.2f} s",
-                       report.input_points, report.splats, report.filled_leaves, per_splat(report.references_unpruned),
-                       per_splat(report.references), report.bytes, per_splat(report.bytes), report.seconds_total);
+                       report.input_points, leftOut(report), report.splats, report.filled_leaves,
+                       per_splat(report.references_unpruned), per_splat(report.references), report.bytes,
+                       per_splat(report.bytes), report.seconds_total);
 }
 
 std::string metadataJson(const BakeOptions& options) {
