@@ -22,6 +22,13 @@ const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 const std::map<std::string, bool> kOutlierModes{{"remove", true}, {"keep", false}};
 
 template <typename Value>
+std::string joined(const std::map<std::string, Value>& choices) {
+    std::string names;
+    for (const auto& [name, unused] : choices) names += (names.empty() ? "" : "|") + name;
+    return names;
+}
+
+template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                        const std::map<std::string, Value>& choices, const std::string& help) {
     return app
@@ -33,71 +40,81 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                     value = choice->second;
                     return;
                 }
-                std::string known;
-                for (const auto& [key, unused] : choices) known += (known.empty() ? "" : ", ") + key;
-                throw CLI::ValidationError(name, "'" + text + "' is none of " + known);
+                throw CLI::ValidationError(name, "'" + text + "' is none of " + joined(choices));
             },
             help)
-        ->type_name("");
+        ->type_name(joined(choices));
+}
+
+/// A range check that leaves saying the range to the option's own help text.
+template <typename Value>
+CLI::Validator range(Value least, Value most) {
+    return CLI::Range(least, most).description("");
 }
 
 void addInputOptions(CLI::App& app, BakeOptions& options) {
-    app.add_option("input", options.inputs, "scan files, merged into one cloud; - reads standard input")->required();
-    app.add_option("-o,--output", options.output, "the .pro to write")->required()->type_name("FILE");
-    app.add_flag("-f,--force", options.force, "overwrite the output");
-    app.add_option("--input-format", options.read.format, "ply, pcd, xyz, obj, off, drc or conf (default: by content)")
-        ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}))
+    app.option_defaults()->group("Scans in, scene out");
+    app.add_option("input", options.inputs, "Scan files, merged into one cloud; - reads standard input")->required();
+    app.add_option("-o,--output", options.output, "The .pro to write")->required()->type_name("FILE");
+    app.add_flag("-f,--force", options.force, "Overwrite the output");
+    app.add_option("--input-format", options.read.format,
+                   "Format: ply, pcd, xyz, obj, off, drc or conf (default: by content)")
+        ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}).description(""))
         ->type_name("NAME");
     app.add_option("--sample", options.read.sample_count,
-                   "points to spread over a mesh's faces (default: its vertices)")
-        ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{2000000000}))
+                   "Points to spread over a mesh's faces, 1 to 2000000000 (default: its vertices)")
+        ->check(range(std::uint64_t{1}, std::uint64_t{2000000000}))
         ->type_name("N");
-    app.add_option("--seed", options.read.seed, "of sampling and probe rays (default 0)")->type_name("N");
+    app.add_option("--seed", options.read.seed, "Of sampling and probe rays (default 0, 0 to 2^64 - 1)")
+        ->type_name("N");
 }
 
 void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Surface");
     auto& surface = options.surface;
     addChoice(app, "--normals", surface.normals, kNormalSources,
-              "keep|estimate|auto: auto estimates missing ones (auto)");
-    app.add_option("--neighbors", surface.neighbors, "of a normal estimate, 3 to 255 (default 16)")
-        ->check(CLI::Range(3, 255))
+              "Normals; auto estimates what is missing (default auto)");
+    app.add_option("--neighbors", surface.neighbors, "Neighbours of a normal estimate, 3 to 255 (default 16)")
+        ->check(range(3, 255))
         ->type_name("K");
     addChoice(app, "--orient", surface.orient, kOrientModes,
-              "auto|sensor|mst|none: auto takes sensors where known, else a minimum spanning tree (auto)");
-    app.add_option("--radius-scale", surface.radius_scale, "multiplies the radii, 0.01 to 100 (default 1)")
-        ->check(CLI::Range(0.01, 100.0))
+              "Their side; auto takes sensors where known, else a minimum spanning tree (default auto)");
+    app.add_option("--radius-scale", surface.radius_scale, "Multiplies the radii, 0.01 to 100 (default 1)")
+        ->check(range(0.01, 100.0))
         ->type_name("S");
-    addChoice(app, "--outliers", surface.remove_outliers, kOutlierModes,
-              "remove|keep points far off any surface (remove)");
-    app.add_option("--reflectivity", options.reflectivity, "of the material, 0 matte to 1 mirror (default 0)")
-        ->check(CLI::Range(0.0, 1.0))
+    addChoice(app, "--outliers", surface.remove_outliers, kOutlierModes, "Points far off any surface (default remove)");
+    app.add_option("--reflectivity", options.reflectivity, "Of the material, 0 matte to 1 mirror (default 0)")
+        ->check(range(0.0, 1.0))
         ->type_name("R");
 }
 
 void addOctreeOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Octree");
     app.add_option("--max-leaf-splats", options.octree.max_leaf_splats,
-                   "members before a leaf splits, 1 to 65535 (default 8)")
-        ->check(CLI::Range(1u, PRO_LEAF_LIST_MAX))
+                   "Members before a leaf splits, 1 to 65535 (default 8)")
+        ->check(range(1u, PRO_LEAF_LIST_MAX))
         ->type_name("N");
-    app.add_option("--max-depth", options.octree.max_depth, "levels below the root, 0 to 21 (default 21)")
-        ->check(CLI::Range(0u, PRO_MAX_DEPTH))
+    app.add_option("--max-depth", options.octree.max_depth, "Levels below the root, 0 to 21 (default 21)")
+        ->check(range(0u, PRO_MAX_DEPTH))
         ->type_name("N");
     addChoice(app, "--prune", options.prune, kSwitch,
-              "on|off: drop references that probe rays show to be needless (on)");
-    app.add_option("--probe-rays", options.probes.probe_rays, "probes a leaf, 1 to 65536 (default 64)")
-        ->check(CLI::Range(1u, 65536u))
+              "Drop references that probe rays show to be needless (default on)");
+    app.add_option("--probe-rays", options.probes.probe_rays, "Probes a leaf, 1 to 65536 (default 64)")
+        ->check(range(1u, 65536u))
         ->type_name("N");
 }
 
 void addReportOptions(CLI::App& app, BakeOptions& options) {
-    app.add_option("-j,--threads", options.threads, "threads, 0 uses all cores (default 0)")
-        ->check(CLI::Range(0, 4096))
+    app.option_defaults()->group("Running and reporting");
+    app.add_option("-j,--threads", options.threads, "Threads, 0 to 4096, 0 uses all cores (default 0)")
+        ->check(range(0, 4096))
         ->type_name("N");
-    app.add_option("--stats", options.stats_path, "write figures as JSON; - is standard output")->type_name("FILE");
+    app.add_option("--stats", options.stats_path, "Write figures as JSON, - for standard output (default: none)")
+        ->type_name("FILE");
     app.add_flag_callback(
-        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "no progress");
+        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "No progress");
     app.add_flag_callback(
-        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "more detail");
+        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail");
 }
 
 void checkOptions(BakeOptions& options) {
@@ -120,6 +137,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\n"
                  "Reads PLY, PCD, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf sets.",
                  "pointrt-bake"};
+    app.footer("Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.");
     app.set_version_flag("--version", "pointrt-bake " POINTRT_VERSION);
     addInputOptions(app, options);
     addSurfaceOptions(app, options);
