@@ -95,14 +95,7 @@ void store(const BakeOptions& options, const PackedSplats& splats, const Octree&
     content.metadata = metadataJson(options);
     content.pruned = options.prune;
     const InterruptGuard guard;
-    const OctreeCounts counts = writePro(options.output, splats, octree, content);
-    report.nodes = counts.nodes;
-    report.filled_leaves = counts.filled_leaves;
-    report.border_leaves = counts.border_leaves;
-    report.empty_leaves = counts.empty_leaves;
-    report.max_depth = counts.max_depth;
-    report.references = counts.references;
-    report.bytes = counts.file_bytes;
+    report.octree = writePro(options.output, splats, octree, content);
 }
 
 } // namespace

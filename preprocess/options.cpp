@@ -22,6 +22,12 @@ const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 const std::map<std::string, bool> kOutlierModes{{"remove", true}, {"keep", false}};
 
 template <typename Value>
+std::string nameIn(const std::map<std::string, Value>& choices, Value value) {
+    return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
+        ->first;
+}
+
+template <typename Value>
 std::string joined(const std::map<std::string, Value>& choices) {
     std::string names;
     for (const auto& [name, unused] : choices) names += (names.empty() ? "" : "|") + name;
@@ -132,6 +138,9 @@ void checkOptions(BakeOptions& options) {
 }
 
 } // namespace
+
+std::string choiceName(NormalSource source) { return nameIn(kNormalSources, source); }
+std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }
 
 bool parseOptions(int argc, char** argv, BakeOptions& options) {
     CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\n"

@@ -32,4 +32,8 @@ struct BakeOptions {
 /// Throws Error (kBadUsage) naming the option at fault.
 bool parseOptions(int argc, char** argv, BakeOptions& options);
 
+/// The word of the command line for a choice.
+std::string choiceName(NormalSource source);
+std::string choiceName(OrientMode mode);
+
 } // namespace pointrt

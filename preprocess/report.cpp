@@ -33,14 +33,14 @@ Json toJson(const BakeReport& report) {
     json["normals_estimated"] = report.surface.normals_estimated;
     json["normals_flipped"] = report.surface.normals_flipped;
     json["splats"] = report.splats;
-    json["nodes"] = report.nodes;
-    json["filled_leaves"] = report.filled_leaves;
-    json["border_leaves"] = report.border_leaves;
-    json["empty_leaves"] = report.empty_leaves;
-    json["max_depth"] = report.max_depth;
+    json["nodes"] = report.octree.nodes;
+    json["filled_leaves"] = report.octree.filled_leaves;
+    json["border_leaves"] = report.octree.border_leaves;
+    json["empty_leaves"] = report.octree.empty_leaves;
+    json["max_depth"] = report.octree.max_depth;
     json["references_unpruned"] = report.references_unpruned;
-    json["references"] = report.references;
-    json["bytes"] = report.bytes;
+    json["references"] = report.octree.references;
+    json["bytes"] = report.octree.file_bytes;
     json["peak_rss_bytes"] = peakRssBytes();
     for (const auto& [stage, seconds] : report.seconds) json["seconds"][stage] = seconds;
     json["seconds"]["total"] = report.seconds_total;
@@ -74,9 +74,9 @@ std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
     return fmt::format("{} points{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
                        "{} bytes ({:.1f} per splat), {:.2f} s",
-                       report.input_points, leftOut(report), report.splats, report.filled_leaves,
-                       per_splat(report.references_unpruned), per_splat(report.references), report.bytes,
-                       per_splat(report.bytes), report.seconds_total);
+                       report.input_points, leftOut(report), report.splats, report.octree.filled_leaves,
+                       per_splat(report.references_unpruned), per_splat(report.octree.references),
+                       report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total);
 }
 
 std::string metadataJson(const BakeOptions& options) {
@@ -88,9 +88,8 @@ std::string metadataJson(const BakeOptions& options) {
     settings["sample"] = options.read.sample_count;
     settings["seed"] = options.read.seed;
     settings["neighbors"] = options.surface.neighbors;
-    settings["normals"] = std::array{"auto", "keep", "estimate"}.at(static_cast<std::size_t>(options.surface.normals));
-    settings["orient"] =
-        std::array{"auto", "sensor", "mst", "none"}.at(static_cast<std::size_t>(options.surface.orient));
+    settings["normals"] = choiceName(options.surface.normals);
+    settings["orient"] = choiceName(options.surface.orient);
     settings["radius_scale"] = options.surface.radius_scale;
     settings["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
     settings["max_leaf_splats"] = options.octree.max_leaf_splats;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "preprocess/octree/write.h"
 #include "preprocess/options.h"
 
 namespace pointrt {
@@ -14,10 +15,9 @@ struct BakeReport {
     std::uint64_t input_points = 0, points_non_finite = 0;
     SurfaceReport surface;
     std::uint64_t merged = 0; ///< splats at one quantised position
-    std::uint64_t splats = 0, nodes = 0, filled_leaves = 0, border_leaves = 0, empty_leaves = 0;
-    std::uint32_t max_depth = 0;
-    std::uint64_t references_unpruned = 0, references = 0; ///< members included
-    std::uint64_t bytes = 0;
+    std::uint64_t splats = 0;
+    std::uint64_t references_unpruned = 0; ///< members included
+    OctreeCounts octree;                   ///< as written
     std::vector<std::pair<std::string, double>> seconds;
     double seconds_total = 0;
 };

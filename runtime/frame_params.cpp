@@ -2,8 +2,9 @@
 #include "runtime/frame_params.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
+
+#include "runtime/camera.h"
 
 namespace pointrt {
 
@@ -111,8 +112,6 @@ std::uint32_t optionBits(const Scene& scene, const RenderSettings& settings) {
            (settings.reflectivity ? OPTION_OVERRIDE_REFLECTIVITY : 0u);
 }
 
-double tangentOfHalf(double degrees) { return std::tan(0.5 * degrees * pi / 180.0); }
-
 } // namespace
 
 gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& settings, const Camera& camera,
@@ -120,14 +119,14 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
     const Staging staging = stageScene(scene, settings, camera);
     const pro_info& info = scene.info;
     gpu::FrameParams params{};
-    params.eye = pack(staging.eye, tangentOfHalf(camera.fov_deg));
+    params.eye = pack(staging.eye, std::tan(verticalHalfAngle(camera.fov_deg)));
     params.right = pack(camera.right, static_cast<double>(settings.width) / settings.height);
     params.up = pack(camera.up);
     params.forward = pack(camera.forward);
     params.splat = {info.radius_max, info.radius_step, info.blend_slab, settings.reflectivity.value_or(0.0f)};
     params.sky_up = pack(staging.up, length(staging.eye - staging.center) + staging.radius);
     params.image = {settings.width, settings.height, first_row, rows};
-    params.grid = {scene.grid_bits, info.material_count, settings.lights, optionBits(scene, settings)};
+    params.grid = {scene.grid_bits, 0, 0, optionBits(scene, settings)};
     params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces,
                    static_cast<std::uint32_t>(settings.room), settings.seed};
     placeRoom(staging, settings.room, params);
@@ -136,7 +135,7 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
 }
 
 Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
-    const double tangent = tangentOfHalf(camera.fov_deg),
+    const double tangent = std::tan(verticalHalfAngle(camera.fov_deg)),
                  aspect = static_cast<double>(settings.width) / settings.height;
     const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * tangent * aspect;
     const double upwards = (1.0 - 2.0 * (y + 0.5) / settings.height) * tangent;

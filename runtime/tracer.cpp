@@ -122,7 +122,7 @@ private:
     std::uint32_t groups() const { return (lanes_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE; }
 
     gpu::PushParams push(std::uint32_t bounce, std::uint32_t light, std::uint32_t bits) const {
-        return {{sample_, state_.settings.spp, bounce | light << 16, bits}};
+        return {{sample_, 0, bounce | light << 16, bits}};
     }
 
     void run(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits,

@@ -29,7 +29,6 @@ layout(push_constant) uniform Push { PushParams push; };
 
 bool hasOption(uint option) { return (params.grid.w & option) != 0u; }
 bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
-uint bandPixels() { return params.image.x * params.image.w; }
 // Lanes of a sample: the band in tiles of 4x2 pixels, the last ones padded.
 uint tilesAcross() { return (params.image.x + 3u) >> 2; }
 uint bandLanes() { return tilesAcross() * ((params.image.w + 1u) >> 1) * 8u; }

@@ -57,7 +57,7 @@ struct FrameParams {
     vec4 room_hi;
     vec4 sky_up;     // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 grid;      // x: grid bits, y: materials, z: light count, w: OPTION_* bits
+    uvec4 grid;      // x: grid bits, w: OPTION_* bits
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, z: ROOM_*, w: seed
     vec4 light_position[MAX_LIGHTS]; // w unused
     vec4 light_power[MAX_LIGHTS];    // radiance a white matte surface facing the light shows, times distance squared
@@ -88,7 +88,7 @@ struct LitPoint {
 };
 
 struct PushParams {
-    uvec4 step; // x: sample, y: samples, z: bounce (low half) and light (high half), w: STEP_* bits
+    uvec4 step; // x: sample, z: bounce (low half) and light (high half), w: STEP_* bits
 };
 
 #define STEP_CENTER 1u     // rays go through pixel centres

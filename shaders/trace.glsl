@@ -5,7 +5,7 @@
 // leaves by to the neighbour's exactly: no epsilon, and no cell is jumped over. (A leaf larger than a grid cell is met
 // once in each of its grid cells.)
 //
-// Loops are written as while over state declared before them: lavapipe's do-while loses values (see tests), and an
+// Loops are written as while over state declared before them: lavapipe's do-while loses values, and an
 // inner loop per phase keeps lanes that wait from costing a turn of the other phase.
 
 struct TraceHit {

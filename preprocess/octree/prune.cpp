@@ -8,10 +8,10 @@
 
 #include <algorithm>
 #include <array>
-#include <mutex>
 
 #include "preprocess/octree/blend.h"
 #include "preprocess/octree/octree.h"
+#include "preprocess/octree/task_progress.h"
 
 namespace pointrt {
 
@@ -282,8 +282,7 @@ void pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree
     const std::size_t blocks = (octree.leaves.size() + kBlockLeaves - 1) / kBlockLeaves;
     std::vector<std::vector<std::uint32_t>> kept_refs(blocks);
     tbb::enumerable_thread_specific<LeafPruner> pruners([&] { return LeafPruner(splats, options); });
-    std::size_t done = 0;
-    std::mutex progress_mutex;
+    TaskProgress finished(progress, blocks);
     tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
         LeafPruner& pruner = pruners.local();
         const std::size_t end = std::min(octree.leaves.size(), (block + 1) * kBlockLeaves);
@@ -292,9 +291,7 @@ void pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree
             pruner.run(octree, octree.leaves[l], kept_refs[block]);
             octree.leaves[l].ref_count = static_cast<std::uint32_t>(kept_refs[block].size() - before);
         }
-        if (!progress) return;
-        const std::lock_guard lock(progress_mutex);
-        progress(static_cast<double>(++done) / static_cast<double>(blocks));
+        finished.finishOne();
     });
     rebuild(kept_refs, octree);
 }

@@ -25,7 +25,7 @@ constexpr float kLeastRadius = 0x1p-24f;
 
 /// Radii above kLimit times the kLimitShare quantile shrink to that: it touches one point in a thousand at most, so
 /// that a sparse part of a scan keeps its discs. Measured on airborne, indoor and statue scans, whose largest radius is
-/// 3 to 9 times that quantile, all of the excess being strays.
+/// 3 to 9 times that quantile: those few discs hid what lay behind them.
 constexpr float kLimit = 1.5f;
 constexpr double kLimitShare = 0.999;
 /// With fewer points a thousandth of them says nothing.

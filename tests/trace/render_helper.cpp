@@ -24,6 +24,13 @@ Device& sharedDevice() {
 
 } // namespace
 
+RenderSettings square(std::uint32_t size) {
+    RenderSettings settings;
+    settings.width = settings.height = size;
+    settings.spp = 1;
+    return settings;
+}
+
 Rendered renderFile(const std::string& path, RenderSettings settings) {
     Device& device = sharedDevice();
     settings.first_hits = true;

@@ -18,6 +18,9 @@ struct Rendered {
     pro_info info{};
 };
 
+/// size x size pixels, one sample through each centre.
+RenderSettings square(std::uint32_t size);
+
 /// first_hits is always on.
 Rendered renderFile(const std::string& path, RenderSettings settings);
 

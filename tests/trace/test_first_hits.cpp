@@ -49,13 +49,6 @@ Comparison compare(const std::string& path, const Rendered& rendered, bool blend
     return result;
 }
 
-RenderSettings square(std::uint32_t size) {
-    RenderSettings settings;
-    settings.width = settings.height = size;
-    settings.spp = 1;
-    return settings;
-}
-
 // Rims are where float and double rightly disagree: a pixel in some thousands.
 constexpr std::size_t kRimPixels = 4;
 

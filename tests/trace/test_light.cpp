@@ -14,13 +14,6 @@ namespace pointrt::test {
 
 namespace {
 
-RenderSettings square(std::uint32_t size) {
-    RenderSettings settings;
-    settings.width = settings.height = size;
-    settings.spp = 1;
-    return settings;
-}
-
 Vec3 hitPosition(const Rendered& rendered, std::uint32_t x, std::uint32_t y) {
     const std::size_t i = std::size_t{y} * rendered.film.width + x;
     RenderSettings settings = square(rendered.film.width);
