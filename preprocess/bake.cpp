@@ -125,7 +125,7 @@ BakeReport bake(const BakeOptions& options) {
     report.references_unpruned = report.splats + octree.refs.size();
     if (options.prune) {
         progress.begin("prune", report.splats);
-        pruneOctree(packed, options.probes, octree, show);
+        report.pruning = pruneOctree(packed, options.probes, octree, show);
     }
     progress.begin("write", report.splats);
     store(options, packed, octree, report);

@@ -108,6 +108,10 @@ void addOctreeOptions(CLI::App& app, BakeOptions& options) {
     app.add_option("--probe-rays", options.probes.probe_rays, "Probes a leaf, 1 to 65536 (default 64)")
         ->check(range(1u, 65536u))
         ->type_name("N");
+    app.add_option("--prune-harm", options.probes.harm,
+                   "Share of rays whose hit pruning may move by 1% of a radius, 1e-7 to 0.5 (default 0.0001)")
+        ->check(range(1e-7, 0.5))
+        ->type_name("H");
 }
 
 void addReportOptions(CLI::App& app, BakeOptions& options) {

@@ -40,6 +40,11 @@ Json toJson(const BakeReport& report) {
     json["max_depth"] = report.octree.max_depth;
     json["references_unpruned"] = report.references_unpruned;
     json["references"] = report.octree.references;
+    json["pruning"] = {{"rounds", report.pruning.rounds},
+                       {"cutoff", report.pruning.cutoff},
+                       {"probes", report.pruning.probes},
+                       {"harm", report.pruning.harm},
+                       {"harm_bound", report.pruning.harm_bound}};
     json["bytes"] = report.octree.file_bytes;
     json["peak_rss_bytes"] = peakRssBytes();
     for (const auto& [stage, seconds] : report.seconds) json["seconds"][stage] = seconds;
@@ -96,6 +101,7 @@ std::string metadataJson(const BakeOptions& options) {
     settings["max_depth"] = options.octree.max_depth;
     settings["prune"] = options.prune;
     settings["probe_rays"] = options.probes.probe_rays;
+    settings["prune_harm"] = options.probes.harm;
     settings["reflectivity"] = options.reflectivity;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace); // names need not be UTF-8
 }

@@ -17,6 +17,7 @@ struct BakeReport {
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
     std::uint64_t references_unpruned = 0; ///< members included
+    PruneReport pruning;                   ///< zeros without pruning
     OctreeCounts octree;                   ///< as written
     std::vector<std::pair<std::string, double>> seconds;
     double seconds_total = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "octree.glsl"
+
 // A surface, not confetti: around the first hit, the splats of its leaf blend position, normal and colour.
 // Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
 // (1 - d^2/r^2)^2 (1 - h^2/s^2)^2 with d in the disc, h across it, s the slab's half height: zero with zero slope at
-// the rim and at the slab's faces, so the blended field has no steps. The leaf lists every splat whose slab meets it,
-// so the field is the same from either side of a leaf's border. The surface is where the weighted mean of the heights
-// vanishes (Adamson and Alexa, Approximating and Intersecting Surfaces from Points, 2003); two Newton steps along the
-// ray find it.
+// the rim and at the slab's faces, so the blended field has no steps. A leaf lists every splat whose slab meets it,
+// so the field at a point is that of the leaf that holds the point, and the same from either side of a border. The
+// surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
+// Surfaces from Points, 2003); two Newton steps along the ray find it.
 
 struct Surface {
     float t;      // along the ray
@@ -18,9 +20,12 @@ struct Surface {
 // Discs blend when their normals differ by less than 60 degrees; the sides of an edge or a thin sheet stay apart.
 const float kSameSideCosine = 0.5;
 
+// Below the least sum of weights that an even sampling leaves anywhere, 0.63 (kOverlap in the bake sees to that).
+const float kWeightFloor = 0.5;
+
 struct Field {
     float weight;
-    float height;   // weighted sums from here on
+    float height; // weighted sums from here on
     vec3 normal;
     vec3 color;
     float radius;
@@ -52,21 +57,34 @@ void addToField(inout Field field, uvec4 words, vec3 point, vec3 side, float fro
     }
 }
 
-Field evaluateField(uvec4 leaf, vec3 point, vec3 side, float front) {
-    Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, 0u);
+// What is missing to kWeightFloor is filled up by the disc hit first, whose plane goes on beyond its rim: where hardly
+// anything else blends, at rims that stick out and at borders, the surface passes into the flat disc without a step.
+void fillUp(inout Field field, uvec4 words, vec3 point, vec3 side) {
+    float missing = max(kWeightFloor - field.weight, 0.0);
+    field.weight += missing;
+    field.height += missing * dot(side, point - splatPosition(words));
+    field.normal += missing * side;
+    field.color += missing * splatColor(words);
+    field.radius += missing * splatRadius(words);
+}
+
+// The field at a point, around the disc hit first.
+Field evaluateField(uvec4 leaf, uvec4 first, vec3 point, vec3 side, float front) {
+    Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
     uint count = listLength(leaf);
     uint k = 0u;
     while (k < count) {
         addToField(field, loadSplat(listedSplat(leaf, k)), point, side, front);
         k++;
     }
+    fillUp(field, first, point, side);
     return field;
 }
 
 // The step along the ray to the field's zero, at most one radius: at grazing angles the field says little.
 float newtonStep(Field field, vec3 direction, float radius) {
     float slope = dot(field.normal, direction);
-    float step = slope == 0.0 || field.weight <= 0.0 ? 0.0 : -field.height / slope;
+    float step = slope == 0.0 ? 0.0 : -field.height / slope;
     return clamp(step, -radius, radius);
 }
 
@@ -83,17 +101,14 @@ Surface surfaceAt(vec3 origin, vec3 direction, float t, uint leaf_index, uint sp
     if (!hasOption(OPTION_BLEND)) return surface;
     vec3 side = surface.normal;
     float front = hasOption(OPTION_ORIENTED) ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
-    uvec4 leaf = loadLeaf(leaf_index);
     float radius = surface.radius;
 
-    Field first = evaluateField(leaf, origin + t * direction, side, front);
-    float t_blended = t + newtonStep(first, direction, radius);
-    Field field = evaluateField(leaf, origin + t_blended * direction, side, front);
-    if (field.weight <= 0.0) { // the step left every disc: stay with what the first hit says
-        field = first;
-        t_blended = t;
-    }
-    if (field.weight <= 0.0) return surface;
+    Field field = evaluateField(loadLeaf(leaf_index), words, origin + t * direction, side, front);
+    float t_blended = t + newtonStep(field, direction, radius);
+    vec3 point = origin + t_blended * direction;
+    uint second_leaf = leafAt(point);
+    second_leaf = second_leaf == NO_INDEX ? leaf_index : second_leaf;
+    field = evaluateField(loadLeaf(second_leaf), words, point, side, front);
     t_blended += newtonStep(field, direction, radius);
     surface.t = clamp(t_blended, t - radius, t + radius);
     vec3 normal = normalize(field.normal);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "octree.glsl"
+
 // Stackless traversal. A grid of entry points stands for the octree's upper levels: an empty cell says for each
 // direction octant how many cells can be skipped, a filled one names its node. From the node down the tree is walked
 // by the bits of the position. Positions are carried as 21-bit integers, and a step sets the coordinate of the axis it
@@ -22,9 +24,6 @@ struct TraceRay {
     vec3 own_normal;
     float own_t;
 };
-
-const int kFullDepth = int(PRO_POSITION_BITS);
-const int kLastCell = int(PRO_POSITION_MASK);
 
 // Distance to the disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
 float hitSplat(uvec4 words, vec3 origin, TraceRay ray, float own_t, float t_min, float t_limit) {
@@ -75,24 +74,16 @@ Walk startWalk(TraceRay ray, out float t_start) {
 // One step: finds the leaf or the empty cells at the ray's position and moves on behind them.
 // Returns the leaf's index, NO_INDEX where there is none.
 uint stepWalk(inout Walk walk) {
-    int grid_bits = int(params.grid.x);
-    int shift = kFullDepth - grid_bits;
+    int shift = kFullDepth - int(params.grid.x);
     ivec3 cell = walk.position >> shift;
-    uint word = loadGrid(((cell.z << grid_bits) | cell.y) << grid_bits | cell.x);
+    uint word = gridWord(cell);
     int skip = skipCells(word, walk.octant);
-    bool filled = (word & 15u) == 0u;
     uint leaf = NO_INDEX;
     // where the ray leaves by each axis: the far side of the skipped cells, or of the leaf
     ivec3 plane = (cell + walk.forward * (2 * skip - 1) - (skip - 1)) << shift;
-    if (filled) {
-        uint node = loadNode(word >> 4);
-        while ((node & PRO_NODE_INNER) != 0u && shift > 0) {
-            shift--;
-            ivec3 bits = (walk.position >> shift) & 1;
-            node = loadNode((node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + uint(bits.x | bits.y << 1 | bits.z << 2));
-        }
+    if (isFilled(word)) {
+        leaf = findLeaf(word, walk.position, shift);
         plane = ((walk.position >> shift) + walk.forward) << shift;
-        leaf = node - 1u; // an empty leaf becomes NO_INDEX
     }
     vec3 t_planes = (vec3(plane) * PRO_POSITION_STEP - walk.origin) * walk.inverse;
     float t_exit = max(min(t_planes.x, min(t_planes.y, t_planes.z)), walk.t);

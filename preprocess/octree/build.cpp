@@ -21,10 +21,9 @@ constexpr std::uint32_t kTaskMembers = 2048;
 /// A leaf may list this many splats per allowed member before it splits: an even surface needs about 4.
 constexpr std::uint32_t kListPerMember = 8;
 
-/// Cells whose edge is below this many mean radii of their splats do not split: smaller ones all hold much the same
-/// discs. Measured on a merge of 15 scans (1.1 M points): at 3 half the references of 2, and rays a seventh
-/// slower there but a sixth faster on an even sampling.
-constexpr float kMinEdgeRadii = 3.0f;
+/// Cells whose edge is below this many mean radii of their splats do not split. Halving a cell of the square root of 2
+/// times kLeafEdgeRadii gives cells as far below that edge as the cell is above it.
+constexpr float kMinEdgeRadii = 1.41421356f * static_cast<float>(kLeafEdgeRadii);
 
 /// Half a position step: boxes are tested this much larger, so that rounding never loses a disc that touches.
 constexpr float kTouchSlack = 0.5f * PRO_POSITION_STEP;

@@ -38,23 +38,29 @@ float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plan
     return depth * depth + (offset * offset + s * s) * in_face;
 }
 
-bool discMeetsBox(const Disc& disc, const Box& box) {
-    const Vec3f reach = discReach(disc);
-    if (((disc.center - reach).array() > box.hi.array()).any() ||
-        ((disc.center + reach).array() < box.lo.array()).any())
-        return false;
+float sectionDistanceSquared(const Disc& disc, const Box& box) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const Vec3f half = 0.5f * (box.hi - box.lo);
     const float plane_distance = std::abs(disc.normal.dot(disc.center - 0.5f * (box.lo + box.hi)));
-    if (plane_distance > half.dot(disc.normal.cwiseAbs())) return false;
-    const float limit = disc.radius * disc.radius;
+    if (plane_distance > half.dot(disc.normal.cwiseAbs())) return kInfinity;
+    float nearest = kInfinity;
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis) {
         const float c = disc.center[axis];
         if (c >= box.lo[axis] && c <= box.hi[axis]) continue;
         inside = false;
-        if (faceDistanceSquared(disc, box, axis, c < box.lo[axis] ? box.lo[axis] : box.hi[axis]) <= limit) return true;
+        const float plane = c < box.lo[axis] ? box.lo[axis] : box.hi[axis];
+        nearest = std::min(nearest, faceDistanceSquared(disc, box, axis, plane));
     }
-    return inside;
+    return inside ? 0.0f : nearest;
+}
+
+bool discMeetsBox(const Disc& disc, const Box& box) {
+    const Vec3f reach = discReach(disc);
+    if (((disc.center - reach).array() > box.hi.array()).any() ||
+        ((disc.center + reach).array() < box.lo.array()).any())
+        return false;
+    return sectionDistanceSquared(disc, box) <= disc.radius * disc.radius;
 }
 
 } // namespace pointrt

@@ -29,8 +29,12 @@ inline Vec3f discReach(const Disc& disc) {
 /// +infinity where the plane misses the face. axis names the face, plane its coordinate.
 float faceDistanceSquared(const Disc& disc, const Box& box, int axis, float plane);
 
-/// True when the disc and the box share a point. The nearest point of the plane's section of the box lies on a
-/// face whose side the centre violates (else the centre were nearer still), so at most three faces are looked at.
+/// Squared distance from the disc's centre to the part of its plane inside the box: 0 where the centre is in the box,
+/// +infinity where the plane misses it. The nearest point of the plane's section of the box lies on a face whose side
+/// the centre violates (else the centre were nearer still), so at most three faces are looked at.
+float sectionDistanceSquared(const Disc& disc, const Box& box);
+
+/// True when the disc and the box share a point.
 bool discMeetsBox(const Disc& disc, const Box& box);
 
 } // namespace pointrt

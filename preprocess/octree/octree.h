@@ -45,8 +45,19 @@ struct OctreeOptions {
 };
 
 struct PruneOptions {
-    std::uint32_t probe_rays = 64; ///< per leaf, at least 1
+    std::uint32_t probe_rays = 64; ///< per leaf and round at least, more where that is too few for harm; at least 1
+    double harm = 1e-4;            ///< share of random rays whose hit may change, with 95% confidence; in (0, 1)
     std::uint64_t seed = 0;
+};
+
+/// What the last round of probes found. A change is a hit, of the first disc or of the blended surface, that moves by
+/// more than 1% of the disc's radius, or a normal or colour that differs visibly.
+struct PruneReport {
+    std::uint32_t rounds = 0;
+    double cutoff = 0;        ///< splats that weigh less than this everywhere in a leaf were left out of it
+    std::uint64_t probes = 0; ///< in the last round
+    double harm = 0;          ///< share of them that saw a change, which was mended
+    double harm_bound = 0;    ///< upper end of that share's 95% confidence interval
 };
 
 /// Called with the share done in [0, 1]; may come from any thread, one at a time.
@@ -57,9 +68,10 @@ using OctreeProgress = std::function<void(double)>;
 /// Throws Error (kBadUsage) when max_depth forces more than PRO_LEAF_LIST_MAX splats into one leaf.
 Octree buildOctree(const PackedSplats& splats, const OctreeOptions& options, const OctreeProgress& progress = {});
 
-/// Drops references that no probe ray shows to be needed; see prune.cpp for the criterion.
-void pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree,
-                 const OctreeProgress& progress = {});
+/// Drops references that no probe ray shows to be needed; see leaf_pruner.cpp for the criterion. Rounds of
+/// probes follow one another until one of them keeps to options.harm.
+PruneReport pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree,
+                        const OctreeProgress& progress = {});
 
 /// The leaves as NODE words, breadth first, groups of 8 (pro_layout.h). max_depth receives the deepest leaf's depth.
 std::vector<std::uint32_t> encodeNodes(const std::vector<Leaf>& leaves, std::uint32_t& max_depth);

@@ -31,6 +31,16 @@ Vec3d discExtent(const Vec3f& normal, float radius) {
     return radius * (1.0 - normal.cast<double>().array().square()).max(0.0).sqrt().matrix();
 }
 
+/// The smallest cube edge of at least extent whose halvings pass through kLeafEdgeRadii median radii, so that the same
+/// share of the discs crosses the leaves' borders whatever the size of a scan. Costs the positions one bit at most.
+double cubeEdge(double extent, const std::vector<float>& radii) {
+    std::vector<float> sorted = radii;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double leaf_edge = kLeafEdgeRadii * static_cast<double>(*middle);
+    return std::ldexp(leaf_edge, static_cast<int>(std::ceil(std::log2(extent / leaf_edge))));
+}
+
 void fillFrame(const Splats& splats, pro_info& frame) {
     Bounds centers, discs;
     float radius_min = splats.radii.front(), radius_max = radius_min;
@@ -43,7 +53,7 @@ void fillFrame(const Splats& splats, pro_info& frame) {
         radius_min = std::min(radius_min, splats.radii[i]);
         radius_max = std::max(radius_max, splats.radii[i]);
     }
-    frame.scale = (discs.hi - discs.lo).maxCoeff() * (1.0 + 2.0 * kCubeMargin);
+    frame.scale = cubeEdge((discs.hi - discs.lo).maxCoeff() * (1.0 + 2.0 * kCubeMargin), splats.radii);
     const Vec3d corner = splats.origin + 0.5 * (discs.lo + discs.hi) - Vec3d::Constant(0.5 * frame.scale);
     for (int axis = 0; axis < 3; ++axis) {
         frame.origin[axis] = corner[axis];

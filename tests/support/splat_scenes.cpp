@@ -74,7 +74,7 @@ Built buildSplats(Splats splats, const BuildOptions& options) {
     Built built;
     built.packed = quantizeSplats(std::move(splats));
     built.octree = buildOctree(built.packed, options.octree);
-    if (options.prune) pruneOctree(built.packed, options.probes, built.octree);
+    if (options.prune) built.pruning = pruneOctree(built.packed, options.probes, built.octree);
     return built;
 }
 

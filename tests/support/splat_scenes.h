@@ -33,6 +33,7 @@ struct BuildOptions {
 struct Built {
     PackedSplats packed;
     Octree octree;
+    PruneReport pruning; ///< zeros without pruning
 };
 
 Built buildSplats(Splats splats, const BuildOptions& options);

@@ -14,8 +14,9 @@ struct Sums {
     Vec3 normal;
 };
 
-/// Weighted sums over the splats whose slab holds point and whose normal, once turned, is within 60 degrees of side.
-Sums gather(const Reference& scene, Vec3 point, Vec3 side, double front) {
+/// Weighted sums over the splats whose slab holds point and whose normal, once turned, is within 60 degrees of side;
+/// what they lack to a weight of 0.5 is filled up by the plane of the disc hit first.
+Sums gather(const Reference& scene, const ReferenceSplat& first, Vec3 point, Vec3 side, double front) {
     Sums sums;
     for (const ReferenceSplat& splat : scene.splats) {
         const double cosine = dot(splat.normal, side);
@@ -31,6 +32,10 @@ Sums gather(const Reference& scene, Vec3 point, Vec3 side, double front) {
         sums.height += weight * turn * height;
         sums.normal = sums.normal + weight * turn * splat.normal;
     }
+    const double missing = std::max(0.5 - sums.weight, 0.0);
+    sums.weight += missing;
+    sums.height += missing * dot(side, point - first.center);
+    sums.normal = sums.normal + missing * side;
     return sums;
 }
 
@@ -38,7 +43,7 @@ Vec3 facing(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -
 
 double newton(const Sums& sums, Vec3 direction, double limit) {
     const double slope = dot(sums.normal, direction);
-    return slope == 0 || sums.weight <= 0 ? 0.0 : std::clamp(-sums.height / slope, -limit, limit);
+    return slope == 0 ? 0.0 : std::clamp(-sums.height / slope, -limit, limit);
 }
 
 } // namespace
@@ -81,14 +86,9 @@ std::optional<ReferenceHit> firstSurface(const Reference& scene, Vec3 origin, Ve
     const Vec3 side = hit->normal;
     const double front = dot(side, first.normal) < 0 ? -1 : 1;
     const double t_first = hit->t;
-    Sums sums = gather(scene, origin + t_first * direction, side, front);
+    Sums sums = gather(scene, first, origin + t_first * direction, side, front);
     double t = t_first + newton(sums, direction, first.radius);
-    const Sums second = gather(scene, origin + t * direction, side, front);
-    if (second.weight > 0)
-        sums = second;
-    else
-        t = t_first;
-    if (sums.weight <= 0) return hit;
+    sums = gather(scene, first, origin + t * direction, side, front);
     t += newton(sums, direction, first.radius);
     hit->t = std::clamp(t, t_first - first.radius, t_first + first.radius);
     hit->normal = facing(normalize(sums.normal), direction);

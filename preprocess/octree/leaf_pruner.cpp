@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After Kashyap et al. (I3D 2010), who keep what probe rays hit first and let blending suffer. Here geometry says what
+// a leaf surely needs, and the probes compare first hit and blended surface with and without the rest.
+#include "preprocess/octree/leaf_pruner.h"
+
+#include <algorithm>
+
+namespace pointrt {
+
+namespace {
+
+/// A probe sees a change when the pruned surface is off by more than this.
+constexpr float kHitTolerance = 0.01f;             ///< radii along the probe, flat or blended
+constexpr float kNormalToleranceCosine = 0.99998f; ///< 0.36 degrees
+constexpr float kColorTolerance = 4.0f;            ///< of 255, in any channel
+
+/// Points tried for a probe: a third of them lie in the leaf, and in none of 8 only where next to nothing does.
+constexpr std::uint32_t kTriesPerProbe = 8;
+
+/// A disc that reaches into the leaf by less than this share of its radius is a sliver. Its area there is at most
+/// 4/3 sqrt(2) 0.01^1.5 = 0.2% of the square of the radius, a 50,000th of the surface of a usual leaf.
+constexpr float kSliver = 0.01f;
+
+/// The step along the ray to the field's zero, at most one radius: newtonStep of shaders/blend.glsl.
+float newtonStep(const FieldSums& field, const Vec3f& direction, float radius) {
+    const float slope = field.normal.dot(direction);
+    const float step = slope == 0.0f ? 0.0f : -field.height / slope;
+    return std::clamp(step, -radius, radius);
+}
+
+bool similarNormals(const Vec3f& a, const Vec3f& b) {
+    const float cosine = a.dot(b);
+    constexpr float kSquared = kNormalToleranceCosine * kNormalToleranceCosine;
+    return cosine > 0.0f && cosine * cosine >= kSquared * a.squaredNorm() * b.squaredNorm();
+}
+
+/// Whether more than a sliver of the disc lies in the box.
+bool visiblyCrosses(const Disc& disc, const Box& box) {
+    const float reach = (1.0f - kSliver) * disc.radius;
+    return sectionDistanceSquared(disc, box) < reach * reach;
+}
+
+} // namespace
+
+LeafPruner::LeafPruner(const PackedSplats& splats) : splats_(splats) {
+    list_.oriented = (splats.frame.flags & PRO_FLAG_ORIENTED) != 0;
+    list_.colored = !splats.colors.empty();
+}
+
+void LeafPruner::gather(const Octree& octree, const Leaf& leaf, std::span<const std::uint8_t> kept) {
+    list_.clear();
+    splat_of_.clear();
+    members_ = leaf.member_count;
+    box_ = cellBox(leaf.cell);
+    for (std::uint32_t k = 0; k < leaf.member_count + leaf.ref_count; ++k) {
+        const bool member = k < leaf.member_count;
+        const std::uint32_t splat =
+            member ? leaf.first_member + k : octree.refs[leaf.first_ref + k - leaf.member_count];
+        Vec3f color = Vec3f::Zero();
+        if (list_.colored)
+            for (int c = 0; c < 3; ++c) color[c] = splats_.colors[splat][static_cast<std::size_t>(c)];
+        list_.add(splats_.discs[splat], color, member || kept[k - leaf.member_count]);
+        splat_of_.push_back(splat);
+    }
+    list_.pad();
+}
+
+Audit LeafPruner::run(const Octree& octree, const Leaf& leaf, float cutoff, ProbeSequence sequence,
+                      std::uint32_t probes, std::span<std::uint8_t> kept) {
+    gather(octree, leaf, kept);
+    keepNeeded(cutoff);
+    const Audit result = audit(sequence, probes);
+    for (std::size_t r = 0; r < kept.size(); ++r) kept[r] = list_.kept[members_ + r] > 0.0f;
+    return result;
+}
+
+/// Keeps what crosses the leaf visibly, and what weighs more than cutoff somewhere in it.
+void LeafPruner::keepNeeded(float cutoff) {
+    for (std::size_t i = members_; i < list_.size(); ++i) {
+        const Disc& disc = splats_.discs[splat_of_[i]];
+        const bool needed =
+            visiblyCrosses(disc, box_) || weightAt(disc, heaviestPoint(disc, box_, kBlendSlab), kBlendSlab) > cutoff;
+        if (needed) list_.kept[i] = 1.0f;
+    }
+}
+
+/// Probes through random points of the leaf's discs in random directions.
+Audit LeafPruner::audit(ProbeSequence& sequence, std::uint32_t probes) {
+    Audit result;
+    for (std::uint32_t tries = kTriesPerProbe * probes; tries > 0 && result.probes < probes; --tries) {
+        const auto sample = sequence.next();
+        const auto pick = static_cast<std::size_t>(sample[4] * static_cast<float>(splat_of_.size()));
+        const Disc& disc = splats_.discs[splat_of_[std::min(pick, splat_of_.size() - 1)]];
+        const Vec3f point = pointOnDisc(disc, sample[0], sample[1]);
+        if (!contains(box_, point)) continue;
+        ++result.probes;
+        result.changes += !probe(chordThrough(box_, point, sphereDirection(sample[2], sample[3])));
+    }
+    return result;
+}
+
+/// Compares the first hit and the blended surface there with and without the dropped discs; puts back what is missing.
+/// Returns whether nothing was.
+bool LeafPruner::probe(const Chord& chord) {
+    const FirstHits hits = castRay(list_, chord.origin, chord.direction, chord.length);
+    if (std::isinf(hits.any)) return true;
+    const auto first = static_cast<std::size_t>(std::find(list_.distance.begin(), list_.distance.end(), hits.any) -
+                                                list_.distance.begin());
+    FirstHit hit{chord, first, hits.any, list_.radiusOf(first), list_.normalOf(first), 1.0f};
+    if (hit.normal.dot(chord.direction) > 0.0f) hit.front = -1.0f;
+    hit.normal *= hit.front;
+    bool same = hits.kept - hits.any <= kHitTolerance * hit.radius;
+    if (!same) list_.kept[first] = 1.0f;
+    while (!blendsAlike(hit)) {
+        same = false;
+        list_.kept[heaviest_dropped_] = 1.0f;
+    }
+    return same;
+}
+
+/// Whether the blended surface stays without the dropped discs. Where it does not, heaviest_dropped_ is the disc to put
+/// back first.
+bool LeafPruner::blendsAlike(const FirstHit& hit) {
+    heaviest_ = 0.0f;
+    if (!weighDropped(hit, hit.t)) {
+        const FieldSums field = fieldAround(hit, false);
+        const float t = hit.t + newtonStep(field, hit.chord.direction, hit.radius);
+        if (!contains(box_, hit.chord.at(t)) || !weighDropped(hit, t)) return true;
+    }
+    const Blended all = blend(hit, false), kept = blend(hit, true);
+    if (std::abs(all.t - kept.t) > kHitTolerance * hit.radius) return false;
+    if (!similarNormals(all.field.normal, kept.field.normal)) return false;
+    const Vec3f color = all.field.color / all.field.weight - kept.field.color / kept.field.weight;
+    return color.cwiseAbs().maxCoeff() <= kColorTolerance; // all 0 in clouds without colours
+}
+
+/// Weighs the discs at t along the ray; whether one of those dropped counts there.
+bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
+    const float dropped = weighAt(list_, hit.chord.at(t), hit.normal, hit.front);
+    if (dropped <= 0.0f) return false;
+    for (std::size_t i = members_; i < list_.size(); ++i) {
+        if (list_.kept[i] > 0.0f || list_.weight[i] <= heaviest_) continue;
+        heaviest_ = list_.weight[i];
+        heaviest_dropped_ = i;
+    }
+    return true;
+}
+
+/// The sums at the point last weighed, filled up to the least weight: fillUp of shaders/blend.glsl.
+FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
+    FieldSums field = sumField(list_, only_kept);
+    const float missing = std::max(kWeightFloor - field.weight, 0.0f);
+    field.weight += missing;
+    field.height += missing * list_.height[hit.disc];
+    field.normal += missing * hit.normal;
+    field.color += missing * list_.colorOf(hit.disc);
+    return field;
+}
+
+/// surfaceAt of shaders/blend.glsl: two Newton steps along the ray.
+LeafPruner::Blended LeafPruner::blend(const FirstHit& hit, bool only_kept) {
+    const Vec3f& direction = hit.chord.direction;
+    weighDropped(hit, hit.t);
+    FieldSums field = fieldAround(hit, only_kept);
+    const float step = newtonStep(field, direction, hit.radius);
+    if (!contains(box_, hit.chord.at(hit.t + step))) return {hit.t + step, field}; // the next leaf's to say
+    weighDropped(hit, hit.t + step);
+    field = fieldAround(hit, only_kept);
+    const float last = step + newtonStep(field, direction, hit.radius);
+    return {hit.t + std::clamp(last, -hit.radius, hit.radius), field};
+}
+
+} // namespace pointrt

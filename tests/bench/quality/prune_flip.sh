@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What pruning changes in pictures: SCAN baked with --prune off and on, both rendered alike, and their FLIP.
+# Below a mean of 0.001 no eye sees it.
+#   tests/bench/quality/prune_flip.sh BIN_DIR SCAN OUT.json
+# BAKE_OPTIONS in the environment are handed to both bakes, FLIP to flip.sh.
+set -euo pipefail
+[ $# = 3 ] || {
+    sed -n '3,6s/^# //p' "$0" >&2
+    exit 2
+}
+bin=$1 scan=$2 out=$3
+here=$(dirname "$0")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+read -ra bake_options <<<"${BAKE_OPTIONS:-}"
+
+for prune in off on; do
+    "$bin/pointrt-bake" -q "$scan" --prune "$prune" "${bake_options[@]}" -o "$folder/$prune.pro"
+done
+
+# A close-up: the camera stands half of the longest edge's half off the front, where the default view stands five times
+# as far, and looks down on it from the side.
+eval "$("$bin/pointrt-info" --json "$folder/off.pro" | python3 -c '
+import json, sys
+info = json.load(sys.stdin)
+low, high = info["bounds_min"], info["bounds_max"]
+middle = [(a + b) / 2 for a, b in zip(low, high)]
+half = max(b - a for a, b in zip(low, high)) / 2
+target = [middle[0], middle[1] + half / 4, high[2]]
+eye = [target[0] + half / 4, target[1] + half / 4, high[2] + half / 2]
+print("target=%s,%s,%s eye=%s,%s,%s" % (*target, *eye))')"
+
+separator='['
+compare() {
+    local name=$1
+    shift
+    for prune in off on; do
+        "$bin/pointrt-view" -q "$folder/$prune.pro" --size 512x512 --spp 4 --seed 1 "$@" -o "$folder/$name.$prune.png"
+    done
+    printf '%s{"view": "%s", "options": "%s", "flip": %s}' "$separator" "$name" "$*" \
+        "$("$here/flip.sh" "$folder/$name.off.png" "$folder/$name.on.png")"
+    separator=$',\n'
+}
+{
+    compare matte --room matte --lights 4
+    compare mirror --room mirror --bounces 10
+    compare close --room matte --lights 4 --eye "$eye" --target "$target"
+    echo ']'
+} >"$folder/all.json"
+printf '{"scan": "%s", "pairs": %s}\n' "$(basename "$scan")" "$(cat "$folder/all.json")" | tee "$out"

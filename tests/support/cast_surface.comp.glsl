@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surface at traced hits, as shading sees it: first_hits gets normal and t, film.x the radius around.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bindings.glsl"
+#include "splat.glsl"
+#include "blend.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= control.queued.x) return;
+    uvec4 hit = hits[i]; // t as bits, leaf, splat
+    if (hit.z == NO_INDEX) return;
+    Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, uintBitsToFloat(hit.x), hit.y, hit.z);
+    first_hits[i] = vec4(surface.normal, surface.t);
+    film[i] = vec4(surface.radius);
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// First hits of arbitrary rays through the shaders against Embree's oriented discs, and the rays themselves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "pointrt/pro.hpp"
+#include "tests/support/first_hit_check.h"
+#include "tests/support/pruning_change.h"
+#include "tests/support/splat_scenes.h"
+#include "tests/trace/reference.h"
+
+/// As in render_helper.cpp: drivers and layers keep memory when they are unloaded.
+extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
+
+namespace pointrt::test {
+
+namespace {
+
+constexpr std::size_t kRays = 20'000;
+
+/// A scene in a file that goes with it.
+struct SceneFile {
+    std::string path = temporaryPath("embree.pro");
+    std::vector<CubeSplat> splats;
+    explicit SceneFile(const Splats& scene, const BuildOptions& options = {}) {
+        writeScene(path, scene, options);
+        splats = loadCubeSplats(path);
+    }
+    ~SceneFile() { std::remove(path.c_str()); }
+    SceneFile(const SceneFile&) = delete;
+    SceneFile& operator=(const SceneFile&) = delete;
+};
+
+std::vector<Ray> bothKinds(std::span<const CubeSplat> splats, std::size_t count, std::uint64_t seed) {
+    std::vector<Ray> rays = randomRays(boundingSphere(splats), count, seed);
+    const std::vector<Ray> grazing = grazingRays(splats, count, seed);
+    rays.insert(rays.end(), grazing.begin(), grazing.end());
+    return rays;
+}
+
+/// Our own and Embree's hits, where Embree knows embree_splats only.
+FirstHitCheck check(const SceneFile& scene, std::span<const CubeSplat> embree_splats, std::uint64_t seed) {
+    const std::vector<Ray> rays = bothKinds(scene.splats, kRays, seed);
+    const std::uint64_t messages = validationMessages();
+    const std::vector<CastHit> ours = RayCaster(scene.path).cast(rays);
+    EXPECT_EQ(validationMessages(), messages);
+    const FirstHitCheck result = checkFirstHits(scene.splats, rays, ours, EmbreeDiscs(embree_splats).cast(rays));
+    std::printf("%zu rays, %zu hits, %zu agree, rim %zu, tie %zu, near-parallel %zu, unexplained %zu\n", result.rays,
+                result.hits, result.count(Verdict::kAgree), result.count(Verdict::kRim), result.count(Verdict::kTie),
+                result.count(Verdict::kNearParallel), result.unexplained.size());
+    return result;
+}
+
+void expectEmbreesHits(const Splats& splats, const BuildOptions& options = {}) {
+    const SceneFile scene(splats, options);
+    const FirstHitCheck result = check(scene, scene.splats, 1);
+    EXPECT_GT(result.hits, kRays); // the grazing ones hit what they were aimed through, or something before it
+    EXPECT_EQ(result.unexplained.size(), 0u);
+    EXPECT_GT(result.agreement(), 0.9995); // 2e-4 of a disc's area is its rim, a tenth of it where rays are flat
+}
+
+TEST(Embree, AgreesOnASphere) { expectEmbreesHits(sphereSplats(20000, Vec3f(10, -20, 5), 2.0f)); }
+
+TEST(Embree, AgreesOnSheetsALeafApart) {
+    const auto sheet = [](float z) {
+        return squareSplats(80, Vec3f(0, 0, z), Vec3f(1, 0, 0), Vec3f(0, 0.8f, 0.6f), 1.3f);
+    };
+    expectEmbreesHits(joinSplats(sheet(0), sheet(0.02f)));
+}
+
+TEST(Embree, AgreesOnRandomDiscsOfManySizes) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        BuildOptions options;
+        options.octree.max_leaf_splats = seed * seed * 4;
+        expectEmbreesHits(randomSplats(1000u << (2 * seed), seed, 0.003f, 0.05f), options);
+    }
+}
+
+TEST(Embree, AgreesInASingleLeaf) {
+    BuildOptions options;
+    options.octree.max_depth = 0;
+    expectEmbreesHits(randomSplats(500, 7, 0.01f, 0.1f), options);
+}
+
+TEST(Embree, ALostDiscIsNeverExplained) {
+    const SceneFile scene(sphereSplats(2000, Vec3f(0, 0, 0), 1.0f));
+    std::vector<CubeSplat> without = scene.splats;
+    without[1234].radius = 1e-6;
+    const FirstHitCheck result = check(scene, without, 2);
+    EXPECT_GT(result.count(Verdict::kEmbreeMisses), 5u); // 40000 rays by a 2000th of the sphere, half of it overlapped
+    EXPECT_EQ(result.count(Verdict::kWeMiss), 0u);
+}
+
+TEST(Embree, PacketsHitWhatSingleRaysHit) {
+    const SceneFile scene(randomSplats(5000, 5, 0.005f, 0.05f));
+    const EmbreeDiscs embree(scene.splats);
+    const std::vector<Ray> rays = bothKinds(scene.splats, 3003, 3); // not a multiple of 8
+    const std::vector<EmbreeHit> single = embree.cast(rays), packets = embree.castPackets(rays);
+    std::size_t hits = 0, other = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits += single[i].splat != kNoSplat;
+        other += single[i].splat != packets[i].splat;
+    }
+    EXPECT_GT(hits, rays.size() / 2);
+    EXPECT_LE(other, 2u); // rims: packets fuse other multiplications and additions
+}
+
+/// A hand-made dispute over one unit disc at the origin facing +z, met by a ray from above at x.
+Verdict verdictAt(double x, bool we_hit, bool embree_hits) {
+    const std::vector<CubeSplat> splats{{{0, 0, 0}, {0, 0, 1}, 1}};
+    const Ray ray{{x, 0, 1}, {0, 0, -1}, {}, 0};
+    CastHit ours;
+    EmbreeHit embrees;
+    if (we_hit) ours.splat = 0, ours.t_flat = 1;
+    if (embree_hits) embrees = {1, 0};
+    return judge(splats, ray, ours, embrees);
+}
+
+TEST(Embree, VerdictsAreFair) {
+    EXPECT_EQ(verdictAt(0.5, true, true), Verdict::kAgree);
+    EXPECT_EQ(verdictAt(1.5, false, false), Verdict::kAgree);
+    EXPECT_EQ(verdictAt(0.5, false, true), Verdict::kWeMiss);
+    EXPECT_EQ(verdictAt(0.5, true, false), Verdict::kEmbreeMisses);
+    EXPECT_EQ(verdictAt(1.5, true, false), Verdict::kWeMiss);
+    EXPECT_EQ(verdictAt(1.5, false, true), Verdict::kEmbreeMisses);
+    EXPECT_EQ(verdictAt(0.99995, false, true), Verdict::kRim);
+    EXPECT_EQ(verdictAt(1.00005, false, true), Verdict::kRim);
+    EXPECT_EQ(verdictAt(0.9998, false, true), Verdict::kWeMiss);
+}
+
+TEST(Rays, ComeFromOutsideAsAnnounced) {
+    const SceneFile scene(randomSplats(300, 11, 0.01f, 0.1f));
+    const Sphere bounds = boundingSphere(scene.splats);
+    const std::vector<Ray> rays = bothKinds(scene.splats, 5000, 4), again = bothKinds(scene.splats, 5000, 4);
+    Vec3 mean;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray& ray = rays[i];
+        ASSERT_GT(length(ray.origin - bounds.center), bounds.radius) << i;
+        ASSERT_NEAR(length(ray.direction), 1, 1e-6) << i;
+        ASSERT_EQ(ray.origin.x, static_cast<float>(ray.origin.x)) << i;
+        ASSERT_EQ(ray.direction.z, again[i].direction.z) << i;
+        const Vec3 to_center = bounds.center - ray.origin;
+        ASSERT_LE(length(cross(to_center, ray.direction)), bounds.radius * (1 + 1e-6)) << i;
+        if (i < 5000) mean = mean + (1.0 / 5000) * ray.direction;
+        if (i < 5000) continue;
+        const bool grazes = std::any_of(scene.splats.begin(), scene.splats.end(), [&](const CubeSplat& splat) {
+            const DiscHit at = meetPlane(splat, ray.origin, ray.direction);
+            return at.share < 1 + 1e-3 && at.slope < std::sin(0.1746); // 10 degrees and some rounding
+        });
+        ASSERT_TRUE(grazes) << i;
+    }
+    EXPECT_LT(length(mean), 0.05); // 5000 unit vectors: 0.014 is expected
+}
+
+TEST(Rays, BlendedSurfaceIsTheReferences) {
+    const SceneFile file(sphereSplats(3000, Vec3f(10, -20, 5), 2.0f));
+    const pro_info info = ProFile(file.path).info();
+    const Reference reference = loadReference(file.path);
+    const Vec3 origin{info.origin[0], info.origin[1], info.origin[2]};
+    const std::vector<Ray> rays = randomRays(boundingSphere(file.splats), 2000, 6);
+    const std::vector<CastHit> hits = RayCaster(file.path).cast(rays);
+    std::size_t both = 0, wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto expected = firstSurface(reference, origin + info.scale * rays[i].origin, rays[i].direction);
+        if (!expected || !hits[i].hit()) {
+            wrong += expected.has_value() != hits[i].hit();
+            continue;
+        }
+        ++both;
+        wrong += std::abs(hits[i].t_blended * info.scale - expected->t) > 2e-4 ||
+                 dot(hits[i].normal, expected->normal) < 0.9998;
+    }
+    EXPECT_GT(both, 700u);
+    EXPECT_LE(wrong, both / 100); // leaf lists end where weights have nearly reached zero
+}
+
+TEST(Pruning, ChangesAreMeasuredAlongRayAndNormal) {
+    const std::vector<CubeSplat> splats{{{0, 0, 0}, {0, 0, 1}, 0.1}};
+    const Vec3 slanted = normalize({std::sqrt(3.0), 0, -1}); // 30 degrees over the disc
+    const std::vector<Ray> rays(4, Ray{{0, 0, 1}, slanted, {}, 0});
+    const CastHit hit{2, 0, 2, {0, 0, 1}, 0.1f};
+    CastHit nearer = hit, turned = hit;
+    nearer.t_flat = nearer.t_blended = 2 - 0.0015; // 1.5 hundredths of the radius along the ray, half along the normal
+    turned.normal = normalize({0, 1, std::sqrt(3.0)});
+    const std::vector<CastHit> full{hit, hit, hit, {}}, pruned{nearer, turned, {}, hit};
+    const PruningChange change = measurePruning(splats, rays, full, pruned);
+    EXPECT_EQ(change.lost, 1u);
+    EXPECT_EQ(change.gained, 1u);
+    EXPECT_EQ(change.hits_both, 2u);
+    EXPECT_EQ(change.flat.moved_along_ray, 1u);
+    EXPECT_EQ(change.blended.moved_along_ray, 1u);
+    EXPECT_EQ(change.blended.moved_along_normal, 0u);
+    EXPECT_NEAR(change.blended.move_max, 0.0075, 1e-6);
+    EXPECT_NEAR(change.blended.angle_max, 30, 1e-6);
+    EXPECT_NEAR(change.blended.angle_mean, 15, 1e-6);
+    EXPECT_NEAR(change.flat.angle_max, 0, 1e-9);
+}
+
+} // namespace
+
+} // namespace pointrt::test

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pruning does to the hits that the shaders find, against the harm it promises.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/support/pruning_change.h"
+#include "tests/support/rays.h"
+#include "tests/support/splat_scenes.h"
+
+namespace pointrt::test {
+
+namespace {
+
+constexpr std::size_t kRays = 50'000;
+
+/// A sphere and a sheet that cuts it: smooth, creased and open parts.
+Splats scene() {
+    return joinSplats(sphereSplats(20000, Vec3f(0, 0, 0), 1.0f, 1.5f),
+                      squareSplats(60, Vec3f(0.2f, 0, 0), Vec3f(1.2f, 0, 0.3f), Vec3f(0, 1.2f, 0), 1.5f));
+}
+
+TEST(Pruning, HitsStayWhereTheyWere) {
+    const std::string full_path = temporaryPath("full.pro"), pruned_path = temporaryPath("pruned.pro");
+    BuildOptions options;
+    const Built full = writeScene(full_path, scene(), options);
+    options.prune = true;
+    const Built pruned = writeScene(pruned_path, scene(), options);
+    EXPECT_LT(pruned.octree.refs.size(), full.octree.refs.size());
+
+    const std::vector<CubeSplat> splats = loadCubeSplats(full_path);
+    std::vector<Ray> rays = randomRays(boundingSphere(splats), kRays, 1);
+    const std::vector<Ray> grazing = grazingRays(splats, kRays, 1);
+    rays.insert(rays.end(), grazing.begin(), grazing.end());
+    const PruningChange change =
+        measurePruning(splats, rays, RayCaster(full_path).cast(rays), RayCaster(pruned_path).cast(rays));
+    std::remove(full_path.c_str());
+    std::remove(pruned_path.c_str());
+
+    EXPECT_GT(change.hits_both, kRays);
+    EXPECT_EQ(change.lost + change.gained, 0u);
+    // three times the bound of 1 in 10,000, because so few rays are subject to chance
+    constexpr double kMost = 3e-4 * 2 * kRays;
+    EXPECT_LE(static_cast<double>(change.flat.moved_along_ray), kMost);
+    EXPECT_LE(static_cast<double>(change.blended.moved_along_ray), kMost);
+    EXPECT_LT(change.blended.angle_p999, 0.36);
+}
+
+} // namespace
+
+} // namespace pointrt::test
