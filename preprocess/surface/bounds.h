@@ -3,6 +3,8 @@
 #pragma once
 
 #include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 #include <vector>
 
 #include "preprocess/cloud.h"
@@ -17,12 +19,17 @@ struct Bounds {
 };
 
 inline Bounds boundsOf(const std::vector<Vec3f>& positions) {
-    Bounds bounds;
-    for (const Vec3f& position : positions) {
-        bounds.low = bounds.low.cwiseMin(position.cast<double>());
-        bounds.high = bounds.high.cwiseMax(position.cast<double>());
-    }
-    return bounds;
+    const auto addRange = [&](const auto& range, Bounds bounds) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            bounds.low = bounds.low.cwiseMin(positions[i].cast<double>());
+            bounds.high = bounds.high.cwiseMax(positions[i].cast<double>());
+        }
+        return bounds;
+    };
+    const auto both = [](const Bounds& a, const Bounds& b) {
+        return Bounds{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, positions.size()), Bounds{}, addRange, both);
 }
 
 } // namespace pointrt::surface

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <string>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include "pointrt/tool.hpp"
 #include "preprocess/surface/bounds.h"
@@ -13,15 +15,22 @@ namespace {
 
 [[noreturn]] void fail(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
 
-/// The position farthest from one.
+/// The position farthest from one, the first of several.
 Vec3d farthestFrom(const std::vector<Vec3f>& positions, const Vec3d& from) {
-    Vec3d farthest = from;
-    double distance = -1;
-    for (const Vec3f& position : positions) {
-        const double here = (position.cast<double>() - from).squaredNorm();
-        if (here > distance) distance = here, farthest = position.cast<double>();
-    }
-    return farthest;
+    struct Farthest {
+        double distance = -1;
+        std::size_t index = 0;
+    };
+    const auto search = [&](const auto& range, Farthest farthest) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const double here = (positions[i].cast<double>() - from).squaredNorm();
+            if (here > farthest.distance) farthest = {here, i};
+        }
+        return farthest;
+    };
+    const auto farther = [](const Farthest& a, const Farthest& b) { return b.distance > a.distance ? b : a; };
+    const tbb::blocked_range<std::size_t> all(0, positions.size());
+    return positions[tbb::parallel_reduce(all, Farthest{}, search, farther).index].cast<double>();
 }
 
 bool allOnLine(const std::vector<Vec3f>& positions, const Vec3d& base, const Vec3d& direction, double tolerance) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/lines.h"
 
-#include <cmath>
-
 #include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
@@ -22,7 +20,6 @@ bool isLine(const Moments& moments) {
 /// Neighbours of one point out of a wider search.
 struct Choice {
     std::vector<std::uint32_t> indices;
-    std::vector<float> distances;
     float spacing = 0;
 };
 
@@ -38,17 +35,14 @@ Choice chooseFrom(const NearestSearch& search, const Points& points, std::size_t
         // The nearest, number 0, is the point itself.
         const std::size_t rank = i < dense ? i + 1 : dense + (i - dense + 1) * (count - dense) / sparse;
         choice.indices.push_back(indices[rank]);
-        choice.distances.push_back(std::sqrt(squared[rank]));
     }
     // The farthest is on the next line or beyond, or isLine would not let the choice pass: the gap is shorter.
-    choice.spacing = choice.distances.back() * 0.3f;
+    choice.spacing = std::sqrt(squared[count]) * 0.3f;
     return choice;
 }
 
 void adopt(NeighborLists& lists, std::size_t point, const Choice& choice) {
     std::copy(choice.indices.begin(), choice.indices.end(), lists.indices.begin() + std::ptrdiff_t(point * lists.k));
-    std::copy(choice.distances.begin(), choice.distances.end(),
-              lists.distances.begin() + std::ptrdiff_t(point * lists.k));
     lists.spacings[point] = choice.spacing;
     lists.thinned[point] = 1;
 }

@@ -73,15 +73,14 @@ Vec3f smoothNormal(const Points& points, const NeighborLists& lists, std::size_t
     constexpr float kUnrelated = 0.8f; // cosine of 37 degrees: from here on a neighbour has no say
     const Vec3f normal = points.normals[point];
     // The farthest neighbour weighs exp(-1.5^2) = 0.1. Where the squares of distances vanish all weigh the same.
-    const float width = std::max(lists.reach(point) / 1.5f, std::numeric_limits<float>::min());
+    const float width = std::max(lists.reach(points, point) / 1.5f, std::numeric_limits<float>::min());
     const auto neighbors = lists.of(point);
-    const auto distances = lists.distancesOf(point);
     Vec3f sum = normal;
     for (std::size_t i = 0; i < neighbors.size(); ++i) {
         const Vec3f& other = points.normals[neighbors[i]];
         const float cosine = normal.dot(other), agreement = (std::abs(cosine) - kUnrelated) / (1 - kUnrelated);
         if (!(agreement > 0)) continue;
-        const float steps = distances[i] / width;
+        const float steps = lists.distance(points, point, i) / width;
         sum += std::copysign(agreement * std::exp(-steps * steps), cosine) * other;
     }
     return sum.normalized();

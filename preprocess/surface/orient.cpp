@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <tbb/parallel_for.h>
 
 #include "pointrt/tool.hpp"
 #include "preprocess/surface/components.h"
@@ -62,20 +63,16 @@ struct Components {
 };
 
 Components findComponents(const NeighborLists& lists, std::size_t count) {
-    ParitySets sets(count);
-    for (std::uint32_t i = 0; i < count; ++i)
-        for (const std::uint32_t neighbor : lists.of(i)) sets.join(i, neighbor, false);
-    constexpr std::uint32_t kUnseen = ~0u;
-    std::vector<std::uint32_t> number_of_root(count, kUnseen);
+    SharedSets sets(count);
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+        for (const std::uint32_t neighbor : lists.of(i)) sets.join(std::uint32_t(i), neighbor);
+    });
     Components components;
     components.of_point.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        std::uint32_t& number = number_of_root[sets.find(i).first];
-        if (number == kUnseen) {
-            number = std::uint32_t(components.all.size());
-            components.all.emplace_back().top = i;
-        }
-        components.of_point[i] = number;
+        const std::uint32_t lowest = sets.find(i);
+        if (lowest == i) components.all.emplace_back().top = i;
+        components.of_point[i] = lowest == i ? std::uint32_t(components.all.size() - 1) : components.of_point[lowest];
     }
     return components;
 }

@@ -2,7 +2,6 @@
 #include "preprocess/surface/outliers.h"
 
 #include <algorithm>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 namespace pointrt::surface {
@@ -17,27 +16,32 @@ constexpr float kStrayReach = 4;
 /// clumps of strays there are 45 times their size away from the rest.
 constexpr float kClumpDistance = 20;
 
-/// The distance within which three of four neighbours reach their k-th. Not the median: where density jumps, most
-/// neighbours of a point on the sparse side may be on the dense one.
-float commonReach(const NeighborLists& lists, std::span<const std::uint32_t> neighbors, std::vector<float>& scratch) {
-    scratch.clear();
-    for (const std::uint32_t neighbor : neighbors) scratch.push_back(lists.reach(neighbor));
-    const auto rank = scratch.begin() + std::ptrdiff_t(scratch.size() * 3 / 4);
-    std::nth_element(scratch.begin(), rank, scratch.end());
-    return *rank;
+struct StrayJob {
+    const Points& points;
+    const NeighborLists& lists;
+    std::vector<float> reaches; ///< [points], to the k-th neighbour
+};
+
+/// Whether a distance is kStrayReach times the one within which three of four neighbours reach their k-th. Not the
+/// median: where density jumps, most neighbours of a point on the sparse side may be on the dense one.
+bool isFar(const StrayJob& job, float distance, std::span<const std::uint32_t> neighbors) {
+    const auto closer = std::count_if(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
+        return distance > kStrayReach * job.reaches[neighbor];
+    });
+    return std::size_t(closer) > neighbors.size() * 3 / 4;
 }
 
 /// Whether the point and its first `others` neighbours are a clump far from the remaining neighbours.
-bool isClump(const NeighborLists& lists, std::size_t point, std::size_t others, std::vector<float>& scratch) {
-    const auto distances = lists.distancesOf(point);
-    if (distances[others] < kClumpDistance * distances[others - 1]) return false;
-    return distances[others] > kStrayReach * commonReach(lists, lists.of(point).subspan(others), scratch);
+bool isClump(const StrayJob& job, std::size_t point, std::size_t others) {
+    const float gap = job.lists.distance(job.points, point, others);
+    if (gap < kClumpDistance * job.lists.distance(job.points, point, others - 1)) return false;
+    return isFar(job, gap, job.lists.of(point).subspan(others));
 }
 
-bool isStray(const NeighborLists& lists, std::size_t point, std::vector<float>& scratch) {
-    if (lists.reach(point) > kStrayReach * commonReach(lists, lists.of(point), scratch)) return true;
-    for (std::size_t others = 1; others < lists.k; ++others)
-        if (isClump(lists, point, others, scratch)) return true;
+bool isStray(const StrayJob& job, std::size_t point) {
+    if (isFar(job, job.reaches[point], job.lists.of(point))) return true;
+    for (std::size_t others = 1; others < job.lists.k; ++others)
+        if (isClump(job, point, others)) return true;
     return false;
 }
 
@@ -46,10 +50,9 @@ bool isStray(const NeighborLists& lists, std::size_t point, std::vector<float>& 
 std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists) {
     std::vector<std::uint8_t> keep(points.size(), 1);
     if (points.size() < kFewPoints) return keep;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
-        std::vector<float> scratch;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) keep[i] = !isStray(lists, i, scratch);
-    });
+    StrayJob job{points, lists, std::vector<float>(points.size())};
+    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { job.reaches[i] = lists.reach(points, i); });
+    tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isStray(job, i); });
     // A cloud of nothing but strays is no cloud with strays in it.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2) keep.assign(points.size(), 1);
     return keep;

@@ -9,19 +9,25 @@ namespace {
 
 /// Sums equally weighted samples; sums of squares about the first point's place are exact enough in double.
 struct MomentSum {
-    Vec3d first = Vec3d::Zero();
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    double x = 0, y = 0, z = 0;
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 
     void add(const Vec3d& mean) {
-        first += mean;
-        second.noalias() += mean * mean.transpose();
+        x += mean.x(), y += mean.y(), z += mean.z();
+        xx += mean.x() * mean.x(), xy += mean.x() * mean.y(), xz += mean.x() * mean.z();
+        yy += mean.y() * mean.y(), yz += mean.y() * mean.z(), zz += mean.z() * mean.z();
+    }
+
+    void add(const std::array<float, 6>& covariance) {
+        xx += double(covariance[0]), xy += double(covariance[1]), xz += double(covariance[2]);
+        yy += double(covariance[3]), yz += double(covariance[4]), zz += double(covariance[5]);
     }
 
     Moments average(double count) const {
-        const Vec3d mean = first / count;
-        const Eigen::Matrix3d c = second / count - mean * mean.transpose();
-        return {mean.cast<float>(),
-                {float(c(0, 0)), float(c(0, 1)), float(c(0, 2)), float(c(1, 1)), float(c(1, 2)), float(c(2, 2))}};
+        const double mx = x / count, my = y / count, mz = z / count;
+        return {Vec3d(mx, my, mz).cast<float>(),
+                {float(xx / count - mx * mx), float(xy / count - mx * my), float(xz / count - mx * mz),
+                 float(yy / count - my * my), float(yz / count - my * mz), float(zz / count - mz * mz)}};
     }
 };
 
@@ -61,7 +67,7 @@ Moments spreadMoments(const std::vector<Moments>& moments, const Points& points,
     const Vec3f center = points.positions[point];
     const auto add = [&](std::size_t other) {
         sum.add((points.positions[other] - center + moments[other].mean).cast<double>());
-        sum.second += covarianceOf(moments[other]);
+        sum.add(moments[other].covariance);
     };
     add(point);
     for (const std::uint32_t neighbor : lists.of(point)) add(neighbor);

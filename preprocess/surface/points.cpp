@@ -70,6 +70,11 @@ std::vector<T> gatherAndFree(std::vector<T>& source, const std::vector<std::uint
     return gathered;
 }
 
+template <typename T, typename Body>
+void forAll(std::vector<T>& values, const Body& body) {
+    tbb::parallel_for(std::size_t(0), values.size(), [&](std::size_t i) { body(values[i]); });
+}
+
 Vec3f scaled(const Vec3f& vector, double factor) { return (vector.cast<double>() * factor).cast<float>(); }
 
 /// Unit length, or zero for what is no direction.
@@ -109,9 +114,9 @@ Points takePoints(Cloud&& cloud) {
     points.colors = gatherAndFree(cloud.colors, points.input_index);
     points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
     points.sensors = std::move(cloud.sensors);
-    for (Vec3f& position : points.positions) position = scaled(position, factor);
+    forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
     for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
-    for (Vec3f& normal : points.normals) normal = unitOrZero(normal);
+    forAll(points.normals, [](Vec3f& normal) { normal = unitOrZero(normal); });
     return points;
 }
 

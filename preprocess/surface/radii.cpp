@@ -49,18 +49,22 @@ struct TangentPlane {
     Vec3f at(const Eigen::Vector2f& place) const { return origin + u * place.x() + v * place.y(); }
 };
 
-/// Median of the neighbours' spacings, in scratch.
-float medianSpacing(const NeighborLists& lists, std::size_t point, std::vector<float>& scratch) {
-    scratch.clear();
-    for (const std::uint32_t neighbor : lists.of(point)) scratch.push_back(lists.spacings[neighbor]);
-    const auto middle = scratch.begin() + std::ptrdiff_t(scratch.size() / 2);
-    std::nth_element(scratch.begin(), middle, scratch.end());
-    return *middle;
-}
-
-float capOf(const RadiusJob& job, std::size_t point, std::vector<float>& scratch) {
-    const float median = medianSpacing(job.lists, point, scratch);
-    return kCapSpacings * std::clamp(job.lists.spacings[point], median, kLoneSpacings * median);
+/// The point's spacing, from the median of its neighbours' to kLoneSpacings times that. Most points are in between,
+/// which counting tells without the median.
+float commonSpacing(const NeighborLists& lists, std::size_t point, std::vector<float>& others) {
+    const float own = lists.spacings[point];
+    others.clear();
+    for (const std::uint32_t neighbor : lists.of(point)) others.push_back(lists.spacings[neighbor]);
+    std::size_t not_above = 0, far_below = 0;
+    for (const float other : others) {
+        not_above += other <= own;
+        far_below += kLoneSpacings * other < own;
+    }
+    const std::size_t half = others.size() / 2;
+    if (not_above > half && far_below <= half) return own;
+    const auto median = others.begin() + std::ptrdiff_t(half);
+    std::nth_element(others.begin(), median, others.end());
+    return std::clamp(own, *median, kLoneSpacings * *median);
 }
 
 /// Whether two points lie on opposite sheets of something thin: normals further apart than any edge folds them.
@@ -77,11 +81,11 @@ bool clipBy(const RadiusJob& job, std::size_t point, std::uint32_t other, const 
 }
 
 void clipByNeighbors(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell) {
-    const auto neighbors = job.lists.of(point);
-    const auto distances = job.lists.distancesOf(point);
     float reach = cell.reach();
-    for (std::size_t i = 0; i < neighbors.size() && distances[i] < 2 * reach; ++i)
-        if (clipBy(job, point, neighbors[i], plane, cell)) reach = cell.reach();
+    for (const std::uint32_t neighbor : job.lists.of(point)) {
+        if (distanceBetween(plane.origin, job.points.positions[neighbor]) >= 2 * reach) return;
+        if (clipBy(job, point, neighbor, plane, cell)) reach = cell.reach();
+    }
 }
 
 /// Clips by a point nearer to the corner than the cell's own, if there is one. A few candidates, because the nearest
@@ -90,8 +94,8 @@ bool clipAtCorner(const RadiusJob& job, std::size_t point, const TangentPlane& p
                   const Eigen::Vector2f& corner) {
     std::array<std::uint32_t, 4> candidates;
     std::array<float, 4> squared;
-    const std::size_t found = job.search.nearest(plane.at(corner), candidates, squared);
-    for (std::size_t i = 0; i < found && squared[i] < corner.squaredNorm(); ++i)
+    const std::size_t found = job.search.nearest(plane.at(corner), candidates, squared, corner.squaredNorm());
+    for (std::size_t i = 0; i < found; ++i)
         if (candidates[i] != point && clipBy(job, point, candidates[i], plane, cell)) return true;
     return false;
 }
@@ -99,7 +103,7 @@ bool clipAtCorner(const RadiusJob& job, std::size_t point, const TangentPlane& p
 /// Makes the cell exact where the neighbours on the list do not reach: they are all there is within completeReach,
 /// so that a corner is settled when the circle round it through the point stays inside.
 void verifyCorners(const RadiusJob& job, std::size_t point, const TangentPlane& plane, VoronoiCell& cell) {
-    const float settled = job.lists.completeReach(point) / 2;
+    const float settled = job.lists.completeReach(job.points, point) / 2;
     int clips_left = 64; // far more than a cell has edges: only rounding could ask for more
     for (std::size_t i = 0; i < cell.corners().size();) {
         const CellCorner corner = cell.corners()[i];
@@ -115,13 +119,13 @@ void verifyCorners(const RadiusJob& job, std::size_t point, const TangentPlane& 
 
 float closingRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std::vector<float>& scratch) {
     const TangentPlane plane(job.points.positions[point], job.points.normals[point]);
-    const float cap = capOf(job, point, scratch);
+    const float cap = kCapSpacings * commonSpacing(job.lists, point, scratch);
     cell.reset(cap);
     clipByNeighbors(job, point, plane, cell);
     verifyCorners(job, point, plane, cell);
     // Points along a line have no closed corner: half way to the second neighbour covers the line.
-    const auto distances = job.lists.distancesOf(point);
-    const float half_way = distances[std::min<std::size_t>(1, distances.size() - 1)] / 2;
+    const std::size_t second = std::min<std::size_t>(1, job.lists.k - 1);
+    const float half_way = job.lists.distance(job.points, point, second) / 2;
     return std::max({cell.closedReach(cap), std::min(half_way, cap), kLeastRadius});
 }
 

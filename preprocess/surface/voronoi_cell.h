@@ -30,12 +30,17 @@ public:
     void markVerified(std::size_t corner) { corners_[corner].verified = true; }
 
     /// Distance to the farthest corner.
-    float reach() const;
+    float reach() const { return reach_; }
     /// Distance to the farthest corner, of those within limit, where two bisectors meet; 0 when there is none.
     float closedReach(float limit) const;
 
 private:
+    /// Replaces the corners beyond a bisector, at least one, by where the cell's edges cross it.
+    void cutOff(float limit);
+
     std::vector<CellCorner> corners_, clipped_;
+    std::vector<float> along_; ///< scalar products of the corners with the place last clipped by
+    float reach_ = 0;
 };
 
 } // namespace pointrt::surface

@@ -25,7 +25,7 @@ TEST(Neighbors, AreTheNearestByBruteForce) {
         std::sort(all.begin(), all.end());
         for (std::size_t n = 0; n < 16; ++n) {
             EXPECT_EQ(lists.of(i)[n], all[n].second);
-            EXPECT_NEAR(lists.distancesOf(i)[n], std::sqrt(all[n].first), 1e-6);
+            EXPECT_NEAR(lists.distance(points, i, n), std::sqrt(all[n].first), 1e-6);
         }
     }
 }
@@ -42,6 +42,53 @@ TEST(Neighbors, TiesGoToTheLowerIndex) {
         };
         for (std::uint32_t j = 0; j < indices[1]; ++j) EXPECT_FALSE(as_near(j));
     }
+}
+
+/// Lists are found for many points at once: they must be those of single searches, ties included.
+void expectListsOfSingleSearches(const Shape& shape, std::size_t k) {
+    const Points points = takePoints(shape.cloud());
+    const NearestSearch search(points.positions);
+    const NeighborLists lists = findNeighbors(points, search, k, {kSilent, "test"});
+    std::vector<std::uint32_t> indices(k + 1);
+    std::vector<float> squared(k + 1);
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        search.nearest(points.positions[i], indices, squared);
+        indices.erase(std::find(indices.begin(), indices.end(), i));
+        const auto listed = lists.of(i);
+        EXPECT_TRUE(std::equal(listed.begin(), listed.end(), indices.begin(), indices.end())) << i;
+        indices.resize(k + 1);
+    }
+}
+
+TEST(Neighbors, ListsAreThoseOfSingleSearches) {
+    expectListsOfSingleSearches(gridPlane(60), 16); // nearly all distances are ties
+    expectListsOfSingleSearches(randomTorus(5000), 7);
+    expectListsOfSingleSearches(randomTorus(2000), 255);
+}
+
+TEST(Neighbors, ListsBesideGapsToo) { // blocks of points span the gaps
+    Shape shape = randomSphere(3000);
+    for (std::size_t i = 0; i < shape.positions.size(); ++i)
+        shape.positions[i] = i % 3 == 0 ? Vec3f(shape.positions[i] * 1e-4f) : Vec3f(shape.positions[i] * 50);
+    shape.add(Vec3d(1e4, 0, 0), Vec3d::UnitX());
+    expectListsOfSingleSearches(shape, 16);
+}
+
+TEST(Neighbors, WithinARadiusAllOrMoreThanFit) {
+    const Points points = takePoints(gridPlane(20).cloud());
+    const NearestSearch search(points.positions);
+    const Vec3f query = points.positions[150];
+    std::vector<std::uint32_t> expected;
+    const float squared_radius = 0.04f;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        if (squaredDistance(points.positions[i], query) < squared_radius) expected.push_back(i);
+    ASSERT_GT(expected.size(), 10u);
+    std::vector<std::uint32_t> found(expected.size());
+    ASSERT_EQ(search.within(query, squared_radius, found), expected.size());
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+    found.pop_back();
+    EXPECT_EQ(search.within(query, squared_radius, found), found.size() + 1);
 }
 
 TEST(Neighbors, SmallCloudsListAllOthers) {
@@ -66,7 +113,6 @@ TEST(Neighbors, WithoutSomePointsAreAsIfTheyHadNeverBeen) {
     keepNeighbors(lists, keep, points, search);
     const NeighborLists fresh = findNeighbors(points, search, 16, {kSilent, "test"});
     EXPECT_EQ(lists.indices, fresh.indices);
-    EXPECT_EQ(lists.distances, fresh.distances);
     EXPECT_EQ(lists.spacings, fresh.spacings);
     EXPECT_EQ(lists.thinned, fresh.thinned);
 }
@@ -88,7 +134,10 @@ TEST(Lines, ListsReachTheNextLine) {
         const auto others = lists.of(i);
         EXPECT_TRUE(std::any_of(others.begin(), others.end(),
                                 [&](std::uint32_t j) { return points.positions[j].y() != points.positions[i].y(); }));
-        EXPECT_TRUE(std::is_sorted(lists.distancesOf(i).begin(), lists.distancesOf(i).end()));
+        EXPECT_TRUE(std::is_sorted(others.begin(), others.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return squaredDistance(points.positions[i], points.positions[a]) <
+                   squaredDistance(points.positions[i], points.positions[b]);
+        }));
         EXPECT_EQ(std::count(others.begin(), others.end(), i), 0);
     }
 }
