@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/scene.h"
 
-#include <array>
 #include <cstdio>
 
 #include "pointrt/tool.hpp"
+#include "runtime/bricks.h"
 #include "runtime/entry_grid.h"
 
 namespace pointrt {
@@ -28,19 +28,25 @@ void mapFile(Scene& scene) {
         throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^28 nodes, too many for this viewer");
 }
 
-/// A section as a texel buffer: the mapped pages themselves where device and host share memory, else a copy.
+/// A section (never empty) as a texel buffer: the mapped pages themselves where device and host share memory, else a
+/// copy.
 Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes,
                      VkFormat format) {
-    static constexpr std::array<std::uint32_t, 4> kNothing{}; // views of no texels are not allowed
-    const void* source = bytes > 0 ? data : kNothing.data();
-    const std::uint64_t size = bytes > 0 ? bytes : sizeof kNothing;
     Buffer buffer;
-    if (device.unified_memory && bytes > 0)
-        buffer = importHostBuffer(device, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
     if (!buffer.handle)
-        buffer = createFilledBuffer(device, what, source, size, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        buffer = createFilledBuffer(device, what, data, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
     createTexelView(device, what, buffer, format);
-    scene.device_bytes += size;
+    scene.device_bytes += bytes;
+    return buffer;
+}
+
+Buffer wordBuffer(Device& device, Scene& scene, const char* what, const std::vector<std::uint32_t>& words,
+                  VkFormat format) {
+    const std::uint64_t bytes = words.size() * sizeof(std::uint32_t);
+    Buffer buffer = createFilledBuffer(device, what, words.data(), bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, what, buffer, format);
+    scene.device_bytes += bytes;
     return buffer;
 }
 
@@ -52,21 +58,24 @@ void uploadSections(Device& device, Scene& scene) {
     };
     scene.nodes =
         sectionBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
-    scene.leaves = sectionBuffer(device, scene, "leaf buffer", view.leaves, words(info.leaf_count, PRO_LEAF_WORDS),
-                                 VK_FORMAT_R32G32B32A32_UINT);
-    scene.refs =
-        sectionBuffer(device, scene, "reference buffer", view.refs, words(info.ref_count, 1), VK_FORMAT_R32_UINT);
     scene.splats = sectionBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
                                  VK_FORMAT_R32G32B32A32_UINT);
     scene.materials = sectionBuffer(device, scene, "material buffer", view.materials,
                                     words(info.material_count, PRO_MATERIAL_FLOATS), VK_FORMAT_R32G32B32A32_SFLOAT);
-    const EntryGrid grid = buildEntryGrid({view.nodes, info.node_count}, info.leaf_count, info.max_depth);
+}
+
+void uploadBricks(Device& device, Scene& scene) {
+    const Bricks bricks = buildBricks(scene.info, scene.view);
+    scene.bricks = wordBuffer(device, scene, "brick buffer", bricks.bricks, VK_FORMAT_R32G32B32A32_UINT);
+    scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32B32A32_UINT);
+    scene.lists = wordBuffer(device, scene, "list buffer", bricks.lists, VK_FORMAT_R32_UINT);
+}
+
+void uploadGrid(Device& device, Scene& scene) {
+    const EntryGrid grid =
+        buildEntryGrid({scene.view.nodes, scene.info.node_count}, scene.info.leaf_count, scene.info.max_depth);
     scene.grid_bits = grid.bits;
-    const std::uint64_t grid_bytes = grid.words.size() * sizeof(std::uint32_t);
-    scene.grid = createFilledBuffer(device, "grid buffer", grid.words.data(), grid_bytes,
-                                    VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    createTexelView(device, "grid buffer", scene.grid, VK_FORMAT_R32_UINT);
-    scene.device_bytes += grid_bytes;
+    scene.grid = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
 }
 
 } // namespace
@@ -77,6 +86,8 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     try {
         mapFile(scene);
         uploadSections(device, scene);
+        uploadBricks(device, scene);
+        uploadGrid(device, scene);
     } catch (...) {
         destroyScene(device, scene);
         throw;
@@ -87,8 +98,14 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     return scene;
 }
 
+std::vector<BufferBinding> sceneBindings(const Scene& scene) {
+    return {{0, &scene.nodes}, {1, &scene.bricks},    {2, &scene.lists}, {3, &scene.splats},
+            {4, &scene.grid},  {5, &scene.materials}, {14, &scene.cells}};
+}
+
 void destroyScene(Device& device, Scene& scene) {
-    for (Buffer* buffer : {&scene.nodes, &scene.leaves, &scene.refs, &scene.splats, &scene.materials, &scene.grid})
+    for (Buffer* buffer :
+         {&scene.nodes, &scene.splats, &scene.materials, &scene.bricks, &scene.cells, &scene.lists, &scene.grid})
         destroyBuffer(device, *buffer);
     if (scene.file) pro_close(scene.file);
     scene.file = nullptr;

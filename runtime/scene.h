@@ -3,26 +3,30 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pointrt/pro.h"
 #include "runtime/device.h"
+#include "runtime/program.h"
 #include "runtime/resources.h"
 
 namespace pointrt {
 
-/// The sections of one .pro on the device, read there as texel buffers, and the entry grid over its octree.
+/// One .pro on the device: sections and what is made of them (bricks and the entry grid), all read as texel buffers.
 struct Scene {
     std::string path;
     pro_file* file = nullptr;
     pro_info info{};
     pro_view view{};
-    Buffer nodes, leaves, refs, splats, materials, grid;
+    Buffer nodes, splats, materials, bricks, cells, lists, grid;
     std::uint32_t grid_bits = 0; ///< the grid has 2^grid_bits cells a side
     std::uint64_t device_bytes = 0;
 };
 
 /// Maps, validates and uploads (or imports) path. Throws Error: kBadInput "FILE: reason" or kCannotRun.
 Scene loadScene(Device& device, const std::string& path, bool verbose);
+/// The buffers at their places in shaders/bindings.glsl.
+std::vector<BufferBinding> sceneBindings(const Scene& scene);
 void destroyScene(Device& device, Scene& scene);
 
 } // namespace pointrt

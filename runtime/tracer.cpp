@@ -69,16 +69,8 @@ void createPrograms(Device& device, TracerState& state) {
 }
 
 void createBindings(Device& device, TracerState& state) {
-    const Scene& scene = *state.scene;
-    state.pool = createDescriptorPool(device, 1);
-    state.set = createDescriptorSet(device, state.pool, state.trace,
-                                    {{0, &scene.nodes},
-                                     {1, &scene.leaves},
-                                     {2, &scene.refs},
-                                     {3, &scene.splats},
-                                     {4, &scene.grid},
-                                     {5, &scene.materials},
-                                     {6, &state.params},
+    std::vector<BufferBinding> bindings = sceneBindings(*state.scene);
+    bindings.insert(bindings.end(), {{6, &state.params},
                                      {7, &state.control},
                                      {8, &state.queues},
                                      {9, &state.paths},
@@ -86,6 +78,8 @@ void createBindings(Device& device, TracerState& state) {
                                      {11, &state.lit},
                                      {12, &state.film},
                                      {13, &state.first_hits}});
+    state.pool = createDescriptorPool(device, 1);
+    state.set = createDescriptorSet(device, state.pool, state.trace, bindings);
 }
 
 /// Records the dispatches of one sample.

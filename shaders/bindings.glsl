@@ -2,11 +2,12 @@
 // Every buffer, once. Octree data is read through texel buffers: on lavapipe those are hardware gathers, three times
 // as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB.
 #include "params.h"
+#include "brick_layout.h"
 #include "pointrt/pro_layout.h"
 
 layout(set = 0, binding = 0) uniform usamplerBuffer node_words;
-layout(set = 0, binding = 1) uniform usamplerBuffer leaf_words;
-layout(set = 0, binding = 2) uniform usamplerBuffer ref_words;
+layout(set = 0, binding = 1) uniform usamplerBuffer brick_words;
+layout(set = 0, binding = 2) uniform usamplerBuffer list_words;
 layout(set = 0, binding = 3) uniform usamplerBuffer splat_words;
 layout(set = 0, binding = 4) uniform usamplerBuffer grid_words;
 layout(set = 0, binding = 5) uniform samplerBuffer material_rows;
@@ -14,15 +15,17 @@ layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams 
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; }; // two of rays, one of lit points
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
-layout(std430, set = 0, binding = 10) buffer HitBuffer { uvec4 hits[]; }; // t as bits, leaf, splat
+layout(std430, set = 0, binding = 10) buffer HitBuffer { uvec4 hits[]; }; // t as bits, cell, splat
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
 layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // normal, t (negative: none)
+layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadNode(i) texelFetch(node_words, int(i)).x
-#define loadLeaf(i) texelFetch(leaf_words, int(i))
-#define loadRef(i) texelFetch(ref_words, int(i)).x
+#define loadBrick(i) texelFetch(brick_words, int(i))
+#define loadCell(i) texelFetch(cell_words, int(i))
+#define loadListed(i) texelFetch(list_words, int(i)).x
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
 #define loadMaterial(row, quarter) texelFetch(material_rows, int(row) * 4 + (quarter))

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "octree.glsl"
 
-// A surface, not confetti: around the first hit, the splats of its leaf blend position, normal and colour.
+// A surface, not confetti: around the first hit, the splats of its cell blend position, normal and colour.
 // Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
 // (1 - d^2/r^2)^2 (1 - h^2/s^2)^2 with d in the disc, h across it, s the slab's half height: zero with zero slope at
-// the rim and at the slab's faces, so the blended field has no steps. A leaf lists every splat whose slab meets it,
-// so the field at a point is that of the leaf that holds the point, and the same from either side of a border. The
+// the rim and at the slab's faces, so the blended field has no steps. A cell lists every splat whose slab meets it,
+// so the field at a point is that of the cell that holds the point, and the same from either side of a border. The
 // surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
 // Surfaces from Points, 2003); two Newton steps along the ray find it.
 
@@ -69,12 +69,13 @@ void fillUp(inout Field field, uvec4 words, vec3 point, vec3 side) {
 }
 
 // The field at a point, around the disc hit first.
-Field evaluateField(uvec4 leaf, uvec4 first, vec3 point, vec3 side, float front) {
+Field evaluateField(uint cell_index, uvec4 first, vec3 point, vec3 side, float front) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
-    uint count = listLength(leaf);
+    uvec4 cell = loadCell(cell_index);
+    uint count = blendingCount(cell);
     uint k = 0u;
     while (k < count) {
-        addToField(field, loadSplat(listedSplat(leaf, k)), point, side, front);
+        addToField(field, loadSplat(loadListed(cell[CELL_FIRST] + k)), point, side, front);
         k++;
     }
     fillUp(field, first, point, side);
@@ -94,8 +95,8 @@ Surface flatSurface(uvec4 words, float t, vec3 direction) {
     return Surface(t, normal, splatColor(words), splatRadius(words), splatMaterial(words));
 }
 
-// The surface at the hit (t, leaf, splat) of the ray.
-Surface surfaceAt(vec3 origin, vec3 direction, float t, uint leaf_index, uint splat) {
+// The surface at the hit (t, cell, splat) of the ray.
+Surface surfaceAt(vec3 origin, vec3 direction, float t, uint cell, uint splat) {
     uvec4 words = loadSplat(splat);
     Surface surface = flatSurface(words, t, direction);
     if (!hasOption(OPTION_BLEND)) return surface;
@@ -103,12 +104,11 @@ Surface surfaceAt(vec3 origin, vec3 direction, float t, uint leaf_index, uint sp
     float front = hasOption(OPTION_ORIENTED) ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
     float radius = surface.radius;
 
-    Field field = evaluateField(loadLeaf(leaf_index), words, origin + t * direction, side, front);
+    Field field = evaluateField(cell, words, origin + t * direction, side, front);
     float t_blended = t + newtonStep(field, direction, radius);
     vec3 point = origin + t_blended * direction;
-    uint second_leaf = leafAt(point);
-    second_leaf = second_leaf == NO_INDEX ? leaf_index : second_leaf;
-    field = evaluateField(loadLeaf(second_leaf), words, point, side, front);
+    uint second_cell = cellAt(point);
+    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, point, side, front);
     t_blended += newtonStep(field, direction, radius);
     surface.t = clamp(t_blended, t - radius, t + radius);
     vec3 normal = normalize(field.normal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which leaf holds a position: the grid of entry points stands for the upper levels, nodes for the rest.
+// Which leaf and which cell of its brick hold a position: the grid of entry points stands for the octree's upper levels,
+// nodes for the rest.
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
@@ -25,12 +26,33 @@ uint findLeaf(uint grid_word, ivec3 position, inout int shift) {
     return node - 1u; // an empty leaf becomes NO_INDEX
 }
 
-// The leaf that holds a point, NO_INDEX where there is none.
-uint leafAt(vec3 point) {
+// A brick's place: lowest corner and edge of its leaf, in cube units.
+vec4 brickPlace(uvec4 brick, ivec3 position) {
+    int shift = int(brick[BRICK_SHIFT]);
+    return vec4(vec3((position >> shift) << shift), float(1 << shift)) * PRO_POSITION_STEP;
+}
+
+// The cell of the brick that holds a point, which may have no list.
+ivec3 brickCell(vec4 place, vec3 point) {
+    return clamp(ivec3((point - place.xyz) * (float(BRICK_SIDE) / place.w)), ivec3(0), ivec3(BRICK_SIDE - 1));
+}
+
+// Number of a brick's cell in the cells, NO_INDEX where it has no list.
+uint listedCell(uvec4 brick, ivec3 cell) {
+    uint bit = uint(cell.x + BRICK_SIDE * (cell.y + BRICK_SIDE * cell.z));
+    bool listed = (brick[BRICK_MASK] >> bit & 1u) != 0u;
+    return listed ? brick[BRICK_FIRST_CELL] + bitCount(brick[BRICK_MASK] & ((1u << bit) - 1u)) : NO_INDEX;
+}
+
+// The listed cell that holds a point, NO_INDEX where there is none.
+uint cellAt(vec3 point) {
     ivec3 position = clamp(ivec3(point * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
     int shift = kFullDepth - int(params.grid.x);
     uint word = gridWord(position >> shift);
-    return isFilled(word) ? findLeaf(word, position, shift) : NO_INDEX;
+    uint leaf = isFilled(word) ? findLeaf(word, position, shift) : NO_INDEX;
+    if (leaf == NO_INDEX) return NO_INDEX;
+    uvec4 brick = loadBrick(leaf);
+    return listedCell(brick, brickCell(brickPlace(brick, position), point));
 }
 
 #endif

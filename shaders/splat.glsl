@@ -26,12 +26,6 @@ vec3 splatColor(uvec4 words) { return unpackUnorm4x8(words.w & PRO_COLOR_MASK).r
 
 uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
-// Splat k of a leaf's list: members first, then references.
-uint listedSplat(uvec4 leaf, uint k) {
-    uint members = leaf[PRO_LEAF_COUNTS] & PRO_LEAF_MEMBER_MASK;
-    return k < members ? leaf[PRO_LEAF_FIRST_MEMBER] + k : loadRef(leaf[PRO_LEAF_FIRST_REF] + k - members);
-}
-
-uint listLength(uvec4 leaf) {
-    return (leaf[PRO_LEAF_COUNTS] & PRO_LEAF_MEMBER_MASK) + (leaf[PRO_LEAF_COUNTS] >> PRO_LEAF_REF_SHIFT);
-}
+// Lengths of a cell's list: what rays can hit, and all that blends.
+uint hittableCount(uvec4 cell) { return cell[CELL_COUNTS] & CELL_COUNT_MASK; }
+uint blendingCount(uvec4 cell) { return hittableCount(cell) + (cell[CELL_COUNTS] >> CELL_COUNT_SHIFT); }

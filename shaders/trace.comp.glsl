@@ -23,5 +23,5 @@ void main() {
     if (path == NO_INDEX) return;
     PathState state = paths[path];
     TraceHit hit = trace(TraceRay(state.origin.xyz, state.direction.xyz, 1e30, state.left_normal.xyz, state.origin.w));
-    hits[path] = uvec4(floatBitsToUint(hit.t), hit.leaf, hit.splat, 0u);
+    hits[path] = uvec4(floatBitsToUint(hit.t), hit.cell, hit.splat, 0u);
 }

@@ -4,15 +4,16 @@
 // Stackless traversal. A grid of entry points stands for the octree's upper levels: an empty cell says for each
 // direction octant how many cells can be skipped, a filled one names its node. From the node down the tree is walked
 // by the bits of the position. Positions are carried as 21-bit integers, and a step sets the coordinate of the axis it
-// leaves by to the neighbour's exactly: no epsilon, and no cell is jumped over. (A leaf larger than a grid cell is met
-// once in each of its grid cells.)
+// leaves by to the neighbour's exactly: no epsilon, and no leaf is jumped over. A leaf is a brick of cells, which the ray
+// crosses one by one (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987); a cell's discs are looked at only
+// where the ray comes between the two planes that they lie between.
 //
 // Loops are written as while over state declared before them: lavapipe's do-while loses values, and an
 // inner loop per phase keeps lanes that wait from costing a turn of the other phase.
 
 struct TraceHit {
     float t;    // along the ray; unchanged when nothing is hit
-    uint leaf;  // whose list the hit's surroundings are in, NO_INDEX when nothing is hit
+    uint cell;  // whose list the hit's surroundings are in, NO_INDEX when nothing is hit
     uint splat;
 };
 
@@ -40,7 +41,7 @@ float hitSplat(uvec4 words, vec3 origin, TraceRay ray, float own_t, float t_min,
 // Cells to skip from an empty grid cell: the nibble of the ray's direction octant.
 int skipCells(uint word, uint octant) { return int((word >> (4u * octant)) & 15u); }
 
-// Where a ray stands in the octree.
+// Where a ray stands: in front of the leaf at position, or in a brick, and then position is behind that.
 struct Walk {
     vec3 origin;    // on the cube's border or inside
     vec3 direction; // no component is 0
@@ -48,8 +49,14 @@ struct Walk {
     ivec3 forward;  // 1 where the direction rises, else 0
     uint octant;
     ivec3 position; // 21-bit cell
-    float t;        // from origin to where the ray enters that cell
-    bool inside;
+    float t;        // from origin to where the ray enters that cell, or the brick's cell
+    bool inside;    // position is in the cube
+    bool in_brick;
+    uvec4 brick;
+    vec4 place;     // brickPlace
+    ivec3 cell;     // of the brick
+    vec3 t_planes;  // to where the ray leaves the cell by each axis
+    float t_leave;  // to where it leaves the brick
 };
 
 // Starts at the cube's border: from a distant eye t would leave too few bits for the splat test.
@@ -68,21 +75,26 @@ Walk startWalk(TraceRay ray, out float t_start) {
     walk.origin = ray.origin + ray.direction * t_start;
     walk.position = clamp(ivec3(walk.origin * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
     walk.t = 0.0;
+    walk.in_brick = false;
     return walk;
 }
 
-// One step: finds the leaf or the empty cells at the ray's position and moves on behind them.
-// Returns the leaf's index, NO_INDEX where there is none.
-uint stepWalk(inout Walk walk) {
+// Enters the brick at the ray's position, or passes the empty cells there; position moves on behind it.
+void enterLeaf(inout Walk walk) {
     int shift = kFullDepth - int(params.grid.x);
     ivec3 cell = walk.position >> shift;
     uint word = gridWord(cell);
     int skip = skipCells(word, walk.octant);
-    uint leaf = NO_INDEX;
     // where the ray leaves by each axis: the far side of the skipped cells, or of the leaf
     ivec3 plane = (cell + walk.forward * (2 * skip - 1) - (skip - 1)) << shift;
     if (isFilled(word)) {
-        leaf = findLeaf(word, walk.position, shift);
+        uint leaf = findLeaf(word, walk.position, shift);
+        walk.in_brick = leaf != NO_INDEX;
+        if (walk.in_brick) {
+            walk.brick = loadBrick(leaf);
+            walk.place = brickPlace(walk.brick, walk.position);
+            shift = int(walk.brick[BRICK_SHIFT]);
+        }
         plane = ((walk.position >> shift) + walk.forward) << shift;
     }
     vec3 t_planes = (vec3(plane) * PRO_POSITION_STEP - walk.origin) * walk.inverse;
@@ -95,10 +107,45 @@ uint stepWalk(inout Walk walk) {
     ivec3 ahead = mix(max(exit_cell, walk.position), min(exit_cell, walk.position), falling);
     ahead = mix(min(ahead, limit), max(ahead, limit), falling);
     walk.position = mix(ahead, plane + walk.forward - 1, leaving);
-    walk.t = t_exit;
     walk.inside = any(leaving) && all(greaterThanEqual(walk.position, ivec3(0))) &&
                   all(lessThanEqual(walk.position, ivec3(kLastCell)));
-    return leaf;
+    walk.t_leave = t_exit;
+    if (walk.in_brick) {
+        walk.cell = brickCell(walk.place, walk.origin + walk.direction * walk.t);
+        vec3 planes = walk.place.xyz + vec3(walk.cell + walk.forward) * (walk.place.w / float(BRICK_SIDE));
+        walk.t_planes = (planes - walk.origin) * walk.inverse;
+    } else walk.t = t_exit;
+}
+
+// Whether the ray comes near the discs of the cell between t_in and t_out.
+bool meetsSlab(Walk walk, uvec4 cell, float t_in, float t_out) {
+    uvec3 code = uvec3(cell[CELL_NORMAL], cell[CELL_NORMAL] >> CELL_NORMAL_BITS,
+                       cell[CELL_NORMAL] >> (2u * CELL_NORMAL_BITS)) & CELL_NORMAL_MASK;
+    vec3 normal = vec3(code) * (1.0 / CELL_NORMAL_ZERO) - 1.0;
+    float edges = float(BRICK_SIDE) / walk.place.w;
+    vec3 middle = walk.place.xyz + (vec3(walk.cell) + 0.5) * (walk.place.w / float(BRICK_SIDE));
+    float base = dot(normal, walk.origin - middle) * edges, slope = dot(normal, walk.direction) * edges;
+    float near = base + slope * t_in, far = base + slope * t_out;
+    vec2 slab = unpackHalf2x16(cell[CELL_SLAB]); // the second is the negated upper end
+    return max(near, far) >= slab.x && -min(near, far) >= slab.y;
+}
+
+// Crosses one cell of the brick. Returns its number where discs can be hit in it, else NO_INDEX.
+uint crossCell(inout Walk walk, out uvec4 cell) {
+    float t_out = max(min(walk.t_planes.x, min(walk.t_planes.y, walk.t_planes.z)), walk.t);
+    uint found = listedCell(walk.brick, walk.cell);
+    cell = uvec4(0u);
+    if (found != NO_INDEX) {
+        cell = loadCell(found);
+        if (!meetsSlab(walk, cell, walk.t, t_out)) found = NO_INDEX;
+    }
+    bvec3 leaving = lessThanEqual(walk.t_planes, vec3(t_out));
+    walk.cell += mix(ivec3(0), 2 * walk.forward - 1, leaving);
+    walk.t_planes += mix(vec3(0.0), abs(walk.inverse) * (walk.place.w / float(BRICK_SIDE)), leaving);
+    walk.in_brick = any(leaving) && all(greaterThanEqual(walk.cell, ivec3(0))) &&
+                    all(lessThan(walk.cell, ivec3(BRICK_SIDE)));
+    walk.t = walk.in_brick ? t_out : walk.t_leave;
+    return found;
 }
 
 TraceHit trace(TraceRay ray) {
@@ -106,35 +153,36 @@ TraceHit trace(TraceRay ray) {
     Walk walk = startWalk(ray, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
     float own_t = ray.own_t - t_start;
-    uint last_leaf = NO_INDEX;
+    uint last_cell = NO_INDEX;
     bool searching = walk.inside && hit.t > 0.0;
 
     while (searching) {
-        uint leaf_index = NO_INDEX;
-        while (searching && leaf_index == NO_INDEX) {
-            leaf_index = stepWalk(walk);
-            searching = walk.inside && walk.t < hit.t;
+        uint found = NO_INDEX;
+        uvec4 cell = uvec4(0u);
+        while (searching && found == NO_INDEX) {
+            if (!walk.in_brick) enterLeaf(walk);
+            if (walk.in_brick) found = crossCell(walk, cell);
+            searching = (walk.inside || walk.in_brick) && walk.t < hit.t;
         }
-        uvec4 leaf = leaf_index == NO_INDEX ? uvec4(0u) : loadLeaf(leaf_index);
-        last_leaf = leaf_index == NO_INDEX ? last_leaf : leaf_index;
-        uint count = listLength(leaf);
-        uint k = 0u;
-        while (k < count) {
-            uint splat = listedSplat(leaf, k);
+        last_cell = found == NO_INDEX ? last_cell : found;
+        uint k = cell[CELL_FIRST];
+        uint end = found == NO_INDEX ? k : k + hittableCount(cell);
+        while (k < end) {
+            uint splat = loadListed(k);
             float t_hit = hitSplat(loadSplat(splat), walk.origin, ray, own_t, -t_start, hit.t);
             if (t_hit < hit.t) {
                 hit.t = t_hit;
                 hit.splat = splat;
 #ifdef ANY_HIT
                 searching = false;
-                count = 0u;
+                end = k;
 #endif
             }
             k++;
         }
         searching = searching && walk.t < hit.t;
     }
-    hit.leaf = hit.splat == NO_INDEX ? NO_INDEX : last_leaf;
+    hit.cell = hit.splat == NO_INDEX ? NO_INDEX : last_cell;
     hit.t += t_start;
     return hit;
 }

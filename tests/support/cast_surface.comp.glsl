@@ -11,7 +11,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= control.queued.x) return;
-    uvec4 hit = hits[i]; // t as bits, leaf, splat
+    uvec4 hit = hits[i]; // t as bits, cell, splat
     if (hit.z == NO_INDEX) return;
     Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, uintBitsToFloat(hit.x), hit.y, hit.z);
     first_hits[i] = vec4(surface.normal, surface.t);

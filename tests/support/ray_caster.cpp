@@ -70,21 +70,16 @@ struct RayCaster::State {
         trace = createProgram(device, "trace", trace_spv);
         surface = createProgram(device, "cast_surface", cast_surface_spv);
         pool = createDescriptorPool(device, 1);
-        set = createDescriptorSet(device, pool, trace,
-                                  {{0, &scene.nodes},
-                                   {1, &scene.leaves},
-                                   {2, &scene.refs},
-                                   {3, &scene.splats},
-                                   {4, &scene.grid},
-                                   {5, &scene.materials},
-                                   {6, &params},
-                                   {7, &control},
-                                   {8, &queue},
-                                   {9, &paths},
-                                   {10, &hits},
-                                   {11, &unused},
-                                   {12, &film},
-                                   {13, &first_hits}});
+        std::vector<BufferBinding> bindings = sceneBindings(scene);
+        bindings.insert(bindings.end(), {{6, &params},
+                                         {7, &control},
+                                         {8, &queue},
+                                         {9, &paths},
+                                         {10, &hits},
+                                         {11, &unused},
+                                         {12, &film},
+                                         {13, &first_hits}});
+        set = createDescriptorSet(device, pool, trace, bindings);
     }
 
     /// The scene's own parameters are the viewer's; its camera plays no part.
