@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <limits>
 
 #include "pointrt/tool.hpp"
@@ -56,6 +58,23 @@ Box slackBox(const Cell& cell) {
 
 bool slabMeets(const Disc& disc, const Box& box) { return discMeetsBox(disc, growBySlab(box, disc, kBlendSlab)); }
 
+/// Half extents of the slab's bounding box, with the slack of slackBox.
+Vec3f slabReach(const Disc& disc) {
+    return (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
+}
+
+/// The children, as bits, on whose side of the middle a box of these half extents reaches; offset is its centre's.
+std::uint32_t slotsReached(const Vec3f& offset, const Vec3f& reach) {
+    constexpr std::array<std::uint32_t, 3> kUpper{0xAA, 0xCC, 0xF0}; // slots with bit 0, 1, 2 of their number set
+    std::uint32_t slots = 0xFF;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::uint32_t upper = kUpper[static_cast<std::size_t>(axis)];
+        if (offset[axis] + reach[axis] < 0) slots &= ~upper;
+        if (offset[axis] - reach[axis] > 0) slots &= upper;
+    }
+    return slots;
+}
+
 void splitCoarse(const PackedSplats& splats, const OctreeOptions& options, const Work& work, std::vector<Work>& tasks) {
     const std::uint32_t limit = std::max(kTaskMembers, options.max_leaf_splats);
     if (work.members.size() <= limit || work.cell.depth >= options.max_depth) {
@@ -97,8 +116,7 @@ void distribute(const PackedSplats& splats, std::vector<Work>& tasks) {
         std::vector<std::uint32_t> touched;
         for (std::uint32_t s = tasks[t].members.begin; s < tasks[t].members.end; ++s) {
             const Disc& disc = splats.discs[s];
-            const Vec3f reach =
-                (discReach(disc) + kBlendSlab * disc.radius * disc.normal.cwiseAbs()).array() + kTouchSlack;
+            const Vec3f reach = slabReach(disc);
             const bool enclosed = ((disc.center - reach).array() >= own.lo.array()).all() &&
                                   ((disc.center + reach).array() <= own.hi.array()).all();
             if (enclosed) continue;
@@ -158,17 +176,29 @@ private:
     }
 
     void split(const Work& work) {
+        std::array<Work, PRO_GROUP_SIZE> children;
+        std::array<Box, PRO_GROUP_SIZE> boxes;
         for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
-            Work child{childCell(work.cell, slot), {}, {}};
-            child.members = membersOf(splats_.morton, child.cell, work.members);
-            const Box box = slackBox(child.cell);
-            for (std::uint32_t s = work.members.begin; s < work.members.end; ++s) {
-                const bool inside = s >= child.members.begin && s < child.members.end;
-                if (!inside && slabMeets(splats_.discs[s], box)) child.touching.push_back(s);
+            children[slot].cell = childCell(work.cell, slot);
+            children[slot].members = membersOf(splats_.morton, children[slot].cell, work.members);
+            boxes[slot] = slackBox(children[slot].cell);
+        }
+        const Vec3f middle = cellBox(children[PRO_GROUP_SIZE - 1].cell).lo;
+        const auto offer = [&](std::uint32_t s) {
+            const Disc& disc = splats_.discs[s];
+            const Vec3f reach = slabReach(disc);
+            for (std::uint32_t slots = slotsReached(disc.center - middle, reach); slots != 0; slots &= slots - 1) {
+                const auto slot = static_cast<std::uint32_t>(std::countr_zero(slots));
+                const Range& own = children[slot].members;
+                if (s >= own.begin && s < own.end) continue;
+                if (slabMeets(disc, boxes[slot])) children[slot].touching.push_back(s);
             }
-            for (const std::uint32_t s : work.touching)
-                if (slabMeets(splats_.discs[s], box)) child.touching.push_back(s);
+        };
+        for (std::uint32_t s = work.members.begin; s < work.members.end; ++s) offer(s);
+        for (const std::uint32_t s : work.touching) offer(s);
+        for (Work& child : children) {
             run(child);
+            child.touching = {};
         }
     }
 
