@@ -15,72 +15,117 @@ constexpr std::uint32_t kFilledMask = 15; // low nibble: 0 marks a filled cell
 constexpr std::uint32_t kNodeShift = 4;
 constexpr std::uint8_t kSkipMax = 15;
 
-/// 64 cells a side cost 1 MiB; above half a million leaves the halved walk from the grid down pays for 8 MiB.
-std::uint32_t chooseBits(std::uint32_t leaf_count, std::uint32_t max_depth) {
-    return std::min<std::uint32_t>(leaf_count > 500000 ? 7 : 6, max_depth);
+/// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
+/// for each leaf: 5 bytes a splat of a usual scan.
+constexpr std::uint64_t kWordsPerLeaf = 32;
+constexpr std::uint64_t kWordsLeast = 1u << 15;
+constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid itself no longer fits into caches
+
+using Corner = std::array<std::uint32_t, 3>;
+
+/// Calls visit(node index, corner in position steps, shift) for every node at depth or leaf above it that holds splats.
+template <typename Visit>
+void forCells(std::span<const std::uint32_t> nodes, std::uint32_t depth, const Visit& visit, std::uint32_t index = 0,
+              const Corner& corner = {}, std::uint32_t level = 0) {
+    const std::uint32_t node = nodes[index], shift = PRO_POSITION_BITS - level;
+    if (node == PRO_NODE_EMPTY) return;
+    if (level == depth || !(node & PRO_NODE_INNER)) return visit(index, corner, shift);
+    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
+        Corner child = corner;
+        for (std::uint32_t axis = 0; axis < 3; ++axis) child[axis] += (slot >> axis & 1) << (shift - 1);
+        forCells(nodes, depth, visit, (node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + slot, child, level + 1);
+    }
 }
 
-struct Filler {
-    std::span<const std::uint32_t> nodes;
-    EntryGrid& grid;
+std::uint32_t commonLeafDepth(std::span<const std::uint32_t> nodes) {
+    std::array<std::uint32_t, PRO_MAX_DEPTH + 1> leaves{};
+    forCells(nodes, PRO_MAX_DEPTH,
+             [&](std::uint32_t, const Corner&, std::uint32_t shift) { ++leaves[PRO_POSITION_BITS - shift]; });
+    return static_cast<std::uint32_t>(std::max_element(leaves.begin(), leaves.end()) - leaves.begin());
+}
 
-    /// Writes the cells of node index, whose cube of 2^level_bits cells starts at (x, y, z).
-    void fill(std::uint32_t index, std::uint32_t level_bits, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-        const std::uint32_t node = nodes[index];
-        if (node == PRO_NODE_EMPTY) return;
-        if (level_bits == 0 || !(node & PRO_NODE_INNER)) return paint(index, 1u << level_bits, x, y, z);
-        const std::uint32_t half = level_bits - 1;
-        for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot)
-            fill((node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + slot, half, x + ((slot & 1) << half),
-                 y + ((slot >> 1 & 1) << half), z + ((slot >> 2) << half));
+/// A grid without words over the leaves' bounds.
+EntryGrid frameGrid(std::span<const std::uint32_t> nodes, std::uint32_t depth) {
+    constexpr std::uint32_t kNone = ~0u;
+    Corner lo{kNone, kNone, kNone}, hi{};
+    EntryGrid grid;
+    grid.shift = PRO_POSITION_BITS - depth;
+    forCells(nodes, depth, [&](std::uint32_t, const Corner& corner, std::uint32_t shift) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lo[axis] = std::min(lo[axis], corner[axis]);
+            hi[axis] = std::max(hi[axis], corner[axis] + (1u << shift));
+        }
+    });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        grid.origin[axis] = lo[axis] >> grid.shift;
+        grid.size[axis] = (hi[axis] - lo[axis]) >> grid.shift;
     }
+    return grid;
+}
 
-    void paint(std::uint32_t index, std::uint32_t side, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-        for (std::uint32_t k = z; k < z + side; ++k)
-            for (std::uint32_t j = y; j < y + side; ++j) {
-                const auto row = grid.words.begin() + ((((k << grid.bits) | j) << grid.bits) | x);
-                std::fill(row, row + side, index << kNodeShift);
-            }
-    }
-};
+std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[0]} * grid.size[1] * grid.size[2]; }
+
+EntryGrid chooseGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count) {
+    const std::uint64_t most = std::clamp(kWordsPerLeaf * leaf_count, kWordsLeast, kWordsMost);
+    std::uint32_t depth = commonLeafDepth(nodes);
+    EntryGrid grid = frameGrid(nodes, depth);
+    while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
+    return grid;
+}
+
+void paint(EntryGrid& grid, std::uint32_t index, const Corner& corner, std::uint32_t shift) {
+    const std::uint32_t side = 1u << (shift - grid.shift);
+    std::array<std::size_t, 3> from;
+    for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = (corner[axis] >> grid.shift) - grid.origin[axis];
+    for (std::size_t z = from[2]; z < from[2] + side; ++z)
+        for (std::size_t y = from[1]; y < from[1] + side; ++y) {
+            const std::size_t row = (z * grid.size[1] + y) * grid.size[0] + from[0];
+            std::fill_n(grid.words.begin() + static_cast<std::ptrdiff_t>(row), side, index << kNodeShift);
+        }
+}
 
 /// Largest empty cube from each cell towards one octant, by the recurrence 1 + minimum over the 7 neighbours there.
-std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, std::uint32_t bits, std::uint32_t octant) {
-    const int side = 1 << bits;
-    std::vector<std::uint8_t> skips(filled.size());
-    const auto at = [&](int x, int y, int z) -> std::uint8_t {
-        const bool inside = x >= 0 && y >= 0 && z >= 0 && x < side && y < side && z < side;
-        return inside ? skips[static_cast<std::size_t>(((z << bits | y) << bits) | x)] : kSkipMax;
+std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
+    // a border of empty cells around the grid saves asking where it ends
+    const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
+    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kSkipMax), skips(filled.size());
+    const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
+                                               static_cast<std::ptrdiff_t>(size[0] * size[1])};
+    std::ptrdiff_t toward[3];
+    for (std::uint32_t axis = 0; axis < 3; ++axis) toward[axis] = octant >> axis & 1 ? stride[axis] : -stride[axis];
+    const auto from = [&](std::uint32_t axis, std::uint32_t i) { // from the octant's far corner inwards
+        return octant >> axis & 1 ? grid.size[axis] - 1 - i : i;
     };
-    const int dx = octant & 1 ? 1 : -1, dy = octant & 2 ? 1 : -1, dz = octant & 4 ? 1 : -1;
-    for (int k = 0; k < side; ++k)
-        for (int j = 0; j < side; ++j)
-            for (int i = 0; i < side; ++i) { // from the octant's far corner inwards
-                const int x = dx > 0 ? side - 1 - i : i, y = dy > 0 ? side - 1 - j : j, z = dz > 0 ? side - 1 - k : k;
-                const auto cell = static_cast<std::size_t>(((z << bits | y) << bits) | x);
-                if (filled[cell]) continue;
+    for (std::uint32_t k = 0; k < grid.size[2]; ++k)
+        for (std::uint32_t j = 0; j < grid.size[1]; ++j)
+            for (std::uint32_t i = 0; i < grid.size[0]; ++i) {
+                const std::size_t x = from(0, i), y = from(1, j), z = from(2, k);
+                const std::size_t cell = (z * grid.size[1] + y) * grid.size[0] + x;
+                std::uint8_t* at = padded.data() + ((z + 1) * size[1] + y + 1) * size[0] + x + 1;
+                const std::ptrdiff_t dx = toward[0], dy = toward[1], dz = toward[2];
                 const std::uint8_t nearest =
-                    std::min({at(x + dx, y, z), at(x, y + dy, z), at(x, y, z + dz), at(x + dx, y + dy, z),
-                              at(x + dx, y, z + dz), at(x, y + dy, z + dz), at(x + dx, y + dy, z + dz)});
-                skips[cell] = static_cast<std::uint8_t>(std::min<int>(kSkipMax, nearest + 1));
+                    std::min({at[dx], at[dy], at[dz], at[dx + dy], at[dx + dz], at[dy + dz], at[dx + dy + dz]});
+                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(kSkipMax, nearest + 1);
+                skips[cell] = *at;
             }
     return skips;
 }
 
 } // namespace
 
-EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count, std::uint32_t max_depth) {
+EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count) {
     constexpr std::uint32_t kUnset = kFilledMask; // no node word ends in it
-    EntryGrid grid;
-    grid.bits = chooseBits(leaf_count, max_depth);
-    grid.words.assign(std::size_t{1} << (3 * grid.bits), kUnset);
-    Filler{nodes, grid}.fill(0, grid.bits, 0, 0, 0);
+    EntryGrid grid = chooseGrid(nodes, leaf_count);
+    grid.words.assign(wordCount(grid), kUnset);
+    forCells(
+        nodes, PRO_POSITION_BITS - grid.shift,
+        [&](std::uint32_t index, const Corner& corner, std::uint32_t shift) { paint(grid, index, corner, shift); });
 
     std::vector<char> filled(grid.words.size());
     for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = grid.words[c] != kUnset;
     std::array<std::future<std::vector<std::uint8_t>>, 8> work;
     for (std::uint32_t octant = 0; octant < 8; ++octant)
-        work[octant] = std::async(std::launch::async, [&, octant] { return skipsTowards(filled, grid.bits, octant); });
+        work[octant] = std::async(std::launch::async, [&, octant] { return skipsTowards(filled, grid, octant); });
     std::array<std::vector<std::uint8_t>, 8> skips;
     for (std::uint32_t octant = 0; octant < 8; ++octant) skips[octant] = work[octant].get();
     for (std::size_t c = 0; c < filled.size(); ++c) {

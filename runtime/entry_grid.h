@@ -2,21 +2,25 @@
 // A dense grid over the octree's upper levels: where rays enter the tree, and how far empty space reaches.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace pointrt {
 
-/// 2^bits cells a side, x fastest. A word whose low 4 bits are 0 is node index << 4, of the cell's node or of the leaf
-/// that encloses the cell. In an empty cell's word nibble k says how many cells (1 to 15) around and including it are
-/// empty towards octant k (bit 0 of k: x rising, bit 1: y, bit 2: z).
+/// Covers the cells of one depth of the octree that hold leaves or parts of them; x runs fastest. A word whose low
+/// 4 bits are 0 is node index << 4, of the cell's node or of the leaf that encloses the cell. In an empty cell's word
+/// nibble k says how many cells (1 to 15) around and including it are empty towards octant k (bit 0 of k: x rising,
+/// bit 1: y, bit 2: z); what is outside the grid is empty.
 struct EntryGrid {
-    std::uint32_t bits = 0;
+    std::uint32_t shift = 0;               ///< log2 of a cell's edge in position steps
+    std::array<std::uint32_t, 3> origin{}; ///< of the lowest cell, in cells from the cube's corner
+    std::array<std::uint32_t, 3> size{};   ///< in cells
     std::vector<std::uint32_t> words;
 };
 
-/// nodes are a validated file's NODE words; node_count below 2^28. max_depth bounds the grid's.
-EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count, std::uint32_t max_depth);
+/// nodes are a validated file's NODE words, fewer than 2^28, with a leaf.
+EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count);
 
 } // namespace pointrt

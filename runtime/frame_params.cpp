@@ -126,7 +126,10 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
     params.splat = {info.radius_max, info.radius_step, info.blend_slab, settings.reflectivity.value_or(0.0f)};
     params.sky_up = pack(staging.up, length(staging.eye - staging.center) + staging.radius);
     params.image = {settings.width, settings.height, first_row, rows};
-    params.grid = {scene.grid_bits, 0, 0, optionBits(scene, settings)};
+    const EntryGrid& grid = scene.grid_frame;
+    params.grid = {grid.shift, 0, 0, optionBits(scene, settings)};
+    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
+    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
     params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces,
                    static_cast<std::uint32_t>(settings.room), settings.seed};
     placeRoom(staging, settings.room, params);

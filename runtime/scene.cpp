@@ -72,10 +72,10 @@ void uploadBricks(Device& device, Scene& scene) {
 }
 
 void uploadGrid(Device& device, Scene& scene) {
-    const EntryGrid grid =
-        buildEntryGrid({scene.view.nodes, scene.info.node_count}, scene.info.leaf_count, scene.info.max_depth);
-    scene.grid_bits = grid.bits;
+    EntryGrid grid = buildEntryGrid({scene.view.nodes, scene.info.node_count}, scene.info.leaf_count);
     scene.grid = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
+    grid.words.clear();
+    scene.grid_frame = std::move(grid);
 }
 
 } // namespace
@@ -93,8 +93,9 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
         throw;
     }
     if (verbose)
-        std::fprintf(stderr, "%s: %u splats, %s, entry grid of %u cells a side\n", path.c_str(), scene.info.splat_count,
-                     scene.splats.imported ? "mapped pages imported" : "sections uploaded", 1u << scene.grid_bits);
+        std::fprintf(stderr, "%s: %u splats, %s, entry grid of %u x %u x %u cells\n", path.c_str(),
+                     scene.info.splat_count, scene.splats.imported ? "mapped pages imported" : "sections uploaded",
+                     scene.grid_frame.size[0], scene.grid_frame.size[1], scene.grid_frame.size[2]);
     return scene;
 }
 

@@ -7,6 +7,7 @@
 
 #include "pointrt/pro.h"
 #include "runtime/device.h"
+#include "runtime/entry_grid.h"
 #include "runtime/program.h"
 #include "runtime/resources.h"
 
@@ -19,7 +20,7 @@ struct Scene {
     pro_info info{};
     pro_view view{};
     Buffer nodes, splats, materials, bricks, cells, lists, grid;
-    std::uint32_t grid_bits = 0; ///< the grid has 2^grid_bits cells a side
+    EntryGrid grid_frame; ///< where the grid lies; its words are on the device only
     std::uint64_t device_bytes = 0;
 };
 

@@ -4,12 +4,19 @@
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
-const int kFullDepth = int(PRO_POSITION_BITS);
-const int kLastCell = int(PRO_POSITION_MASK);
+int gridShift() { return int(params.grid.x); }
+
+// The grid's lowest position and the one behind its last.
+ivec3 gridBegin() { return ivec3(params.grid_origin.xyz) << gridShift(); }
+ivec3 gridEnd() { return ivec3(params.grid_origin.xyz + params.grid_size.xyz) << gridShift(); }
+
+bool inGrid(ivec3 position) {
+    return all(greaterThanEqual(position, gridBegin())) && all(lessThan(position, gridEnd()));
+}
 
 uint gridWord(ivec3 cell) {
-    int grid_bits = int(params.grid.x);
-    return loadGrid(((cell.z << grid_bits) | cell.y) << grid_bits | cell.x);
+    uvec3 at = uvec3(cell) - params.grid_origin.xyz;
+    return loadGrid((at.z * params.grid_size.y + at.y) * params.grid_size.x + at.x);
 }
 
 bool isFilled(uint grid_word) { return (grid_word & 15u) == 0u; }
@@ -46,8 +53,9 @@ uint listedCell(uvec4 brick, ivec3 cell) {
 
 // The listed cell that holds a point, NO_INDEX where there is none.
 uint cellAt(vec3 point) {
-    ivec3 position = clamp(ivec3(point * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
-    int shift = kFullDepth - int(params.grid.x);
+    ivec3 position = ivec3(floor(point * PRO_POSITION_STEPS));
+    if (!inGrid(position)) return NO_INDEX;
+    int shift = gridShift();
     uint word = gridWord(position >> shift);
     uint leaf = isFilled(word) ? findLeaf(word, position, shift) : NO_INDEX;
     if (leaf == NO_INDEX) return NO_INDEX;

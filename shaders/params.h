@@ -57,7 +57,9 @@ struct FrameParams {
     vec4 room_hi;
     vec4 sky_up;     // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 grid;      // x: grid bits, w: OPTION_* bits
+    uvec4 grid;      // x: log2 of the entry grid's cells in position steps, w: OPTION_* bits
+    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
+    uvec4 grid_size;   // xyz: cells
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, z: ROOM_*, w: seed
     vec4 light_position[MAX_LIGHTS]; // w unused
     vec4 light_power[MAX_LIGHTS];    // radiance a white matte surface facing the light shows, times distance squared

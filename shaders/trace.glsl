@@ -43,14 +43,14 @@ int skipCells(uint word, uint octant) { return int((word >> (4u * octant)) & 15u
 
 // Where a ray stands: in front of the leaf at position, or in a brick, and then position is behind that.
 struct Walk {
-    vec3 origin;    // on the cube's border or inside
+    vec3 origin;    // on the grid's border or inside
     vec3 direction; // no component is 0
     vec3 inverse;
     ivec3 forward;  // 1 where the direction rises, else 0
     uint octant;
     ivec3 position; // 21-bit cell
     float t;        // from origin to where the ray enters that cell, or the brick's cell
-    bool inside;    // position is in the cube
+    bool inside;    // position is in the grid
     bool in_brick;
     uvec4 brick;
     vec4 place;     // brickPlace
@@ -59,7 +59,7 @@ struct Walk {
     float t_leave;  // to where it leaves the brick
 };
 
-// Starts at the cube's border: from a distant eye t would leave too few bits for the splat test.
+// Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
 // t_start receives the distance from the ray's origin.
 Walk startWalk(TraceRay ray, out float t_start) {
     Walk walk;
@@ -68,12 +68,14 @@ Walk startWalk(TraceRay ray, out float t_start) {
     walk.inverse = 1.0 / walk.direction;
     walk.forward = ivec3(greaterThan(walk.direction, vec3(0.0)));
     walk.octant = uint(walk.forward.x | walk.forward.y << 1 | walk.forward.z << 2);
-    vec3 near = (vec3(1 - walk.forward) - ray.origin) * walk.inverse;
-    vec3 far = (vec3(walk.forward) - ray.origin) * walk.inverse;
+    vec3 lo = vec3(gridBegin()) * PRO_POSITION_STEP, hi = vec3(gridEnd()) * PRO_POSITION_STEP;
+    bvec3 rising = equal(walk.forward, ivec3(1));
+    vec3 near = (mix(hi, lo, rising) - ray.origin) * walk.inverse;
+    vec3 far = (mix(lo, hi, rising) - ray.origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, 0.0));
     walk.inside = t_start <= min(min(far.x, far.y), far.z);
     walk.origin = ray.origin + ray.direction * t_start;
-    walk.position = clamp(ivec3(walk.origin * PRO_POSITION_STEPS), ivec3(0), ivec3(kLastCell));
+    walk.position = clamp(ivec3(walk.origin * PRO_POSITION_STEPS), gridBegin(), gridEnd() - 1);
     walk.t = 0.0;
     walk.in_brick = false;
     return walk;
@@ -81,7 +83,7 @@ Walk startWalk(TraceRay ray, out float t_start) {
 
 // Enters the brick at the ray's position, or passes the empty cells there; position moves on behind it.
 void enterLeaf(inout Walk walk) {
-    int shift = kFullDepth - int(params.grid.x);
+    int shift = gridShift();
     ivec3 cell = walk.position >> shift;
     uint word = gridWord(cell);
     int skip = skipCells(word, walk.octant);
@@ -107,8 +109,7 @@ void enterLeaf(inout Walk walk) {
     ivec3 ahead = mix(max(exit_cell, walk.position), min(exit_cell, walk.position), falling);
     ahead = mix(min(ahead, limit), max(ahead, limit), falling);
     walk.position = mix(ahead, plane + walk.forward - 1, leaving);
-    walk.inside = any(leaving) && all(greaterThanEqual(walk.position, ivec3(0))) &&
-                  all(lessThanEqual(walk.position, ivec3(kLastCell)));
+    walk.inside = any(leaving) && inGrid(walk.position);
     walk.t_leave = t_exit;
     if (walk.in_brick) {
         walk.cell = brickCell(walk.place, walk.origin + walk.direction * walk.t);
