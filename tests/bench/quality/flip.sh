@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # How different pictures look to an eye: NVIDIA's FLIP of each TEST against REFERENCE, as a JSON array.
 #   tests/bench/quality/flip.sh REFERENCE.png TEST.png...
-# FLIP names flip-evaluator's command where it is installed; else it goes into a throw-away environment, from PyPI.
+# FLIP names flip-evaluator's command where it is installed; else it comes from PyPI, into the Python environment that
+# FLIP_ENVIRONMENT names (kept for the next call), or into a throw-away one.
 set -euo pipefail
 [ $# -ge 2 ] || {
-    sed -n '3,5s/^# //p' "$0" >&2
+    sed -n '3,6s/^# //p' "$0" >&2
     exit 2
 }
 reference=$1
@@ -15,9 +16,12 @@ trap 'rm -rf "$folder"' EXIT
 
 flip=${FLIP:-}
 if [ -z "$flip" ]; then
-    python3 -m venv "$folder/environment"
-    "$folder/environment/bin/pip" install -q --disable-pip-version-check flip-evaluator==1.7
-    flip=$folder/environment/bin/flip
+    environment=${FLIP_ENVIRONMENT:-$folder/environment}
+    flip=$environment/bin/flip
+    if [ ! -e "$flip" ]; then
+        python3 -m venv "$environment"
+        "$environment/bin/pip" install -q --disable-pip-version-check flip-evaluator==1.7
+    fi
 fi
 
 separator='['

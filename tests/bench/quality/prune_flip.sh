@@ -13,6 +13,7 @@ bin=$1 scan=$2 out=$3
 here=$(dirname "$0")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+export FLIP_ENVIRONMENT=${FLIP_ENVIRONMENT:-$folder/flip} # one for all pictures
 read -ra bake_options <<<"${BAKE_OPTIONS:-}"
 
 for prune in off on; do
@@ -21,7 +22,7 @@ done
 
 # A close-up: the camera stands half of the longest edge's half off the front, where the default view stands five times
 # as far, and looks down on it from the side.
-eval "$("$bin/pointrt-info" --json "$folder/off.pro" | python3 -c '
+read -r target eye < <("$bin/pointrt-info" --json "$folder/off.pro" | python3 -c '
 import json, sys
 info = json.load(sys.stdin)
 low, high = info["bounds_min"], info["bounds_max"]
@@ -29,7 +30,7 @@ middle = [(a + b) / 2 for a, b in zip(low, high)]
 half = max(b - a for a, b in zip(low, high)) / 2
 target = [middle[0], middle[1] + half / 4, high[2]]
 eye = [target[0] + half / 4, target[1] + half / 4, high[2] + half / 2]
-print("target=%s,%s,%s eye=%s,%s,%s" % (*target, *eye))')"
+print("%s,%s,%s %s,%s,%s" % (*target, *eye))')
 
 separator='['
 compare() {
