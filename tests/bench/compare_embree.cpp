@@ -48,7 +48,7 @@ Json toJson(const Comparison& comparison) {
             {"agree_share", check.agreement()},
             {"rim", check.count(Verdict::kRim)},
             {"tie", check.count(Verdict::kTie)},
-            {"near_parallel", check.count(Verdict::kNearParallel)},
+            {"rounding", check.count(Verdict::kRounding)},
             {"double_is_ours", check.double_is_ours},
             {"unexplained", check.unexplained.size()},
             {"unexplained_ours", check.count(Verdict::kWeMiss)},
@@ -57,10 +57,10 @@ Json toJson(const Comparison& comparison) {
 }
 
 void print(const char* kind, const FirstHitCheck& check) {
-    std::printf("%s: %zu rays, %zu hits, %.5f%% agree; differ at a rim %zu, in a tie %zu, near-parallel %zu "
+    std::printf("%s: %zu rays, %zu hits, %.5f%% agree; differ at a rim %zu, in a tie %zu, rounding %zu "
                 "(double is on our side in %zu), unexplained %zu (ours %zu, Embree's %zu)\n",
                 kind, check.rays, check.hits, 100 * check.agreement(), check.count(Verdict::kRim),
-                check.count(Verdict::kTie), check.count(Verdict::kNearParallel), check.double_is_ours,
+                check.count(Verdict::kTie), check.count(Verdict::kRounding), check.double_is_ours,
                 check.unexplained.size(), check.count(Verdict::kWeMiss), check.count(Verdict::kEmbreeMisses));
 }
 

@@ -17,7 +17,6 @@ struct Claim {
 
     /// How far rounding may move the hit, cube units.
     double error() const { return kFloatError / at.slope; }
-    bool nearParallel() const { return at.slope < kParallelSlope; }
 };
 
 Claim claimOf(std::span<const CubeSplat> splats, const Ray& ray, std::uint32_t splat, bool ours) {
@@ -29,15 +28,14 @@ Claim claimOf(std::span<const CubeSplat> splats, const Ray& ray, std::uint32_t s
 Verdict judgeOrder(const Claim& a, const Claim& b) {
     const double gap = std::abs(a.at.t - b.at.t), radius = std::min(a.splat->radius, b.splat->radius);
     if (gap <= kTieRadii * radius) return Verdict::kTie;
-    const bool parallel = a.nearParallel() || b.nearParallel();
-    return parallel && gap <= a.error() + b.error() ? Verdict::kNearParallel : Verdict::kAgree;
+    return gap <= a.error() + b.error() ? Verdict::kRounding : Verdict::kAgree;
 }
 
 /// Why one tracer has the nearer claim and the other has not.
 Verdict judgeNearer(const Claim& nearer) {
     const double off_rim = std::abs(nearer.at.share - 1);
     if (off_rim <= kRimShare) return Verdict::kRim;
-    if (nearer.nearParallel() && off_rim * nearer.splat->radius <= nearer.error()) return Verdict::kNearParallel;
+    if (off_rim * nearer.splat->radius <= nearer.error()) return Verdict::kRounding;
     const bool is_hit = nearer.at.share < 1 && nearer.at.t > 0;
     return is_hit == nearer.ours ? Verdict::kEmbreeMisses : Verdict::kWeMiss;
 }

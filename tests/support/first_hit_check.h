@@ -20,14 +20,12 @@ constexpr double kTieRadii = 1e-5;
 /// Where a ray meets a plane is off by up to this over the slope, in cube units: four roundings (difference, product,
 /// sum, quotient) by half a last place, 2^-24, of distances between 1 and 2.
 constexpr double kFloatError = 0x1p-22;
-/// Rays with a smaller |cosine| to the disc's normal are near-parallel to it: that of a 10 degree elevation.
-constexpr double kParallelSlope = 0.17364817766693036;
 
 enum class Verdict {
     kAgree,        ///< the same splat, the same distance, or no hit in both
     kRim,          ///< the disputed hit is at its disc's rim
     kTie,          ///< both hits are as near
-    kNearParallel, ///< the ray is so flat over the disc that rounding decides on the rim or the order
+    kRounding,     ///< the discs are so small or the ray is so flat over them that rounding decides on rim or order
     kWeMiss,       ///< unexplained: a clear hit that only Embree has, or one of ours that is none
     kEmbreeMisses, ///< unexplained: the other way round
 };

@@ -47,9 +47,9 @@ FirstHitCheck check(const SceneFile& scene, std::span<const CubeSplat> embree_sp
     const std::vector<CastHit> ours = RayCaster(scene.path).cast(rays);
     EXPECT_EQ(validationMessages(), messages);
     const FirstHitCheck result = checkFirstHits(scene.splats, rays, ours, EmbreeDiscs(embree_splats).cast(rays));
-    std::printf("%zu rays, %zu hits, %zu agree, rim %zu, tie %zu, near-parallel %zu, unexplained %zu\n", result.rays,
+    std::printf("%zu rays, %zu hits, %zu agree, rim %zu, tie %zu, rounding %zu, unexplained %zu\n", result.rays,
                 result.hits, result.count(Verdict::kAgree), result.count(Verdict::kRim), result.count(Verdict::kTie),
-                result.count(Verdict::kNearParallel), result.unexplained.size());
+                result.count(Verdict::kRounding), result.unexplained.size());
     return result;
 }
 
