@@ -12,7 +12,8 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kFilledMask = 15; // low nibble: 0 marks a filled cell
-constexpr std::uint32_t kNodeShift = 4;
+constexpr std::uint32_t kLeafBit = 16;
+constexpr std::uint32_t kIndexShift = 5;
 constexpr std::uint8_t kSkipMax = 15;
 
 /// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
@@ -23,13 +24,13 @@ constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid its
 
 using Corner = std::array<std::uint32_t, 3>;
 
-/// Calls visit(node index, corner in position steps, shift) for every node at depth or leaf above it that holds splats.
+/// Calls visit(node word, corner in position steps, shift) for every node at depth or leaf above it that holds splats.
 template <typename Visit>
 void forCells(std::span<const std::uint32_t> nodes, std::uint32_t depth, const Visit& visit, std::uint32_t index = 0,
               const Corner& corner = {}, std::uint32_t level = 0) {
     const std::uint32_t node = nodes[index], shift = PRO_POSITION_BITS - level;
     if (node == PRO_NODE_EMPTY) return;
-    if (level == depth || !(node & PRO_NODE_INNER)) return visit(index, corner, shift);
+    if (level == depth || !(node & PRO_NODE_INNER)) return visit(node, corner, shift);
     for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
         Corner child = corner;
         for (std::uint32_t axis = 0; axis < 3; ++axis) child[axis] += (slot >> axis & 1) << (shift - 1);
@@ -73,14 +74,16 @@ EntryGrid chooseGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_co
     return grid;
 }
 
-void paint(EntryGrid& grid, std::uint32_t index, const Corner& corner, std::uint32_t shift) {
+void paint(EntryGrid& grid, std::uint32_t node, const Corner& corner, std::uint32_t shift) {
     const std::uint32_t side = 1u << (shift - grid.shift);
+    const std::uint32_t word =
+        node & PRO_NODE_INNER ? (node & PRO_NODE_GROUP_MASK) << kIndexShift : (node - 1) << kIndexShift | kLeafBit;
     std::array<std::size_t, 3> from;
     for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = (corner[axis] >> grid.shift) - grid.origin[axis];
     for (std::size_t z = from[2]; z < from[2] + side; ++z)
         for (std::size_t y = from[1]; y < from[1] + side; ++y) {
             const std::size_t row = (z * grid.size[1] + y) * grid.size[0] + from[0];
-            std::fill_n(grid.words.begin() + static_cast<std::ptrdiff_t>(row), side, index << kNodeShift);
+            std::fill_n(grid.words.begin() + static_cast<std::ptrdiff_t>(row), side, word);
         }
 }
 
@@ -117,9 +120,8 @@ EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t lea
     constexpr std::uint32_t kUnset = kFilledMask; // no node word ends in it
     EntryGrid grid = chooseGrid(nodes, leaf_count);
     grid.words.assign(wordCount(grid), kUnset);
-    forCells(
-        nodes, PRO_POSITION_BITS - grid.shift,
-        [&](std::uint32_t index, const Corner& corner, std::uint32_t shift) { paint(grid, index, corner, shift); });
+    forCells(nodes, PRO_POSITION_BITS - grid.shift,
+             [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) { paint(grid, node, corner, shift); });
 
     std::vector<char> filled(grid.words.size());
     for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = grid.words[c] != kUnset;

@@ -10,7 +10,8 @@
 namespace pointrt {
 
 /// Covers the cells of one depth of the octree that hold leaves or parts of them; x runs fastest. A word whose low
-/// 4 bits are 0 is node index << 4, of the cell's node or of the leaf that encloses the cell. In an empty cell's word
+/// 4 bits are 0 is filled: with bit 4, bits 5 and up are the index of the leaf that the cell is or lies in, without it
+/// the number of the group of the cell's children. In an empty cell's word
 /// nibble k says how many cells (1 to 15) around and including it are empty towards octant k (bit 0 of k: x rising,
 /// bit 1: y, bit 2: z); what is outside the grid is empty.
 struct EntryGrid {
@@ -20,7 +21,7 @@ struct EntryGrid {
     std::vector<std::uint32_t> words;
 };
 
-/// nodes are a validated file's NODE words, fewer than 2^28, with a leaf.
+/// nodes are a validated file's NODE words, fewer than 2^27, with a leaf.
 EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count);
 
 } // namespace pointrt

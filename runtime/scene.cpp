@@ -11,8 +11,8 @@ namespace pointrt {
 
 namespace {
 
-/// Node indices share a word of the entry grid with 4 bits of marking.
-constexpr std::uint32_t kNodeCountMax = 1u << 28;
+/// Leaf indices share a word of the entry grid with 5 bits of marking, and there are fewer leaves than nodes.
+constexpr std::uint32_t kNodeCountMax = 1u << 27;
 
 ExitCode exitCodeFor(pro_result result) {
     return result == PRO_OUT_OF_MEMORY ? ExitCode::kCannotRun : ExitCode::kBadInput;
@@ -25,7 +25,7 @@ void mapFile(Scene& scene) {
     pro_get_info(scene.file, &scene.info);
     pro_get_view(scene.file, &scene.view);
     if (scene.info.node_count >= kNodeCountMax)
-        throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^28 nodes, too many for this viewer");
+        throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^27 nodes, too many for this viewer");
 }
 
 /// A section (never empty) as a texel buffer: the mapped pages themselves where device and host share memory, else a

@@ -4,6 +4,10 @@
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
+// Words of the entry grid (runtime/entry_grid.h).
+const uint GRID_LEAF = 16u;
+const uint GRID_INDEX_SHIFT = 5u;
+
 int gridShift() { return int(params.grid.x); }
 
 // The grid's lowest position and the one behind its last.
@@ -21,10 +25,11 @@ uint gridWord(ivec3 cell) {
 
 bool isFilled(uint grid_word) { return (grid_word & 15u) == 0u; }
 
-// From a filled grid cell down to the leaf that holds the position; shift receives the log2 of its edge.
-// Returns the leaf's index, NO_INDEX where it is empty.
+// From a filled grid cell down to the leaf that holds the position; shift receives the log2 of its edge, where that is
+// less than the grid's. Returns the leaf's index, NO_INDEX where it is empty.
 uint findLeaf(uint grid_word, ivec3 position, inout int shift) {
-    uint node = loadNode(grid_word >> 4);
+    if ((grid_word & GRID_LEAF) != 0u) return grid_word >> GRID_INDEX_SHIFT;
+    uint node = PRO_NODE_INNER | grid_word >> GRID_INDEX_SHIFT;
     while ((node & PRO_NODE_INNER) != 0u && shift > 0) {
         shift--;
         ivec3 bits = (position >> shift) & 1;

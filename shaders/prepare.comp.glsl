@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One lane between dispatches: turns queue lengths into the group counts of the next ones.
+// One lane between dispatches: turns queue lengths into the group counts of the next ones and
+// counts their rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bindings.glsl"
@@ -13,13 +14,14 @@ void main() {
         control.queued = uvec4(bandLanes(), 0u, 0u, 0u);
         control.ray_groups = groupsFor(bandLanes());
         control.lit_groups = groupsFor(0u);
-        control.traced = uvec4(0u);
+        control.traced = uvec4(params.image.x * params.image.w, 0u, 0u, 0u);
         return;
     }
     // the queue just shaded is empty again; the other holds the next rays
     bool second = hasStep(STEP_QUEUE_ONE);
     uint next = second ? control.queued.x : control.queued.y;
     uint lit = control.queued.z;
+    control.traced.z += next;
     control.queued = uvec4(second ? next : 0u, second ? 0u : next, 0u, lit);
     control.ray_groups = groupsFor(next);
     control.lit_groups = groupsFor(lit);
