@@ -3,9 +3,12 @@
 # Bakes each scan and times its rendering; the figures go to OUT.json as an array, one object a scan.
 #   tests/bench/run.sh BIN_DIR OUT.json SCAN...
 # VIEW_OPTIONS and BAKE_OPTIONS in the environment are handed to the tools.
+# With --json, speed/run.sh times our tracer against Embree's on standard scenes instead:
+#   tests/bench/run.sh --json OUT.json [--sizes "0.25 1 4 16"] [BIN_DIR [DATA_DIR]]
 set -euo pipefail
+[ "${1:-}" != --json ] || exec "$(dirname "$0")/speed/run.sh" "$@"
 [ $# -ge 3 ] || {
-    sed -n '3,5s/^# //p' "$0" >&2
+    sed -n '3,7s/^# //p' "$0" >&2
     exit 2
 }
 bin=$1 out=$2

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <string>
 
@@ -81,6 +82,7 @@ void forBlocks(std::size_t rays, Body&& body) {
 struct EmbreeDiscs::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    std::atomic<std::int64_t> bytes = 0;
     State() = default;
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -111,17 +113,27 @@ struct EmbreeDiscs::State {
     }
 };
 
-EmbreeDiscs::EmbreeDiscs(std::span<const CubeSplat> splats) : state_(new State) {
+EmbreeDiscs::EmbreeDiscs(std::span<const CubeSplat> splats, EmbreeFlag flag) : state_(new State) {
     state_->device = rtcNewDevice(nullptr);
     state_->requireNoError();
+    rtcSetDeviceMemoryMonitorFunction(
+        state_->device,
+        [](void* state, ssize_t change, bool) {
+            static_cast<State*>(state)->bytes += change;
+            return true;
+        },
+        state_.get());
     state_->scene = rtcNewScene(state_->device);
-    rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(state_->scene, flag == EmbreeFlag::kRobust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
     state_->addDiscs(splats);
     rtcCommitScene(state_->scene);
     state_->requireNoError();
 }
 
 EmbreeDiscs::~EmbreeDiscs() = default;
+
+RTCSceneTy* EmbreeDiscs::scene() const { return state_->scene; }
+std::int64_t EmbreeDiscs::bytes() const { return state_->bytes; }
 
 std::vector<EmbreeHit> EmbreeDiscs::cast(std::span<const Ray> rays) const {
     std::vector<EmbreeHit> hits(rays.size());

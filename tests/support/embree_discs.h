@@ -9,6 +9,8 @@
 
 #include "tests/support/rays.h"
 
+struct RTCSceneTy; // embree3/rtcore_scene.h
+
 namespace pointrt::test {
 
 struct EmbreeHit {
@@ -16,11 +18,14 @@ struct EmbreeHit {
     std::uint32_t splat = 0xFFFFFFFFu; ///< kNoSplat (ray_caster.h) where nothing is hit; t is 0 then
 };
 
+/// Embree's scene flag: kRobust never loses a hit to rounding in the hierarchy, kFast is what it does by default.
+enum class EmbreeFlag { kRobust, kFast };
+
 /// A built scene. Embree computes in float, on the same ray floats as the shaders.
 class EmbreeDiscs {
 public:
-    /// Builds with the robust flag. splats must not be empty. Throws Error kCannotRun where Embree refuses.
-    explicit EmbreeDiscs(std::span<const CubeSplat> splats);
+    /// splats must not be empty. Throws Error kCannotRun where Embree refuses.
+    explicit EmbreeDiscs(std::span<const CubeSplat> splats, EmbreeFlag flag = EmbreeFlag::kRobust);
     ~EmbreeDiscs();
     EmbreeDiscs(const EmbreeDiscs&) = delete;
     EmbreeDiscs& operator=(const EmbreeDiscs&) = delete;
@@ -29,6 +34,11 @@ public:
     std::vector<EmbreeHit> cast(std::span<const Ray> rays) const;
     /// The same, 8 rays at a time by rtcIntersect8: neighbours in rays share a packet.
     std::vector<EmbreeHit> castPackets(std::span<const Ray> rays) const;
+
+    /// The RTCScene, which lives as long as this does.
+    RTCSceneTy* scene() const;
+    /// What Embree holds for the built scene, discs and hierarchy, by its memory monitor.
+    std::int64_t bytes() const;
 
 private:
     struct State;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/device.h"
+#include "runtime/render.h"
 #include "tests/support/rays.h"
 
 namespace pointrt::test {
@@ -28,8 +29,13 @@ struct CastHit {
 /// A scene on a device, ready for rays.
 class RayCaster {
 public:
-    /// Opens the .pro at path on the device that request selects. Throws Error kBadInput or kCannotRun.
-    explicit RayCaster(const std::string& path, const DeviceRequest& request = {});
+    /// Rays in flight. Their 132 bytes each stay well below the 128 MiB that some drivers allow in a storage binding.
+    static constexpr std::uint32_t kBatchRays = 1u << 18;
+
+    /// Opens the .pro at path on the device that request selects; up to batch_rays go to the device at once.
+    /// Throws Error kBadInput or kCannotRun.
+    explicit RayCaster(const std::string& path, const DeviceRequest& request = {},
+                       std::uint32_t batch_rays = kBatchRays);
     ~RayCaster();
     RayCaster(const RayCaster&) = delete;
     RayCaster& operator=(const RayCaster&) = delete;
@@ -37,9 +43,26 @@ public:
     /// A hit for each ray, in their order. Any number of rays: they go to the device in chunks.
     std::vector<CastHit> cast(std::span<const Ray> rays);
 
+    /// The product's camera rays for the default view of size x size pixels, through their centres, in the order in
+    /// which its lanes take them (shaders/raygen.comp.glsl). size is a multiple of 16, size * size at most batch_rays.
+    /// fov_deg at its default frames the scene, as pointrt-view does; a smaller one stays where it is and zooms in.
+    std::vector<Ray> cameraRays(std::uint32_t size, double fov_deg = CameraRequest{}.fov_deg);
+    /// Where the product puts the only light of that view; outside the sphere around all splats.
+    Vec3 lightPosition() const;
+
+    /// Puts rays, at most batch_rays, on the device, in place of those before.
+    void load(std::span<const Ray> rays);
+    /// Traces the loaded rays: first hits by the product's trace.comp.glsl, or any hits. Seconds from submission to
+    /// the end.
+    double traceLoaded(bool any_hit = false);
+    /// The last trace's hits of the loaded rays, flat: t_flat and splat only.
+    std::vector<CastHit> loadedHits();
+
     /// Seconds that the trace dispatches alone have taken so far, submission and waiting included.
     double traceSeconds() const;
     const std::string& deviceName() const;
+    /// Of the scene, without rays.
+    std::uint64_t sceneDeviceBytes() const;
 
 private:
     struct State;

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays in Embree's own arrays, so that the call alone is timed.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tests/support/embree_discs.h"
+
+namespace pointrt::test {
+
+enum class EmbreeMode { kSingle, kPackets }; ///< rtcIntersect1 and rtcOccluded1, or those of 8
+
+struct EmbreeRun {
+    double seconds = 0;          ///< of tracing, on all cores, the arrays filled before
+    std::vector<EmbreeHit> hits; ///< in the rays' order; any hit has splat 0 and t 0
+};
+
+/// Traces rays once. any_hit asks by rtcOccluded whether there is a hit at all. coherent is Embree's hint for packets.
+EmbreeRun runEmbree(const EmbreeDiscs& discs, std::span<const Ray> rays, EmbreeMode mode, bool any_hit, bool coherent);
+
+} // namespace pointrt::test

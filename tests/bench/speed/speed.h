@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Our tracer against Embree's oriented discs: the same rays, in turn.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tests/bench/speed/embree_batch.h"
+#include "tests/bench/speed/ray_kinds.h"
+
+namespace pointrt::test {
+
+/// One kind of ray. Rates are medians over the runs, in million rays a second; ratio is ours over Embree's of a run.
+struct Speed {
+    RayKind kind = RayKind::kPrimary;
+    std::size_t rays = 0;
+    double hit_share = 0; ///< of our rays
+    double ours = 0, embree = 0;
+    double ratio = 0, ratio_min = 0, ratio_max = 0; ///< median, least and largest over the runs
+    double agreement = 0;                           ///< share of rays with the same result, as sameResult says
+    EmbreeMode embree_mode = EmbreeMode::kSingle;   ///< that won most of the runs
+};
+
+/// Whether two first hits are the same: no hit in both, the same splat, or within kSameHitRadii of our hit's disc.
+bool sameFirstHit(std::span<const CubeSplat> splats, const CastHit& ours, const EmbreeHit& embrees);
+
+/// Times rays (not empty, at most the caster's batch): a first turn that is not counted, then runs turns of ours,
+/// Embree's single rays, Embree's packets of 8. Embree's time in a turn is its better one.
+Speed measureSpeed(RayCaster& caster, const EmbreeDiscs& discs, std::span<const CubeSplat> splats,
+                   std::span<const Ray> rays, RayKind kind, int runs);
+
+} // namespace pointrt::test
