@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blended surface against a gather over all splats, where rays leave the cell of their first hit on the way to it.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include "pointrt/pro.hpp"
+#include "tests/support/ray_caster.h"
+#include "tests/support/rays.h"
+#include "tests/support/splat_scenes.h"
+#include "tests/trace/reference.h"
+
+namespace pointrt::test {
+
+namespace {
+
+/// A sphere whose splats stand up to a fifth of a radius in and out, so that first hits lie off the blended surface.
+Splats roughSphere() {
+    Splats splats = sphereSplats(3000, Vec3f(0, 0, 0), 1.0f, 1.6f);
+    unsigned state = 7;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        state = state * 1664525u + 1013904223u;
+        splats.positions[i] *= 1.0f + 0.2f * splats.radii[i] * (static_cast<float>(state >> 8) / 0x1p23f - 1.0f);
+    }
+    return splats;
+}
+
+pro_info infoOf(const std::string& path) {
+    const ProFile file(path);
+    return file.info();
+}
+
+TEST(Field, IsThatOfTheCellWhereItIsAskedFor) {
+    const std::string path = temporaryPath("rough.pro");
+    writeScene(path, roughSphere(), {});
+    const std::vector<CubeSplat> splats = loadCubeSplats(path);
+    constexpr std::size_t kRays = 3000;
+    const std::vector<Ray> rays = grazingRays(splats, kRays, 3);
+    const std::vector<CastHit> hits = RayCaster(path).cast(rays);
+    const Reference reference = loadReference(path);
+    const pro_info info = infoOf(path);
+    std::remove(path.c_str());
+
+    const Vec3 corner{info.origin[0], info.origin[1], info.origin[2]};
+    std::size_t compared = 0, off = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto expected = firstSurface(reference, corner + info.scale * rays[i].origin, rays[i].direction);
+        if (!expected || !hits[i].hit() || splats.size() <= hits[i].splat || expected->splat != hits[i].splat) continue;
+        ++compared;
+        const double radius = splats[hits[i].splat].radius;
+        off += std::abs(hits[i].t_blended - expected->t / info.scale) > 0.01 * radius;
+    }
+    EXPECT_GT(compared, kRays * 9 / 10);
+    EXPECT_LE(off, kRays / 1000); // where the field is nearly parallel to the ray, rounding decides
+}
+
+} // namespace
+
+} // namespace pointrt::test
