@@ -2,6 +2,7 @@
 #include "preprocess/surface/check.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <tbb/blocked_range.h>
@@ -39,22 +40,52 @@ bool allOnLine(const std::vector<Vec3f>& positions, const Vec3d& base, const Vec
     return true;
 }
 
-} // namespace
-
-void requireSurface(const std::vector<Vec3f>& positions) {
-    const std::string count = std::to_string(positions.size());
-    if (positions.size() < 3) fail(count + " point(s): a surface needs at least 3");
-
-    const Bounds bounds = boundsOf(positions);
-    const double extent = bounds.longestEdge();
-    if (extent == 0) fail("all " + count + " points are equal");
-
+/// Whether all lie on a line to within a millionth of their extent and the rounding of float.
+bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
     // The end of the cloud farthest from any point and the point farthest from that end span the line, if any.
     const Vec3d base = farthestFrom(positions, positions.front().cast<double>());
     const Vec3d direction = (farthestFrom(positions, base) - base).normalized();
     // Rounding moves a coordinate by 2^-24 of itself at most; four such errors meet in the distance.
     const double rounding = std::ldexp(bounds.low.cwiseAbs().cwiseMax(bounds.high.cwiseAbs()).maxCoeff(), -22);
-    if (allOnLine(positions, base, direction, 1e-6 * extent + rounding))
+    return allOnLine(positions, base, direction, 1e-6 * bounds.longestEdge() + rounding);
+}
+
+template <typename T>
+T quantile(std::vector<T> values, double share) {
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// The points less than 100 times as far from the median of all as 99 in 100 are: seen from a stray beyond that the
+/// others are a dot, and with it they are on a line. All of fewer than 100 points.
+std::vector<Vec3f> withoutFarOnes(const std::vector<Vec3f>& positions) {
+    constexpr double kShare = 0.99, kFar = 100;
+    Vec3d middle;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<float> values;
+        for (const Vec3f& position : positions) values.push_back(position[axis]);
+        middle[axis] = double(quantile(std::move(values), 0.5));
+    }
+    std::vector<double> distances;
+    for (const Vec3f& position : positions) distances.push_back((position.cast<double>() - middle).norm());
+    const double limit = kFar * quantile(distances, kShare);
+    std::vector<Vec3f> near;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (distances[i] <= limit) near.push_back(positions[i]);
+    return near;
+}
+
+} // namespace
+
+void requireSurface(const std::vector<Vec3f>& positions) {
+    const std::string count = std::to_string(positions.size());
+    if (positions.size() < 3) fail(count + " point(s): a surface needs at least 3");
+    const Bounds bounds = boundsOf(positions);
+    if (bounds.longestEdge() == 0) fail("all " + count + " points are equal");
+    if (!onLine(positions, bounds)) return;
+    const std::vector<Vec3f> near = withoutFarOnes(positions);
+    if (near.size() == positions.size() || onLine(near, boundsOf(near)))
         fail("all " + count + " points lie on one line");
 }
 

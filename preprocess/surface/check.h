@@ -9,7 +9,8 @@
 namespace pointrt::surface {
 
 /// Throws Error (kBadInput) when there are fewer than 3 positions, or all are equal or lie on one line to within
-/// a millionth of their extent (and the rounding of float). The message is the reason without a file's name.
+/// a millionth of their extent (and the rounding of float). A hundredth of the points may be strays too far away to
+/// matter for that. The message is the reason without a file's name.
 void requireSurface(const std::vector<Vec3f>& positions);
 
 } // namespace pointrt::surface

@@ -21,13 +21,6 @@ namespace pointrt {
 namespace surface {
 namespace {
 
-/// Disc radius over closing radius. The viewer blends discs with the weight (1 - d^2 / r^2)^2, whose sum must stay well
-/// above zero everywhere. It is lowest at the corners of the cells, where three discs or more meet at d = r / kOverlap:
-/// 3 (1 - 1 / 1.4^2)^2 = 0.72. Measured over square, hexagonal, jittered, Poisson-disc and random points in a plane the
-/// lowest sum is 0.63 to 0.96, the median 0.76 to 1.9; at 1.3 the lowest is 0.43, at 1.5 there are a seventh more
-/// discs.
-constexpr double kOverlap = 1.4;
-
 constexpr const char* kNeighborStage = "neighbors";
 
 /// Drops strays from the points and all that was made from them.
@@ -36,8 +29,13 @@ void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestS
     report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (report.outliers_removed == 0) return;
     keepPoints(points, keep);
+    const bool renumbered = refit(points);
+    const StageProgress silent;
     search.emplace(points.positions);
-    keepNeighbors(lists, keep, points, *search);
+    if (renumbered)
+        lists = findNeighbors(points, *search, lists.k, {silent, kNeighborStage});
+    else
+        keepNeighbors(lists, keep, points, *search);
 }
 
 /// Finds the neighbours of all points but strays.
@@ -77,7 +75,7 @@ Splats toSplats(Points&& points, std::vector<float>&& radii, double radius_scale
     const double unit = std::ldexp(1.0, points.scale_exponent);
     for (Vec3f& position : splats.positions) position = (position.cast<double>() * unit).cast<float>();
     for (float& radius : splats.radii) {
-        const double wide = double(radius) * kOverlap * radius_scale * unit;
+        const double wide = double(radius) * radius_scale * unit;
         radius = float(std::clamp<double>(wide, std::numeric_limits<float>::min(), std::numeric_limits<float>::max()));
     }
     return splats;
@@ -110,7 +108,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     std::vector<float> radii;
     {
         const Stopwatch watch(report.seconds_radii);
-        radii = closingRadii(points, lists, *search, oriented, {progress, "radii"});
+        radii = discRadii(points, lists, *search, oriented, {progress, "radii"});
         limitRadii(radii);
     }
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);

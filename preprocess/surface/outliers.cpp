@@ -2,7 +2,10 @@
 #include "preprocess/surface/outliers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tbb/parallel_for.h>
+
+#include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {
@@ -16,11 +19,33 @@ constexpr float kStrayReach = 4;
 /// clumps of strays there are 45 times their size away from the rest.
 constexpr float kClumpDistance = 20;
 
+/// Floaters reach kStrayReach times as far as this share of all points, which strays are too few to change.
+constexpr double kCommonShare = 0.95;
+
+/// And they lie in no plane: a neighbourhood's smallest eigenvalue is above this share of the middle one. Of floaters
+/// spread evenly round a sphere 9 in 10 go by this and the other rules. A round surface stays below however sparse it
+/// is: a cap of half a radian has 0.03.
+constexpr float kNoPlane = 0.15f;
+
 struct StrayJob {
     const Points& points;
     const NeighborLists& lists;
     std::vector<float> reaches; ///< [points], to the k-th neighbour
+    float floater_reach = 0;
 };
+
+float quantile(std::vector<float> values, double share) {
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Whether the point is one of many that float in space, far apart: each other's neighbours, so that none stands out.
+bool isFloater(const StrayJob& job, std::size_t point) {
+    if (job.reaches[point] <= job.floater_reach) return false;
+    const float misfit = fitPlane(momentsOf(job.points, job.lists.of(point), point)).misfit;
+    return misfit > kNoPlane && std::isfinite(misfit); // infinite: a line, as sparse scan lines are
+}
 
 /// Whether a distance is kStrayReach times the one within which three of four neighbours reach their k-th. Not the
 /// median: where density jumps, most neighbours of a point on the sparse side may be on the dense one.
@@ -40,6 +65,7 @@ bool isClump(const StrayJob& job, std::size_t point, std::size_t others) {
 
 bool isStray(const StrayJob& job, std::size_t point) {
     if (isFar(job, job.reaches[point], job.lists.of(point))) return true;
+    if (isFloater(job, point)) return true;
     for (std::size_t others = 1; others < job.lists.k; ++others)
         if (isClump(job, point, others)) return true;
     return false;
@@ -52,6 +78,7 @@ std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& li
     if (points.size() < kFewPoints) return keep;
     StrayJob job{points, lists, std::vector<float>(points.size())};
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { job.reaches[i] = lists.reach(points, i); });
+    job.floater_reach = kStrayReach * quantile(job.reaches, kCommonShare);
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isStray(job, i); });
     // A cloud of nothing but strays is no cloud with strays in it.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2) keep.assign(points.size(), 1);

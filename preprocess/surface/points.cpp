@@ -94,6 +94,16 @@ void keepFlagged(std::vector<T>& values, const std::vector<std::uint8_t>& keep) 
     values.resize(kept);
 }
 
+/// Scales positions and sensors, so far of this extent, by a power of two: no bit is lost.
+void toUnitSize(Points& points, double extent) {
+    int exponent;
+    std::frexp(extent, &exponent);
+    const double factor = std::ldexp(1.0, -exponent);
+    forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
+    for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
+    points.scale_exponent += exponent;
+}
+
 } // namespace
 
 const Vec3f* Points::sensorOf(std::size_t point) const {
@@ -105,17 +115,13 @@ Points takePoints(Cloud&& cloud) {
     std::vector<std::array<std::uint32_t, 3>>().swap(cloud.triangles);
     const Bounds bounds = boundsOf(cloud.positions);
     Points points;
-    std::frexp(bounds.longestEdge(), &points.scale_exponent);
-    const double factor = std::ldexp(1.0, -points.scale_exponent);
-
     points.input_index = distinctIndices(cloud.positions, bounds);
     points.positions = gatherAndFree(cloud.positions, points.input_index);
     points.normals = gatherAndFree(cloud.normals, points.input_index);
     points.colors = gatherAndFree(cloud.colors, points.input_index);
     points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
     points.sensors = std::move(cloud.sensors);
-    forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
-    for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
+    toUnitSize(points, bounds.longestEdge());
     forAll(points.normals, [](Vec3f& normal) { normal = unitOrZero(normal); });
     return points;
 }
@@ -126,6 +132,22 @@ void keepPoints(Points& points, const std::vector<std::uint8_t>& keep) {
     keepFlagged(points.colors, keep);
     keepFlagged(points.sensor_of_point, keep);
     keepFlagged(points.input_index, keep);
+}
+
+bool refit(Points& points) {
+    // Down to there 15 of the 21 bits an axis of the curve's code still tell points apart.
+    constexpr double kSmall = 1.0 / 64;
+    const Bounds bounds = boundsOf(points.positions);
+    const double extent = bounds.longestEdge();
+    if (extent >= kSmall || extent == 0) return false;
+    const std::vector<std::uint32_t> order = distinctIndices(points.positions, bounds);
+    points.positions = gatherAndFree(points.positions, order);
+    points.normals = gatherAndFree(points.normals, order);
+    points.colors = gatherAndFree(points.colors, order);
+    points.sensor_of_point = gatherAndFree(points.sensor_of_point, order);
+    points.input_index = gatherAndFree(points.input_index, order);
+    toUnitSize(points, extent);
+    return true;
 }
 
 } // namespace pointrt::surface

@@ -33,4 +33,8 @@ Points takePoints(Cloud&& cloud);
 /// Keeps the points whose flag is set, in order.
 void keepPoints(Points& points, const std::vector<std::uint8_t>& keep);
 
+/// Where the points fill less than 1/64 of the unit, because strays far away are gone: gives them the size and the
+/// order that takePoints would have. Returns whether it did; points are numbered anew then.
+bool refit(Points& points);
+
 } // namespace pointrt::surface

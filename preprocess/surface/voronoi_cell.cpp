@@ -67,4 +67,8 @@ float VoronoiCell::closedReach(float limit) const {
     return farthest;
 }
 
+bool VoronoiCell::isOpen() const {
+    return std::any_of(corners_.begin(), corners_.end(), [](const CellCorner& corner) { return corner.border_edge; });
+}
+
 } // namespace pointrt::surface

@@ -33,6 +33,8 @@ public:
     float reach() const { return reach_; }
     /// Distance to the farthest corner, of those within limit, where two bisectors meet; 0 when there is none.
     float closedReach(float limit) const;
+    /// Whether a part of the square's outline is left: no neighbour bounds the cell there.
+    bool isOpen() const;
 
 private:
     /// Replaces the corners beyond a bisector, at least one, by where the cell's edges cross it.

@@ -68,6 +68,29 @@ TEST(Outliers, StraysGoAndTheSurfaceStays) {
     EXPECT_LT(normalErrors(splats, sphere.shape).back(), 5) << "lists of neighbours are found anew";
 }
 
+/// A sphere of 100,000 points in a cloud of floaters: one point in a hundred, anywhere in its bounding box.
+TEST(Outliers, FloatersGoAndTheSurfaceStays) {
+    constexpr std::size_t kSurface = 100'000, kFloaters = 1000;
+    Shape shape = randomSphere(kSurface);
+    Random random(21);
+    std::size_t isolated = 0;
+    const auto isIsolated = [](const Vec3f& p) { return std::abs(p.norm() - 1) > 0.1; }; // nine spacings of the surface
+    for (std::size_t i = 0; i < kFloaters; ++i) {
+        const double x = uniform(random), y = uniform(random), z = uniform(random);
+        shape.add(2 * Vec3d(x, y, z) - Vec3d::Ones(), Vec3d::UnitZ());
+        isolated += isIsolated(shape.positions.back());
+    }
+    SurfaceReport report;
+    const Splats splats = estimateSplats(shape.cloud(), {}, report);
+    std::size_t surface_left = 0, isolated_left = 0;
+    for (const std::uint32_t index : splats.input_index) {
+        surface_left += index < kSurface;
+        isolated_left += index >= kSurface && isIsolated(shape.positions[index]);
+    }
+    EXPECT_GE(surface_left, kSurface - kSurface / 10'000); // measured: all
+    EXPECT_LT(isolated_left, isolated / 10);               // measured: 54 of 713
+}
+
 TEST(Outliers, StayWhenAskedTo) {
     StrewnSphere sphere;
     SurfaceOptions options;
@@ -88,6 +111,35 @@ TEST(Outliers, SparseSurfaceBesideDenseOneStays) {
     SurfaceReport report;
     estimateSplats(shape.cloud(), {}, report);
     EXPECT_EQ(report.outliers_removed, 0u);
+}
+
+TEST(Outliers, SparseRoundSurfaceBesideDenseOneStays) {
+    Shape shape = gridPlane(100);
+    shape.append(randomSphere(400, Vec3d(0.5, 0.5, 3)));
+    SurfaceReport report;
+    estimateSplats(shape.cloud(), {}, report);
+    EXPECT_EQ(report.outliers_removed, 0u);
+}
+
+TEST(Outliers, SparseLineBesideDenseSurfaceStays) {
+    Shape shape = gridPlane(100);
+    for (int i = 0; i < 200; ++i) shape.add(Vec3d(0.1 * i, 0.5, 5), Vec3d::UnitZ());
+    SurfaceReport report;
+    estimateSplats(shape.cloud(), {}, report);
+    EXPECT_EQ(report.outliers_removed, 0u);
+}
+
+TEST(Outliers, StrayFarAwayChangesNothing) {
+    Shape shape = randomSphere(20'000);
+    Cloud cloud = shape.cloud();
+    const Splats alone = estimate(Cloud(cloud));
+    cloud.positions.push_back(Vec3f(1e6f, 3e5f, 2e5f));
+    SurfaceReport report;
+    const Splats splats = estimateSplats(std::move(cloud), {}, report);
+    EXPECT_EQ(report.outliers_removed, 1u);
+    EXPECT_EQ(splats.positions, alone.positions);
+    EXPECT_EQ(splats.normals, alone.normals);
+    EXPECT_EQ(splats.radii, alone.radii);
 }
 
 TEST(Outliers, NearlyCoincidentPairsStay) {

@@ -38,8 +38,20 @@ TEST(Degenerate, AllOnLine) {
     for (int i = 0; i < 1000; ++i) line.push_back(Vec3f(1, 2, 3) + 0.1f * float(i) * Vec3f(0.3f, -0.7f, 0.2f));
     EXPECT_EQ(reasonFor(cloudOf(line)), "all 1000 points lie on one line");
     EXPECT_EQ(reasonFor(cloudOf({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}})), "all 3 points lie on one line");
-    line.push_back(Vec3f(0, 0, 0));
-    EXPECT_EQ(reasonFor(cloudOf(line)), "no error");
+    std::vector<Vec3f> bent = line;
+    bent.push_back(Vec3f(0, 0, 0));
+    EXPECT_EQ(reasonFor(cloudOf(bent)), "no error");
+    line.push_back(Vec3f(1e9f, 1e9f, 0));
+    EXPECT_EQ(reasonFor(cloudOf(line)), "all 1001 points lie on one line") << "and a stray far away";
+}
+
+TEST(Degenerate, StraysFarAwayMakeNoLine) {
+    const std::vector<Vec3f> sphere = randomSphere(1000).positions;
+    for (const float distance : {1e4f, 1e6f, 1e9f, 1e20f}) {
+        std::vector<Vec3f> strewn = sphere;
+        strewn.insert(strewn.begin(), Vec3f(distance, 0, 0));
+        EXPECT_EQ(reasonFor(cloudOf(strewn)), "no error") << distance;
+    }
 }
 
 TEST(Degenerate, MissingNormalsAndSensors) {

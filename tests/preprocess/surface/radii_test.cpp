@@ -33,12 +33,23 @@ float medianRadius(Splats splats) {
     return *middle;
 }
 
+/// Whether a point of a steps x steps grid on [0, 1]^2, moved by less than half a step, is in the outermost row.
+bool onRim(const Vec3f& p, int steps) { return std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()}) < 0.75f / float(steps); }
+
+/// Discs overlap by 1.4, along the rim by 1.2.
+void expectSquareCells(const Splats& splats, int steps) {
+    const double closing = std::numbers::sqrt2 / 2 / steps;
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        const Vec3f& p = splats.positions[i];
+        EXPECT_NEAR(splats.radii[i], (onRim(p, steps) ? 1.2 : 1.4) * closing, 1e-2 * closing) << p.transpose();
+    }
+}
+
 TEST(Radii, GridIsClosedByTheSmallestDiscs) {
     const Splats splats = estimate(gridPlane(50).cloud());
     EXPECT_GT(leastWeight(splats, 0), 0.1) << "to the very rim, half a spacing outside the last points";
     EXPECT_GT(leastWeight(splats, 0.03), 0.9);
-    // The corners of a square cell of edge 1/50 are 0.0141 away; discs overlap by 1.4.
-    for (const float radius : splats.radii) EXPECT_NEAR(radius, 1.4 * 0.02 * std::numbers::sqrt2 / 2, 1e-4);
+    expectSquareCells(splats, 50);
 }
 
 TEST(Radii, HexagonsPoissonAndRandomPlanesAreClosed) {
@@ -106,8 +117,10 @@ TEST(Radii, SheetsOfThinPlateDoNotShrinkEachOther) {
         shape.add(p.cast<double>() + Vec3d(0.01, 0.01, 0.005), Vec3d::UnitZ());
     Cloud cloud = shape.cloud();
     cloud.normals = shape.normals;
-    const Splats splats = estimate(std::move(cloud));
-    for (const float radius : splats.radii) EXPECT_NEAR(radius, 1.4 * 0.02 * std::numbers::sqrt2 / 2, 1e-4);
+    Splats splats = estimate(std::move(cloud));
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        if (splats.normals[i].z() > 0) splats.positions[i] -= Vec3f(0.01f, 0.01f, 0.005f);
+    expectSquareCells(splats, 50);
 }
 
 TEST(Radii, DiscsReachTheEdgesOfACube) {
@@ -116,6 +129,39 @@ TEST(Radii, DiscsReachTheEdgesOfACube) {
     cloud.normals = shape.normals;
     const Splats splats = estimate(std::move(cloud));
     for (int i = 0; i < 500; ++i) EXPECT_GT(weightAt(splats, Vec3f(float(i) / 500, 0, 0)), 0.1);
+}
+
+/// Radii of a cube's splats in units of what closes its square cells, the row along the edges and all others apart.
+void expectOverlaps(const Cloud& cloud, double rim, double elsewhere) {
+    constexpr int kSteps = 30;
+    const Splats splats = estimate(cloud);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        const Vec3f p = splats.positions[i], inwards = p.cwiseMin(Vec3f::Ones() - p);
+        const auto near_edge = (inwards.array() < 0.75f / kSteps).count(); // 1: on a face, half a step from no edge
+        const double overlap = double(splats.radii[i]) * kSteps * std::numbers::sqrt2;
+        EXPECT_NEAR(overlap, near_edge > 1 ? rim : elsewhere, 1e-3) << p.transpose();
+    }
+}
+
+TEST(Radii, DiscsHangLessOverRidgesThanIntoValleys) {
+    const Shape shape = gridCube(30);
+    Cloud cloud = shape.cloud();
+    cloud.normals = shape.normals;
+    expectOverlaps(cloud, 1.2, 1.4);
+    for (Vec3f& normal : cloud.normals) normal = -normal; // a room: its edges are valleys
+    expectOverlaps(cloud, 1.4, 1.4);
+}
+
+TEST(Radii, NoiseIsNoRidge) {
+    Shape shape = gridPlane(100);
+    Random random(5);
+    for (Vec3f& p : shape.positions) p.z() = float(0.5 / 100 * (2 * uniform(random) - 1)); // half a spacing each way
+    const Splats splats = estimate(shape.cloud());
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        const Vec3f& p = splats.positions[i];
+        if (onRim(p, 100)) continue;
+        EXPECT_GT(splats.radii[i], 1.35 / 100 * std::numbers::sqrt2 / 2) << p.transpose();
+    }
 }
 
 TEST(Radii, ScanLinesAreClosed) {

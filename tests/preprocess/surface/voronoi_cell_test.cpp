@@ -33,6 +33,9 @@ TEST(VoronoiCell, OpenSidesDoNotCount) {
     cell.clip(Vector2f(0, 1), 0);
     EXPECT_NEAR(cell.closedReach(10), std::numbers::sqrt2 / 2, 1e-6);
     EXPECT_GT(cell.reach(), 10);
+    EXPECT_TRUE(cell.isOpen());
+    cell.clip(Vector2f(0, -1), 0);
+    EXPECT_FALSE(cell.isOpen());
 }
 
 TEST(VoronoiCell, SameCutTwiceLeavesNoSliver) {
