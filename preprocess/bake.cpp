@@ -125,6 +125,7 @@ BakeReport bake(const BakeOptions& options) {
     report.references_unpruned = report.splats + octree.refs.size();
     if (options.prune) {
         progress.begin("prune", report.splats);
+        report.harm_allowed = options.probes.harm;
         report.pruning = pruneOctree(packed, options.probes, octree, show);
     }
     progress.begin("write", report.splats);

@@ -64,6 +64,14 @@ std::string leftOut(const BakeReport& report) {
     return text.empty() ? text : " (left out: " + text + ")";
 }
 
+/// What to say where pruning harms more than it was allowed to; nothing otherwise.
+std::string missedBound(const BakeReport& report) {
+    const PruneReport& pruning = report.pruning;
+    if (pruning.harm_bound <= report.harm_allowed) return {};
+    return fmt::format(" (pruning may change {:.2g} of the hits, more than the {:.2g} allowed: --prune off keeps all)",
+                       pruning.harm_bound, report.harm_allowed);
+}
+
 } // namespace
 
 void writeStats(const BakeReport& report, const std::string& path) {
@@ -81,7 +89,8 @@ std::string summaryLine(const BakeReport& report) {
                        "{} bytes ({:.1f} per splat), {:.2f} s",
                        report.input_points, leftOut(report), report.splats, report.octree.filled_leaves,
                        per_splat(report.references_unpruned), per_splat(report.octree.references),
-                       report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total);
+                       report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total) +
+           missedBound(report);
 }
 
 std::string metadataJson(const BakeOptions& options) {

@@ -18,6 +18,7 @@ struct BakeReport {
     std::uint64_t splats = 0;
     std::uint64_t references_unpruned = 0; ///< members included
     PruneReport pruning;                   ///< zeros without pruning
+    double harm_allowed = 0;               ///< --prune-harm
     OctreeCounts octree;                   ///< as written
     std::vector<std::pair<std::string, double>> seconds;
     double seconds_total = 0;

@@ -18,11 +18,15 @@ namespace pointrt {
 
 namespace {
 
+/// Shaders address the lists with signed integers.
+constexpr std::size_t kListedMost = std::numeric_limits<std::int32_t>::max();
+
 /// Leaves are handed to the threads in runs this long.
 constexpr std::size_t kRunLeaves = 256;
 
-/// Cells are taken this much larger, in edges: more than the rounding of a ray's way through them.
-constexpr float kTouchSlack = 1e-3f;
+/// Cells are taken this much larger, in edges, because of rounding; and by this many position steps, because rays look
+/// one step ahead (shaders/trace.glsl).
+constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 
 using Vector = std::array<float, 3>;
 
@@ -61,11 +65,15 @@ void collectLeaves(const pro_view& view, std::uint32_t node, const LeafPlace& pl
     }
 }
 
+/// By how much a brick's cells are taken larger; edges: cell edges to a cube unit.
+float slackOf(float edges) { return std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges); }
+
 float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Whether disc (slab 0) or slab can meet the cell around middle: its bounding box, its planes and its sphere all do.
-bool mayMeet(const Entry& entry, const Vector& middle, float slab) {
-    constexpr float half = 0.5f + kTouchSlack;
+/// slack: see slackOf.
+bool mayMeet(const Entry& entry, const Vector& middle, float slab, float slack) {
+    const float half = 0.5f + slack;
     float along = 0, widest = 0, beyond = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float offset = entry.center[axis] - middle[axis], normal = std::fabs(entry.normal[axis]);
@@ -108,6 +116,7 @@ private:
         const std::uint32_t members = leaf[PRO_LEAF_COUNTS] & PRO_LEAF_MEMBER_MASK;
         const std::uint32_t refs = leaf[PRO_LEAF_COUNTS] >> PRO_LEAF_REF_SHIFT;
         const float edges = BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - place.shift));
+        slack_ = slackOf(edges);
         entries_.clear();
         for (std::uint32_t k = 0; k < members; ++k) add(place, leaf[PRO_LEAF_FIRST_MEMBER] + k, edges);
         for (std::uint32_t k = 0; k < refs; ++k) add(place, view_.refs[leaf[PRO_LEAF_FIRST_REF] + k], edges);
@@ -137,7 +146,7 @@ private:
         const Entry& entry = entries_[e];
         std::array<int, 3> lo, hi;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float reach = entry.reach[axis] + entry.slab * std::fabs(entry.normal[axis]) + kTouchSlack;
+            const float reach = entry.reach[axis] + entry.slab * std::fabs(entry.normal[axis]) + slack_;
             constexpr float kLast = BRICK_SIDE - 1;
             lo[axis] = static_cast<int>(std::clamp(std::floor(entry.center[axis] - reach), 0.0f, kLast));
             hi[axis] = static_cast<int>(std::clamp(std::floor(entry.center[axis] + reach), 0.0f, kLast));
@@ -149,8 +158,8 @@ private:
 
     void offer(std::uint32_t e, std::uint32_t cell) {
         const Vector middle = middleOf(cell);
-        if (!mayMeet(entries_[e], middle, entries_[e].slab)) return;
-        (mayMeet(entries_[e], middle, 0.0f) ? hittable_ : blending_)[cell].push_back(e);
+        if (!mayMeet(entries_[e], middle, entries_[e].slab, slack_)) return;
+        (mayMeet(entries_[e], middle, 0.0f, slack_) ? hittable_ : blending_)[cell].push_back(e);
     }
 
     void emit(std::uint32_t cell) {
@@ -213,9 +222,9 @@ private:
     }
 
     /// The largest half float at most value, which is clamped to what a cell can see of it.
-    static std::uint32_t halfBelow(float value) {
-        constexpr float kMost = 4.0f; // farther than any point of a cell from its centre
-        const float clamped = std::clamp(value - kTouchSlack, -kMost, kMost);
+    std::uint32_t halfBelow(float value) const {
+        constexpr float kMost = 64.0f; // farther than any point of a cell with its slack from its centre
+        const float clamped = std::clamp(value - slack_, -kMost, kMost);
         const float step = std::ldexp(1.0f, std::max(std::ilogb(clamped == 0.0f ? 1.0f : clamped) - 10, -24));
         return toHalf(std::floor(clamped / step) * step);
     }
@@ -232,6 +241,7 @@ private:
     const pro_info& info_;
     const pro_view& view_;
     Part& part_;
+    float slack_ = kSlackEdges;
     std::vector<Entry> entries_;
     std::array<std::vector<std::uint32_t>, BRICK_CELLS> hittable_, blending_; ///< entries of each cell
 };
@@ -258,8 +268,6 @@ void forRuns(std::size_t count, const Work& work) {
 void append(Part& part, std::span<const LeafPlace> places, Bricks& all) {
     const auto first_cell = static_cast<std::uint32_t>(all.cells.size() / CELL_WORDS);
     const std::size_t first_list = all.lists.size();
-    if (first_list + part.lists.size() > std::numeric_limits<std::uint32_t>::max())
-        throw Error(ExitCode::kCannotRun, "the cells list more than 2^32 splats, too many for this viewer");
     for (std::size_t k = 0; k < places.size(); ++k) {
         std::uint32_t* brick = all.bricks.data() + std::size_t{places[k].leaf} * BRICK_WORDS;
         std::copy_n(part.bricks.data() + k * BRICK_WORDS, BRICK_WORDS, brick);
@@ -287,6 +295,15 @@ Bricks buildBricks(const pro_info& info, const pro_view& view) {
         for (const LeafPlace& place : run(k)) builder.run(place);
     });
     Bricks all;
+    std::size_t cell_words = 0, listed = 0;
+    for (const Part& part : parts) {
+        cell_words += part.cells.size();
+        listed += part.lists.size();
+    }
+    if (listed > kListedMost)
+        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
+    all.cells.reserve(cell_words);
+    all.lists.reserve(listed);
     all.bricks.resize(std::size_t{info.leaf_count} * BRICK_WORDS);
     for (std::size_t k = 0; k < parts.size(); ++k) append(parts[k], run(k), all);
     return all;

@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-/// The words that shaders/brick.glsl reads (layout: shaders/brick_layout.h).
+/// The words that the shaders read (layout: shaders/brick_layout.h).
 struct Bricks {
     std::vector<std::uint32_t> bricks; ///< BRICK_WORDS for each leaf of the file, in its order
     std::vector<std::uint32_t> cells;  ///< CELL_WORDS for each listed cell

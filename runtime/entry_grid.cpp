@@ -17,7 +17,7 @@ constexpr std::uint32_t kIndexShift = 5;
 constexpr std::uint8_t kSkipMax = 15;
 
 /// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
-/// for each leaf: 5 bytes a splat of a usual scan.
+/// for each leaf: 2 bytes a splat of an even scan, 20 of the least even one tried.
 constexpr std::uint64_t kWordsPerLeaf = 32;
 constexpr std::uint64_t kWordsLeast = 1u << 15;
 constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid itself no longer fits into caches

@@ -2,11 +2,10 @@
 #include "octree.glsl"
 
 // Stackless traversal. A grid of entry points stands for the octree's upper levels: an empty cell says for each
-// direction octant how many cells can be skipped, a filled one names its node. From the node down the tree is walked
-// by the bits of the position. Positions are carried as 21-bit integers, and a step sets the coordinate of the axis it
-// leaves by to the neighbour's exactly: no epsilon, and no leaf is jumped over. A leaf is a brick of cells, which the ray
-// crosses one by one (Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987); a cell's discs are looked at only
-// where the ray comes between the two planes that they lie between.
+// direction octant how many cells can be skipped, a filled one names its leaf or node. From a node down the tree is
+// walked by the bits of the position. A leaf is a brick of cells, which the ray crosses one by one; a cell's discs are
+// looked at only where the ray comes between the two planes that they lie between. Of all that only t is carried from
+// step to step: the ray looks one position step ahead, and the lists take in what that passes over.
 //
 // Loops are written as while over state declared before them: lavapipe's do-while loses values, and an
 // inner loop per phase keeps lanes that wait from costing a turn of the other phase.
@@ -130,7 +129,7 @@ TraceHit trace(TraceRay ray) {
     Walk walk = startWalk(ray, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
     float own_t = ray.own_t - t_start;
-    float t_end = min(walk.t_end, hit.t);
+    float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
     uint last_cell = NO_INDEX;
 
     while (walk.t < t_end) {

@@ -2,11 +2,10 @@
 #include "preprocess/octree/blend.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 // One binary for all processors, twice as fast on those with AVX2. Both versions add in the same order and round the
-// same way (no fused operations), so that a bake does not depend on the machine.
+// same way (no fused operations), so that it makes no difference to the result.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define POINTRT_WIDE __attribute__((target_clones("avx2", "default")))
 #else

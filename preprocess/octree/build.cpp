@@ -27,8 +27,8 @@ constexpr std::uint32_t kListPerMember = 8;
 /// times kLeafEdgeRadii gives cells as far below that edge as the cell is above it.
 constexpr float kMinEdgeRadii = 1.41421356f * static_cast<float>(kLeafEdgeRadii);
 
-/// Half a position step: boxes are tested this much larger, so that rounding never loses a disc that touches.
-constexpr float kTouchSlack = 0.5f * PRO_POSITION_STEP;
+/// Boxes are tested this much larger: half a step for rounding, one because a viewer may look that far ahead.
+constexpr float kTouchSlack = 1.5f * PRO_POSITION_STEP;
 
 struct Range {
     std::uint32_t begin = 0, end = 0;

@@ -68,8 +68,8 @@ using OctreeProgress = std::function<void(double)>;
 /// Throws Error (kBadUsage) when max_depth forces more than PRO_LEAF_LIST_MAX splats into one leaf.
 Octree buildOctree(const PackedSplats& splats, const OctreeOptions& options, const OctreeProgress& progress = {});
 
-/// Drops references that no probe ray shows to be needed; see leaf_pruner.cpp for the criterion. Rounds of
-/// probes follow one another until one of them keeps to options.harm.
+/// Drops references that neither cross their leaf visibly nor weigh enough in it; see leaf_pruner.cpp. Rounds of
+/// probes with ever lower weights follow one another until one keeps to options.harm, 6 at the most.
 PruneReport pruneOctree(const PackedSplats& splats, const PruneOptions& options, Octree& octree,
                         const OctreeProgress& progress = {});
 

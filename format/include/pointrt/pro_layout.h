@@ -54,7 +54,7 @@
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
-#define PRO_FLAG_PRUNED 4u   /* references were pruned by probe rays */
+#define PRO_FLAG_PRUNED 4u   /* references that make no difference were left out */
 #define PRO_FLAGS_KNOWN 7u
 
 /* Section table: PRO_OFF_SECTION_COUNT records of PRO_SECTION_BYTES. */
