@@ -303,9 +303,10 @@ Bricks buildBricks(const pro_info& info, const pro_view& view) {
     if (listed > kListedMost)
         throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
     all.cells.reserve(cell_words);
-    all.lists.reserve(listed);
+    all.lists.reserve(listed + 3);
     all.bricks.resize(std::size_t{info.leaf_count} * BRICK_WORDS);
     for (std::size_t k = 0; k < parts.size(); ++k) append(parts[k], run(k), all);
+    all.lists.resize((all.lists.size() + 3) / 4 * 4);
     return all;
 }
 

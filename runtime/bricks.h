@@ -14,7 +14,8 @@ namespace pointrt {
 struct Bricks {
     std::vector<std::uint32_t> bricks; ///< BRICK_WORDS for each leaf of the file, in its order
     std::vector<std::uint32_t> cells;  ///< CELL_WORDS for each listed cell
-    std::vector<std::uint32_t> lists;  ///< splats: of each cell first those whose discs cross it, then those that only blend
+    std::vector<std::uint32_t> lists;  ///< splats: of each cell first those whose discs cross it, then those that only
+                                       ///< blend; padded to whole texels of four
 };
 
 /// Builds the bricks of a validated file on all cores. Throws std::bad_alloc, or Error (kCannotRun) when the lists

@@ -68,7 +68,7 @@ void uploadBricks(Device& device, Scene& scene) {
     const Bricks bricks = buildBricks(scene.info, scene.view);
     scene.bricks = wordBuffer(device, scene, "brick buffer", bricks.bricks, VK_FORMAT_R32G32B32A32_UINT);
     scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32B32A32_UINT);
-    scene.lists = wordBuffer(device, scene, "list buffer", bricks.lists, VK_FORMAT_R32_UINT);
+    scene.lists = wordBuffer(device, scene, "list buffer", bricks.lists, VK_FORMAT_R32G32B32A32_UINT);
 }
 
 void uploadGrid(Device& device, Scene& scene) {

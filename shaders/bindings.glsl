@@ -25,7 +25,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadNode(i) texelFetch(node_words, int(i)).x
 #define loadBrick(i) texelFetch(brick_words, int(i))
 #define loadCell(i) texelFetch(cell_words, int(i))
-#define loadListed(i) texelFetch(list_words, int(i)).x
+// four to a texel: drivers count texels, often no more than 2^27
+#define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
 #define loadMaterial(row, quarter) texelFetch(material_rows, int(row) * 4 + (quarter))
