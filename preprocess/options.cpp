@@ -97,7 +97,7 @@ void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
 void addOctreeOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Octree");
     app.add_option("--max-leaf-splats", options.octree.max_leaf_splats,
-                   "Members before a leaf splits, 1 to 65535 (default 8)")
+                   "Members before a leaf more than 11 radii wide splits, 1 to 65535 (default 8)")
         ->check(range(1u, PRO_LEAF_LIST_MAX))
         ->type_name("N");
     app.add_option("--max-depth", options.octree.max_depth, "Levels below the root, 0 to 21 (default 21)")

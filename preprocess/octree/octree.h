@@ -40,7 +40,7 @@ struct Octree {
 };
 
 struct OctreeOptions {
-    std::uint32_t max_leaf_splats = 8;       ///< members a leaf may hold before it splits, at least 1
+    std::uint32_t max_leaf_splats = 8;       ///< members before a leaf splits that is wide enough to, at least 1
     std::uint32_t max_depth = PRO_MAX_DEPTH; ///< 0 to PRO_MAX_DEPTH
 };
 
