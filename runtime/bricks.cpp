@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "pointrt/tool.hpp"
+#include "runtime/node_walk.h"
 #include "shaders/brick_layout.h"
 
 namespace pointrt {
@@ -32,9 +33,9 @@ using Vector = std::array<float, 3>;
 
 /// A leaf of the file with its place.
 struct LeafPlace {
-    std::uint32_t leaf = 0;
-    std::array<std::uint32_t, 3> corner{}; ///< lowest, in position steps
-    std::uint32_t shift = PRO_POSITION_BITS;
+    std::uint32_t leaf;
+    Corner corner;
+    std::uint32_t shift; ///< log2 of its edge in position steps
 };
 
 /// A splat of the leaf in hand, in cell edges from the leaf's lowest corner.
@@ -48,22 +49,6 @@ struct Entry {
 struct Part {
     std::vector<std::uint32_t> bricks, cells, lists;
 };
-
-void collectLeaves(const pro_view& view, std::uint32_t node, const LeafPlace& place, std::vector<LeafPlace>& places) {
-    const std::uint32_t word = view.nodes[node];
-    if (word == PRO_NODE_EMPTY) return;
-    if (!(word & PRO_NODE_INNER)) {
-        places.push_back(place);
-        places.back().leaf = word - 1;
-        return;
-    }
-    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
-        LeafPlace child = place;
-        --child.shift;
-        for (std::uint32_t axis = 0; axis < 3; ++axis) child.corner[axis] += (slot >> axis & 1) << child.shift;
-        collectLeaves(view, (word & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + slot, child, places);
-    }
-}
 
 /// By how much a brick's cells are taken larger; edges: cell edges to a cube unit.
 float slackOf(float edges) { return std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges); }
@@ -285,7 +270,10 @@ void append(Part& part, std::span<const LeafPlace> places, Bricks& all) {
 Bricks buildBricks(const pro_info& info, const pro_view& view) {
     std::vector<LeafPlace> places;
     places.reserve(info.leaf_count);
-    collectLeaves(view, 0, LeafPlace{}, places);
+    forNodes({view.nodes, info.node_count}, PRO_MAX_DEPTH,
+             [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) {
+                 places.push_back({node - 1, corner, shift});
+             });
     std::vector<Part> parts((places.size() + kRunLeaves - 1) / kRunLeaves);
     const auto run = [&](std::size_t k) {
         return std::span(places).subspan(k * kRunLeaves, std::min(kRunLeaves, places.size() - k * kRunLeaves));

@@ -5,15 +5,13 @@
 #include <array>
 #include <future>
 
-#include "pointrt/pro_layout.h"
+#include "runtime/node_walk.h"
+#include "shaders/brick_layout.h"
 
 namespace pointrt {
 
 namespace {
 
-constexpr std::uint32_t kFilledMask = 15; // low nibble: 0 marks a filled cell
-constexpr std::uint32_t kLeafBit = 16;
-constexpr std::uint32_t kIndexShift = 5;
 constexpr std::uint8_t kSkipMax = 15;
 
 /// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
@@ -22,25 +20,9 @@ constexpr std::uint64_t kWordsPerLeaf = 32;
 constexpr std::uint64_t kWordsLeast = 1u << 15;
 constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid itself no longer fits into caches
 
-using Corner = std::array<std::uint32_t, 3>;
-
-/// Calls visit(node word, corner in position steps, shift) for every node at depth or leaf above it that holds splats.
-template <typename Visit>
-void forCells(std::span<const std::uint32_t> nodes, std::uint32_t depth, const Visit& visit, std::uint32_t index = 0,
-              const Corner& corner = {}, std::uint32_t level = 0) {
-    const std::uint32_t node = nodes[index], shift = PRO_POSITION_BITS - level;
-    if (node == PRO_NODE_EMPTY) return;
-    if (level == depth || !(node & PRO_NODE_INNER)) return visit(node, corner, shift);
-    for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) {
-        Corner child = corner;
-        for (std::uint32_t axis = 0; axis < 3; ++axis) child[axis] += (slot >> axis & 1) << (shift - 1);
-        forCells(nodes, depth, visit, (node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + slot, child, level + 1);
-    }
-}
-
 std::uint32_t commonLeafDepth(std::span<const std::uint32_t> nodes) {
     std::array<std::uint32_t, PRO_MAX_DEPTH + 1> leaves{};
-    forCells(nodes, PRO_MAX_DEPTH,
+    forNodes(nodes, PRO_MAX_DEPTH,
              [&](std::uint32_t, const Corner&, std::uint32_t shift) { ++leaves[PRO_POSITION_BITS - shift]; });
     return static_cast<std::uint32_t>(std::max_element(leaves.begin(), leaves.end()) - leaves.begin());
 }
@@ -51,7 +33,7 @@ EntryGrid frameGrid(std::span<const std::uint32_t> nodes, std::uint32_t depth) {
     Corner lo{kNone, kNone, kNone}, hi{};
     EntryGrid grid;
     grid.shift = PRO_POSITION_BITS - depth;
-    forCells(nodes, depth, [&](std::uint32_t, const Corner& corner, std::uint32_t shift) {
+    forNodes(nodes, depth, [&](std::uint32_t, const Corner& corner, std::uint32_t shift) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             lo[axis] = std::min(lo[axis], corner[axis]);
             hi[axis] = std::max(hi[axis], corner[axis] + (1u << shift));
@@ -76,8 +58,8 @@ EntryGrid chooseGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_co
 
 void paint(EntryGrid& grid, std::uint32_t node, const Corner& corner, std::uint32_t shift) {
     const std::uint32_t side = 1u << (shift - grid.shift);
-    const std::uint32_t word =
-        node & PRO_NODE_INNER ? (node & PRO_NODE_GROUP_MASK) << kIndexShift : (node - 1) << kIndexShift | kLeafBit;
+    const std::uint32_t word = node & PRO_NODE_INNER ? (node & PRO_NODE_GROUP_MASK) << GRID_INDEX_SHIFT
+                                                     : (node - 1) << GRID_INDEX_SHIFT | GRID_LEAF;
     std::array<std::size_t, 3> from;
     for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = (corner[axis] >> grid.shift) - grid.origin[axis];
     for (std::size_t z = from[2]; z < from[2] + side; ++z)
@@ -117,10 +99,10 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
 } // namespace
 
 EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count) {
-    constexpr std::uint32_t kUnset = kFilledMask; // no node word ends in it
+    constexpr std::uint32_t kUnset = GRID_EMPTY_MASK; // no node word ends in it
     EntryGrid grid = chooseGrid(nodes, leaf_count);
     grid.words.assign(wordCount(grid), kUnset);
-    forCells(nodes, PRO_POSITION_BITS - grid.shift,
+    forNodes(nodes, PRO_POSITION_BITS - grid.shift,
              [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) { paint(grid, node, corner, shift); });
 
     std::vector<char> filled(grid.words.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bricks: what the viewer makes of the leaves of a .pro. Valid in C++ and GLSL.
+// Bricks and the entry grid: what the viewer makes of the octree of a .pro. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_BRICK_LAYOUT_H
 #define POINTRT_SHADERS_BRICK_LAYOUT_H
 
@@ -24,5 +24,10 @@
 #define CELL_NORMAL_BITS 10u
 #define CELL_NORMAL_MASK 0x3FFu
 #define CELL_NORMAL_ZERO 511.0f
+
+// A word of the entry grid (runtime/entry_grid.h).
+#define GRID_EMPTY_MASK 15u // 0 in these bits marks a filled cell
+#define GRID_LEAF 16u
+#define GRID_INDEX_SHIFT 5u
 
 #endif

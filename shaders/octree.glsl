@@ -4,10 +4,6 @@
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
-// Words of the entry grid (runtime/entry_grid.h).
-const uint GRID_LEAF = 16u;
-const uint GRID_INDEX_SHIFT = 5u;
-
 int gridShift() { return int(params.grid.x); }
 
 // The grid's lowest position and the one behind its last.
@@ -23,7 +19,7 @@ uint gridWord(ivec3 cell) {
     return loadGrid((at.z * params.grid_size.y + at.y) * params.grid_size.x + at.x);
 }
 
-bool isFilled(uint grid_word) { return (grid_word & 15u) == 0u; }
+bool isFilled(uint grid_word) { return (grid_word & GRID_EMPTY_MASK) == 0u; }
 
 // From a filled grid cell down to the leaf that holds the position; shift receives the log2 of its edge, where that is
 // less than the grid's. Returns the leaf's index, NO_INDEX where it is empty.
