@@ -86,8 +86,8 @@ bool meetsSlab(Walk walk, uvec4 cell, vec3 corner, float edge, float t_out) {
 }
 
 // One step: passes the empty cells, or the brick's cell, that the ray enters at t.
-// Returns the number of a cell whose discs the ray may hit, else NO_INDEX.
-uint stepWalk(inout Walk walk, out uvec4 cell) {
+// Returns the number of a cell whose discs the ray may hit and puts its words into cell, else NO_INDEX.
+uint stepWalk(inout Walk walk, inout uvec4 cell) {
     // One position step ahead: more than rounding, so that a ray at a border is in the cell behind it and moves on.
     vec3 point = walk.origin + walk.direction * walk.t + walk.ahead;
     ivec3 position = clamp(ivec3(point * PRO_POSITION_STEPS), gridBegin(), gridEnd() - 1);
