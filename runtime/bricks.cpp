@@ -2,17 +2,15 @@
 #include "runtime/bricks.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <bit>
 #include <cmath>
-#include <exception>
+#include <iterator>
 #include <limits>
-#include <span>
-#include <thread>
 
 #include "pointrt/tool.hpp"
+#include "runtime/cell_codec.h"
 #include "runtime/node_walk.h"
+#include "runtime/parallel.h"
 #include "shaders/brick_layout.h"
 
 namespace pointrt {
@@ -22,280 +20,375 @@ namespace {
 /// Shaders address the lists with signed integers.
 constexpr std::size_t kListedMost = std::numeric_limits<std::int32_t>::max();
 
-/// Leaves are handed to the threads in runs this long.
-constexpr std::size_t kRunLeaves = 256;
+/// Nodes are handed to the threads in runs this long.
+constexpr std::size_t kRunNodes = 256;
 
-/// Cells are taken this much larger, in edges, because of rounding; and by this many position steps, because rays look
-/// one step ahead (shaders/trace.glsl).
+/// Cells are taken this much larger, in edges of a brick's cells, because of rounding; and by this many position
+/// steps, because rays look one step ahead (shaders/trace.glsl).
 constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 
-using Vector = std::array<float, 3>;
+/// Where the file has leaves below the grid, cells with more discs are cut into halves, this often at most, unless the
+/// halves' lists together would be longer by more than this factor: where discs are as large as the cell it is 4 or
+/// more.
+constexpr std::size_t kDiscsMost = 48;
+constexpr std::uint32_t kHalvingsMost = 12;
+constexpr std::size_t kListsMost = 3;
 
-/// A leaf of the file with its place.
-struct LeafPlace {
-    std::uint32_t leaf;
-    Corner corner;
-    std::uint32_t shift; ///< log2 of its edge in position steps
-};
-
-/// A splat of the leaf in hand, in cell edges from the leaf's lowest corner.
-struct Entry {
-    std::uint32_t splat;
-    Vector center, normal, reach; ///< reach: of the disc's bounding box
-    float radius, slab;           ///< slab: half height
-};
-
-/// Bricks count cells, and cells list words, from the part's own first.
+/// Indices count from the part's own first.
 struct Part {
-    std::vector<std::uint32_t> bricks, cells, lists;
+    std::vector<Corner> corners;
+    CellWords encoded;
+    std::vector<std::uint32_t> words, groups, lists, blending, blend_ranges;
 };
 
-/// By how much a brick's cells are taken larger; edges: cell edges to a cube unit.
-float slackOf(float edges) { return std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges); }
+/// A cell of the grid, or a leaf above, with its node's word.
+struct Source {
+    std::uint32_t node = 0;
+    Corner corner{};
+    std::uint32_t shift = 0; ///< log2 of its edge in position steps
+};
 
-float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using Discs = std::vector<const Disc*>;
 
-/// Whether disc (slab 0) or slab can meet the cell around middle: its bounding box, its planes and its sphere all do.
-/// slack: see slackOf.
-bool mayMeet(const Entry& entry, const Vector& middle, float slab, float slack) {
-    const float half = 0.5f + slack;
+/// What a cell lists: discs that cross it, and those whose slabs alone do.
+struct CellLists {
+    Discs hittable, blending;
+};
+
+/// Whether disc (slab 0) or slab can meet the cell: its bounding box, its planes and its sphere all do.
+bool mayMeet(const Disc& disc, const CellBox& box, float slab) {
+    const float half = box.half_edge + box.slack;
     float along = 0, widest = 0, beyond = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float offset = entry.center[axis] - middle[axis], normal = std::fabs(entry.normal[axis]);
+        const float offset = disc.center[axis] - box.middle[axis], normal = std::fabs(disc.normal[axis]);
         const float outside = std::max(std::fabs(offset) - half, 0.0f);
-        if (outside > entry.reach[axis] + slab * normal) return false;
-        along += entry.normal[axis] * offset;
+        if (outside > disc.reach[axis] + slab * normal) return false;
+        along += disc.normal[axis] * offset;
         widest += normal;
         beyond += outside * outside;
     }
-    return std::fabs(along) <= half * widest + slab && beyond <= entry.radius * entry.radius + slab * slab;
+    return std::fabs(along) <= half * widest + slab && beyond <= disc.radius * disc.radius + slab * slab;
 }
 
-class BrickBuilder {
-public:
-    BrickBuilder(const pro_info& info, const pro_view& view, Part& part) : info_(info), view_(view), part_(part) {}
+void offer(const Disc& disc, const CellBox& box, CellLists& lists) {
+    if (!mayMeet(disc, box, disc.slab)) return;
+    (mayMeet(disc, box, 0.0f) ? lists.hittable : lists.blending).push_back(&disc);
+}
 
-    void run(const LeafPlace& place) {
-        gather(place);
-        for (auto& list : hittable_) list.clear();
-        for (auto& list : blending_) list.clear();
-        for (std::uint32_t e = 0; e < entries_.size(); ++e) spread(e);
-        std::uint32_t mask = 0;
-        const auto first_cell = static_cast<std::uint32_t>(part_.cells.size() / CELL_WORDS);
-        for (std::uint32_t c = 0; c < BRICK_CELLS; ++c) {
-            if (hittable_[c].empty()) continue; // nothing can be hit where only slabs reach
-            mask |= 1u << c;
-            emit(c);
+/// Cells of a brick, a bit each.
+struct CellSets {
+    std::uint64_t by_disc = 0, by_slab = 0;
+};
+
+/// mayMeet for all cells of the brick at offset at once: the boxes by axis, then planes and spheres of what is left.
+class BrickMeeting {
+public:
+    BrickMeeting(const Disc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k) {
+                const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
+                const float outside = std::max(std::fabs(distance) - half_, 0.0f);
+                along_[axis][k] = disc.normal[axis] * distance;
+                beyond_[axis][k] = outside * outside;
+                outside_[axis][k] = outside;
+            }
+        widest_ = half_ * (std::fabs(disc.normal[0]) + std::fabs(disc.normal[1]) + std::fabs(disc.normal[2]));
+    }
+
+    /// slab: 0 for the disc itself.
+    std::uint64_t cells(float slab) const {
+        std::uint64_t met = 0;
+        const float radius_squared = disc_.radius * disc_.radius + slab * slab;
+        for (std::uint64_t left = boxed(slab); left != 0; left &= left - 1) {
+            const auto cell = static_cast<std::uint32_t>(std::countr_zero(left));
+            const std::uint32_t x = cell & 3, y = cell >> 2 & 3, z = cell >> 4;
+            const float along = along_[0][x] + along_[1][y] + along_[2][z];
+            const float beyond = beyond_[0][x] + beyond_[1][y] + beyond_[2][z];
+            const bool meets = std::fabs(along) <= widest_ + slab && beyond <= radius_squared;
+            met |= std::uint64_t{meets} << cell;
         }
-        part_.bricks.insert(part_.bricks.end(), {mask, first_cell, place.shift, 0u});
+        return met;
     }
 
 private:
-    static Vector middleOf(std::uint32_t cell) {
-        return {static_cast<float>(cell % 3) + 0.5f, static_cast<float>(cell / 3 % 3) + 0.5f,
-                static_cast<float>(cell / 9) + 0.5f};
+    /// Where the bounding box reaches: the bits of each axis, spread over the other two.
+    std::uint64_t boxed(float slab) const {
+        constexpr std::uint64_t kAlong[3] = {0x1111111111111111u, 0x000F000F000F000Fu, 0x000000000000FFFFu};
+        std::uint64_t all = ~std::uint64_t{0};
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const float reach = disc_.reach[axis] + slab * std::fabs(disc_.normal[axis]);
+            std::uint64_t reached = 0;
+            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k)
+                if (outside_[axis][k] <= reach) reached |= kAlong[axis] << (k << (2 * axis));
+            all &= reached;
+        }
+        return all;
     }
 
-    void gather(const LeafPlace& place) {
-        const std::uint32_t* leaf = view_.leaves + std::size_t{place.leaf} * PRO_LEAF_WORDS;
+    using PerCell = std::array<std::array<float, BRICK_SIDE>, 3>;
+    const Disc& disc_;
+    float half_, widest_ = 0;
+    PerCell along_, beyond_, outside_;
+};
+
+CellSets cellsMet(const Disc& disc, const Vector& offset, float slack) {
+    const BrickMeeting meeting(disc, offset, slack);
+    return {meeting.cells(0.0f), meeting.cells(disc.slab)};
+}
+
+/// Works in edges of a brick's cells, from the source's lowest corner.
+class BrickBuilder {
+public:
+    BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part)
+        : info_(info), view_(view), part_(part), grid_shift_(grid.shift),
+          edges_(BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift))),
+          slack_(std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges_)),
+          halvings_(grid.uneven ? kHalvingsMost : 0) {}
+
+    void run(const Source& source) {
+        gather(source);
+        Discs all;
+        for (const Disc& disc : discs_) all.push_back(&disc);
+        cut(all, source, {});
+    }
+
+private:
+    /// offset: of the source's corner from the first one's.
+    void cut(const Discs& discs, const Source& source, const Vector& offset) {
+        if (source.shift == grid_shift_) return build(discs, source.corner, offset);
+        const float half = std::ldexp(0.5f * BRICK_SIDE, static_cast<int>(source.shift - grid_shift_));
+        for (std::uint32_t h = 0; h < PRO_GROUP_SIZE; ++h) {
+            Source child{source.node, source.corner, source.shift - 1};
+            Vector at = offset;
+            CellBox box{{}, 0.5f * half, slack_};
+            for (std::uint32_t axis = 0; axis < 3; ++axis) {
+                child.corner[axis] += (h >> axis & 1) << child.shift;
+                at[axis] += h >> axis & 1 ? half : 0.0f;
+                box.middle[axis] = at[axis] + 0.5f * half;
+            }
+            Discs inside;
+            std::copy_if(discs.begin(), discs.end(), std::back_inserter(inside),
+                         [&](const Disc* disc) { return mayMeet(*disc, box, disc->slab); });
+            if (!inside.empty()) cut(inside, child, at);
+        }
+    }
+
+    /// A brick, unless all its cells would be empty.
+    void build(const Discs& discs, const Corner& corner, const Vector& offset) {
+        for (CellLists& cell : cells_) cell.hittable.clear(), cell.blending.clear();
+        for (const Disc* disc : discs) spread(*disc, offset);
+        if (std::all_of(cells_.begin(), cells_.end(), [](const CellLists& cell) { return cell.hittable.empty(); }))
+            return;
+        part_.corners.push_back(corner);
+        for (std::uint32_t c = 0; c < BRICK_WORDS; ++c) {
+            const std::uint32_t word = emit(cells_[c], boxOf(c, offset), 0);
+            part_.words.push_back(word);
+        }
+    }
+
+    CellBox boxOf(std::uint32_t cell, const Vector& offset) const {
+        const auto middle = [&](std::uint32_t axis) {
+            return offset[axis] + static_cast<float>(cell >> (2 * axis) & (BRICK_SIDE - 1)) + 0.5f;
+        };
+        return {{middle(0), middle(1), middle(2)}, 0.5f, slack_};
+    }
+
+    void gather(const Source& source) {
+        discs_.clear();
+        gatherBelow(source.node, source.corner);
+        if (!(source.node & PRO_NODE_INNER)) return;
+        // leaves side by side share splats
+        const auto less = [](const Disc& a, const Disc& b) { return a.splat < b.splat; };
+        const auto same = [](const Disc& a, const Disc& b) { return a.splat == b.splat; };
+        std::sort(discs_.begin(), discs_.end(), less);
+        discs_.erase(std::unique(discs_.begin(), discs_.end(), same), discs_.end());
+    }
+
+    void gatherBelow(std::uint32_t node, const Corner& corner) {
+        if (node == PRO_NODE_EMPTY) return;
+        if (node & PRO_NODE_INNER) {
+            const std::uint32_t* group = view_.nodes + std::size_t{node & PRO_NODE_GROUP_MASK} * PRO_GROUP_SIZE;
+            for (std::uint32_t slot = 0; slot < PRO_GROUP_SIZE; ++slot) gatherBelow(group[slot], corner);
+            return;
+        }
+        const std::uint32_t* leaf = view_.leaves + std::size_t{node - 1} * PRO_LEAF_WORDS;
         const std::uint32_t members = leaf[PRO_LEAF_COUNTS] & PRO_LEAF_MEMBER_MASK;
         const std::uint32_t refs = leaf[PRO_LEAF_COUNTS] >> PRO_LEAF_REF_SHIFT;
-        const float edges = BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - place.shift));
-        slack_ = slackOf(edges);
-        entries_.clear();
-        for (std::uint32_t k = 0; k < members; ++k) add(place, leaf[PRO_LEAF_FIRST_MEMBER] + k, edges);
-        for (std::uint32_t k = 0; k < refs; ++k) add(place, view_.refs[leaf[PRO_LEAF_FIRST_REF] + k], edges);
+        for (std::uint32_t k = 0; k < members; ++k) add(leaf[PRO_LEAF_FIRST_MEMBER] + k, corner);
+        for (std::uint32_t k = 0; k < refs; ++k) add(view_.refs[leaf[PRO_LEAF_FIRST_REF] + k], corner);
     }
 
-    /// edges: cell edges to a cube unit.
-    void add(const LeafPlace& place, std::uint32_t splat, float edges) {
+    void add(std::uint32_t splat, const Corner& corner) {
         pro_splat plain;
         pro_splat_decode(view_.splats + std::size_t{splat} * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step,
                          &plain);
-        Entry entry{};
-        entry.splat = splat;
-        entry.radius = plain.radius * edges;
-        entry.slab = info_.blend_slab * entry.radius;
+        Disc disc;
+        disc.splat = splat;
+        disc.radius = plain.radius * edges_;
+        disc.slab = info_.blend_slab * disc.radius;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float n = plain.normal[axis];
-            entry.normal[axis] = n;
-            entry.center[axis] =
-                (plain.position[axis] - static_cast<float>(place.corner[axis]) * PRO_POSITION_STEP) * edges;
-            entry.reach[axis] = entry.radius * std::sqrt(std::max(0.0f, 1.0f - n * n));
+            disc.normal[axis] = n;
+            disc.center[axis] = (plain.position[axis] - static_cast<float>(corner[axis]) * PRO_POSITION_STEP) * edges_;
         }
-        entries_.push_back(entry);
-    }
-
-    /// Puts an entry on the lists of the cells it reaches into.
-    void spread(std::uint32_t e) {
-        const Entry& entry = entries_[e];
-        std::array<int, 3> lo, hi;
+        // not by 1 - n^2, which cancels where a disc is nearly parallel to the axis plane
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float reach = entry.reach[axis] + entry.slab * std::fabs(entry.normal[axis]) + slack_;
-            constexpr float kLast = BRICK_SIDE - 1;
-            lo[axis] = static_cast<int>(std::clamp(std::floor(entry.center[axis] - reach), 0.0f, kLast));
-            hi[axis] = static_cast<int>(std::clamp(std::floor(entry.center[axis] + reach), 0.0f, kLast));
+            const float a = disc.normal[(axis + 1) % 3], b = disc.normal[(axis + 2) % 3];
+            disc.reach[axis] = disc.radius * std::sqrt(a * a + b * b);
         }
-        for (int z = lo[2]; z <= hi[2]; ++z)
-            for (int y = lo[1]; y <= hi[1]; ++y)
-                for (int x = lo[0]; x <= hi[0]; ++x) offer(e, static_cast<std::uint32_t>(x + 3 * y + 9 * z));
+        discs_.push_back(disc);
     }
 
-    void offer(std::uint32_t e, std::uint32_t cell) {
-        const Vector middle = middleOf(cell);
-        if (!mayMeet(entries_[e], middle, entries_[e].slab, slack_)) return;
-        (mayMeet(entries_[e], middle, 0.0f, slack_) ? hittable_ : blending_)[cell].push_back(e);
+    /// Puts a disc on the lists of the cells that it reaches into, of the brick at offset.
+    void spread(const Disc& disc, const Vector& offset) {
+        const CellSets sets = cellsMet(disc, offset, slack_);
+        for (std::uint64_t left = sets.by_disc; left != 0; left &= left - 1)
+            cells_[static_cast<std::size_t>(std::countr_zero(left))].hittable.push_back(&disc);
+        for (std::uint64_t left = sets.by_slab & ~sets.by_disc; left != 0; left &= left - 1)
+            cells_[static_cast<std::size_t>(std::countr_zero(left))].blending.push_back(&disc);
     }
 
-    void emit(std::uint32_t cell) {
-        const auto first = static_cast<std::uint32_t>(part_.lists.size());
-        const auto& hit = hittable_[cell];
-        const auto& blend = blending_[cell];
-        if (std::max(hit.size(), blend.size()) > CELL_COUNT_MASK)
+    /// The cell's word; kEmptyWord where nothing can be hit.
+    std::uint32_t emit(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
+        if (lists.hittable.empty()) return kEmptyWord; // nothing can be hit where only slabs reach
+        if (halvings < halvings_ && lists.hittable.size() > kDiscsMost) {
+            const std::uint32_t word = halve(lists, box, halvings);
+            if (word != kEmptyWord) return word;
+        }
+        return emitCell(lists, box);
+    }
+
+    /// The word of a group of the cell's halves, kEmptyWord where they would not be shorter.
+    std::uint32_t halve(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
+        std::array<CellLists, GROUP_WORDS> halves;
+        std::array<CellBox, GROUP_WORDS> boxes;
+        std::size_t listed = 0;
+        for (std::uint32_t h = 0; h < GROUP_WORDS; ++h) {
+            boxes[h] = {box.middle, 0.5f * box.half_edge, box.slack};
+            for (std::uint32_t axis = 0; axis < 3; ++axis)
+                boxes[h].middle[axis] += (h >> axis & 1 ? 0.5f : -0.5f) * box.half_edge;
+            for (const Disc* disc : lists.hittable) offer(*disc, boxes[h], halves[h]);
+            for (const Disc* disc : lists.blending) offer(*disc, boxes[h], halves[h]);
+            listed += halves[h].hittable.size();
+        }
+        if (listed > kListsMost * lists.hittable.size()) return kEmptyWord;
+        std::array<std::uint32_t, GROUP_WORDS> words;
+        for (std::uint32_t h = 0; h < GROUP_WORDS; ++h) words[h] = emit(halves[h], boxes[h], halvings + 1);
+        const auto group = static_cast<std::uint32_t>(part_.groups.size() / GROUP_WORDS);
+        part_.groups.insert(part_.groups.end(), words.begin(), words.end());
+        return group << CELL_INDEX_SHIFT | CELL_INNER;
+    }
+
+    std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
+        if (lists.hittable.size() > CELL_COUNT_MASK)
             throw Error(ExitCode::kCannotRun, "a cell lists more splats than this viewer can hold");
-        const std::uint32_t counts = static_cast<std::uint32_t>(hit.size()) | static_cast<std::uint32_t>(blend.size())
-                                                                                  << CELL_COUNT_SHIFT;
-        for (const std::uint32_t e : hit) part_.lists.push_back(entries_[e].splat);
-        for (const std::uint32_t e : blend) part_.lists.push_back(entries_[e].splat);
-        const std::uint32_t normal_word = encodeNormal(meanNormal(hit));
-        part_.cells.insert(part_.cells.end(),
-                           {first, counts, normal_word, slabWord(hit, decodeNormal(normal_word), middleOf(cell))});
-    }
-
-    /// Not of unit length. Normals may be on either side.
-    Vector meanNormal(std::span<const std::uint32_t> list) const {
-        Vector sum = entries_[list[0]].normal;
-        for (const std::uint32_t e : list.subspan(1)) {
-            const float side = dot(sum, entries_[e].normal) < 0 ? -1.0f : 1.0f;
-            for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += side * entries_[e].normal[axis];
-        }
-        return sum;
-    }
-
-    static std::uint32_t encodeNormal(const Vector& normal) {
-        const float length = std::sqrt(dot(normal, normal));
-        std::uint32_t word = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float scaled = length > 0 ? normal[axis] / length : 0.0f;
-            const auto code = static_cast<std::uint32_t>(std::lround((scaled + 1.0f) * CELL_NORMAL_ZERO));
-            word |= code << (CELL_NORMAL_BITS * axis);
-        }
-        return word;
-    }
-
-    static Vector decodeNormal(std::uint32_t word) {
-        Vector normal;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            normal[axis] =
-                static_cast<float>(word >> (CELL_NORMAL_BITS * axis) & CELL_NORMAL_MASK) / CELL_NORMAL_ZERO - 1.0f;
-        return normal;
-    }
-
-    /// Between which heights along the normal, as the shader will decode it, the discs lie.
-    std::uint32_t slabWord(std::span<const std::uint32_t> list, const Vector& normal, const Vector& middle) const {
-        const float length_squared = dot(normal, normal);
-        float lo = std::numeric_limits<float>::infinity(), hi = -lo;
-        for (const std::uint32_t e : list) {
-            const Entry& entry = entries_[e];
-            const Vector offset{entry.center[0] - middle[0], entry.center[1] - middle[1], entry.center[2] - middle[2]};
-            const float height = dot(normal, offset), cosine = dot(normal, entry.normal);
-            const float reach = entry.radius * std::sqrt(std::max(0.0f, length_squared - cosine * cosine));
-            lo = std::min(lo, height - reach);
-            hi = std::max(hi, height + reach);
-        }
-        return halfBelow(lo) | halfBelow(-hi) << 16; // the shader negates the second
-    }
-
-    /// The largest half float at most value, which is clamped to what a cell can see of it.
-    std::uint32_t halfBelow(float value) const {
-        constexpr float kMost = 64.0f; // farther than any point of a cell with its slack from its centre
-        const float clamped = std::clamp(value - slack_, -kMost, kMost);
-        const float step = std::ldexp(1.0f, std::max(std::ilogb(clamped == 0.0f ? 1.0f : clamped) - 10, -24));
-        return toHalf(std::floor(clamped / step) * step);
-    }
-
-    /// Exact for values that are halves.
-    static std::uint32_t toHalf(float value) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
-        const std::uint32_t sign = bits >> 16 & 0x8000u;
-        const int exponent = static_cast<int>(bits >> 23 & 0xFF) - 127;
-        if (exponent < -14) return sign | static_cast<std::uint32_t>(std::lround(std::fabs(value) * 0x1p24f));
-        return sign | static_cast<std::uint32_t>(exponent + 15) << 10 | (bits >> 13 & 0x3FFu);
+        const auto cell = static_cast<std::uint32_t>(part_.encoded.slabs.size());
+        encodeCell(lists.hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_.encoded);
+        for (const Disc* disc : lists.hittable) part_.lists.push_back(disc->splat);
+        part_.lists.resize(part_.encoded.near.size() / NEAR_WORDS);
+        part_.blend_ranges.push_back(static_cast<std::uint32_t>(part_.blending.size()));
+        part_.blend_ranges.push_back(static_cast<std::uint32_t>(lists.blending.size()));
+        for (const Disc* disc : lists.blending) part_.blending.push_back(disc->splat);
+        return cell << CELL_INDEX_SHIFT;
     }
 
     const pro_info& info_;
     const pro_view& view_;
     Part& part_;
-    float slack_ = kSlackEdges;
-    std::vector<Entry> entries_;
-    std::array<std::vector<std::uint32_t>, BRICK_CELLS> hittable_, blending_; ///< entries of each cell
+    std::uint32_t grid_shift_;
+    float edges_; ///< of cells to a cube unit
+    float slack_;
+    std::uint32_t halvings_; ///< at most
+    std::vector<Disc> discs_;
+    std::array<CellLists, BRICK_WORDS> cells_;
 };
 
-/// Runs work(k) for k in [0, count) on all cores.
-template <typename Work>
-void forRuns(std::size_t count, const Work& work) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> failed{false};
-    std::exception_ptr failure;
-    const auto loop = [&] {
-        try {
-            for (std::size_t k = next++; k < count && !failed; k = next++) work(k);
-        } catch (...) {
-            if (!failed.exchange(true)) failure = std::current_exception();
-        }
-    };
-    std::vector<std::jthread> threads(std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency())));
-    for (auto& thread : threads) thread = std::jthread(loop);
-    threads.clear();
-    if (failure) std::rethrow_exception(failure);
+/// Puts a member of all parts behind what all has, and frees it there.
+template <typename All, typename MemberOf>
+void appendAll(All& all, std::vector<Part>& parts, const MemberOf& memberOf) {
+    std::size_t size = all.size();
+    for (Part& part : parts) size += memberOf(part).size();
+    all.reserve(size);
+    for (Part& part : parts) {
+        auto& member = memberOf(part);
+        all.insert(all.end(), member.begin(), member.end());
+        member = {};
+    }
 }
 
-void append(Part& part, std::span<const LeafPlace> places, Bricks& all) {
-    const auto first_cell = static_cast<std::uint32_t>(all.cells.size() / CELL_WORDS);
-    const std::size_t first_list = all.lists.size();
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        std::uint32_t* brick = all.bricks.data() + std::size_t{places[k].leaf} * BRICK_WORDS;
-        std::copy_n(part.bricks.data() + k * BRICK_WORDS, BRICK_WORDS, brick);
-        brick[BRICK_FIRST_CELL] += first_cell;
+/// The sizes of the parts before one.
+struct Offsets {
+    std::size_t groups = 0, cells = 0, lists = 0, blending = 0;
+};
+
+void relocate(Part& part, const Offsets& before) {
+    const auto moved = [&](std::uint32_t& word) {
+        if ((word & SKIP_MASK) != 0) return;
+        word += static_cast<std::uint32_t>(word & CELL_INNER ? before.groups : before.cells) << CELL_INDEX_SHIFT;
+    };
+    std::for_each(part.words.begin(), part.words.end(), moved);
+    std::for_each(part.groups.begin(), part.groups.end(), moved);
+    for (std::size_t w = CELL_FIRST; w < part.encoded.cells.size(); w += CELL_WORDS)
+        part.encoded.cells[w] += static_cast<std::uint32_t>(before.lists);
+    for (std::size_t w = 0; w < part.blend_ranges.size(); w += BLEND_RANGE_WORDS)
+        part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
+}
+
+/// Puts the parts behind one another: bricks, then groups; discs, then what only blends.
+Bricks join(std::vector<Part>& parts) {
+    Offsets at;
+    for (const Part& part : parts) {
+        at.groups += part.words.size() / GROUP_WORDS;
+        at.blending += part.lists.size();
     }
-    for (std::size_t w = CELL_FIRST; w < part.cells.size(); w += CELL_WORDS)
-        part.cells[w] += static_cast<std::uint32_t>(first_list);
-    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
-    all.lists.insert(all.lists.end(), part.lists.begin(), part.lists.end());
-    part = {};
+    if (at.blending > kListedMost)
+        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
+    Bricks all;
+    for (Part& part : parts) {
+        relocate(part, at);
+        at.groups += part.groups.size() / GROUP_WORDS;
+        at.cells += part.encoded.slabs.size();
+        at.lists += part.lists.size();
+        at.blending += part.blending.size();
+    }
+    appendAll(
+        all.corners, parts, [](Part & part) -> auto& { return part.corners; });
+    appendAll(
+        all.words, parts, [](Part & part) -> auto& { return part.words; });
+    appendAll(
+        all.words, parts, [](Part & part) -> auto& { return part.groups; });
+    appendAll(
+        all.cells, parts, [](Part & part) -> auto& { return part.encoded.cells; });
+    appendAll(
+        all.slabs, parts, [](Part & part) -> auto& { return part.encoded.slabs; });
+    appendAll(
+        all.near, parts, [](Part & part) -> auto& { return part.encoded.near; });
+    all.lists.reserve(at.blending + 3);
+    appendAll(
+        all.lists, parts, [](Part & part) -> auto& { return part.lists; });
+    appendAll(
+        all.lists, parts, [](Part & part) -> auto& { return part.blending; });
+    appendAll(
+        all.blend_ranges, parts, [](Part & part) -> auto& { return part.blend_ranges; });
+    all.lists.resize((all.lists.size() + 3) / 4 * 4);
+    return all;
 }
 
 } // namespace
 
-Bricks buildBricks(const pro_info& info, const pro_view& view) {
-    std::vector<LeafPlace> places;
-    places.reserve(info.leaf_count);
-    forNodes({view.nodes, info.node_count}, PRO_MAX_DEPTH,
+Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid) {
+    std::vector<Source> sources;
+    forNodes({view.nodes, info.node_count}, PRO_POSITION_BITS - grid.shift,
              [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) {
-                 places.push_back({node - 1, corner, shift});
+                 sources.push_back({node, corner, shift});
              });
-    std::vector<Part> parts((places.size() + kRunLeaves - 1) / kRunLeaves);
-    const auto run = [&](std::size_t k) {
-        return std::span(places).subspan(k * kRunLeaves, std::min(kRunLeaves, places.size() - k * kRunLeaves));
-    };
-    forRuns(parts.size(), [&](std::size_t k) {
-        BrickBuilder builder(info, view, parts[k]);
-        for (const LeafPlace& place : run(k)) builder.run(place);
+    std::vector<Part> parts((sources.size() + kRunNodes - 1) / kRunNodes);
+    forAll(parts.size(), [&](std::size_t k) {
+        BrickBuilder builder(info, view, grid, parts[k]);
+        const std::size_t end = std::min(sources.size(), (k + 1) * kRunNodes);
+        for (std::size_t s = k * kRunNodes; s < end; ++s) builder.run(sources[s]);
     });
-    Bricks all;
-    std::size_t cell_words = 0, listed = 0;
-    for (const Part& part : parts) {
-        cell_words += part.cells.size();
-        listed += part.lists.size();
-    }
-    if (listed > kListedMost)
-        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
-    all.cells.reserve(cell_words);
-    all.lists.reserve(listed + 3);
-    all.bricks.resize(std::size_t{info.leaf_count} * BRICK_WORDS);
-    for (std::size_t k = 0; k < parts.size(); ++k) append(parts[k], run(k), all);
-    all.lists.resize((all.lists.size() + 3) / 4 * 4);
-    return all;
+    return join(parts);
 }
 
 } // namespace pointrt

@@ -3,28 +3,69 @@
 
 #include <algorithm>
 #include <array>
-#include <future>
+#include <cmath>
+#include <numeric>
 
-#include "runtime/node_walk.h"
+#include "pointrt/tool.hpp"
+#include "runtime/parallel.h"
 #include "shaders/brick_layout.h"
 
 namespace pointrt {
 
 namespace {
 
-constexpr std::uint8_t kSkipMax = 15;
-
 /// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
 /// for each leaf: 2 bytes a splat of an even scan, 20 of the least even one tried.
 constexpr std::uint64_t kWordsPerLeaf = 32;
+/// Bricks that a grid word can name.
+constexpr std::size_t kBricksMost = std::size_t{1} << (32 - GRID_BRICK_SHIFT);
 constexpr std::uint64_t kWordsLeast = 1u << 15;
 constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid itself no longer fits into caches
 
-std::uint32_t commonLeafDepth(std::span<const std::uint32_t> nodes) {
-    std::array<std::uint32_t, PRO_MAX_DEPTH + 1> leaves{};
-    forNodes(nodes, PRO_MAX_DEPTH,
-             [&](std::uint32_t, const Corner&, std::uint32_t shift) { ++leaves[PRO_POSITION_BITS - shift]; });
-    return static_cast<std::uint32_t>(std::max_element(leaves.begin(), leaves.end()) - leaves.begin());
+/// Leaves above the grid are cut into its cells, where their splats are on more lists. That may make all lists longer
+/// by this factor; and cells below which the octree has leaves are cut further (runtime/bricks.cpp) where the lists of
+/// those would make rays test more discs by this factor.
+constexpr double kLongerMost = 1.6, kCrowdedMost = 1.1;
+
+using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< of the leaves at each depth
+
+MemberCounts countMembers(const pro_info& info, const pro_view& view) {
+    MemberCounts members{};
+    forNodes({view.nodes, info.node_count}, PRO_MAX_DEPTH, [&](std::uint32_t node, const Corner&, std::uint32_t shift) {
+        const std::uint32_t* leaf = view.leaves + std::size_t{node - 1} * PRO_LEAF_WORDS;
+        members[PRO_POSITION_BITS - shift] += leaf[PRO_LEAF_COUNTS] & PRO_LEAF_MEMBER_MASK;
+    });
+    return members;
+}
+
+/// A disc of radius r meets about (1 + 1.6 r / e)^2 cells of edge e; at the leaves' own depth e is 2 r
+/// (kLeafEdgeRadii in the bake is 8, and a brick has 4 cells). Lists a splat is on, compared to that, in a grid at
+/// depth.
+double listShare(const MemberCounts& members, std::uint32_t depth) {
+    double sum = 0, count = 0;
+    for (std::uint32_t d = 0; d < members.size(); ++d) {
+        const double side = 1 + 0.8 * std::ldexp(1.0, d < depth ? static_cast<int>(depth - d) : 0);
+        sum += members[d] * side * side / (1.8 * 1.8);
+        count += members[d];
+    }
+    return sum / count;
+}
+
+/// The same for the discs a ray tests in a cell, (e + 1.6 r)^2 of them.
+double testShare(const MemberCounts& members, std::uint32_t depth) {
+    double sum = 0, count = 0;
+    for (std::uint32_t d = 0; d < members.size(); ++d) {
+        const double side = 1.6 + std::ldexp(2.0, d > depth ? static_cast<int>(d - depth) : 0);
+        sum += members[d] * side * side / (3.6 * 3.6);
+        count += members[d];
+    }
+    return sum / count;
+}
+
+std::uint32_t preferredDepth(const MemberCounts& members) {
+    auto depth = static_cast<std::uint32_t>(std::max_element(members.begin(), members.end()) - members.begin());
+    while (listShare(members, depth) > kLongerMost) --depth; // ends: no leaf is above depth 0
+    return depth;
 }
 
 /// A grid without words over the leaves' bounds.
@@ -48,32 +89,11 @@ EntryGrid frameGrid(std::span<const std::uint32_t> nodes, std::uint32_t depth) {
 
 std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[0]} * grid.size[1] * grid.size[2]; }
 
-EntryGrid chooseGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count) {
-    const std::uint64_t most = std::clamp(kWordsPerLeaf * leaf_count, kWordsLeast, kWordsMost);
-    std::uint32_t depth = commonLeafDepth(nodes);
-    EntryGrid grid = frameGrid(nodes, depth);
-    while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
-    return grid;
-}
-
-void paint(EntryGrid& grid, std::uint32_t node, const Corner& corner, std::uint32_t shift) {
-    const std::uint32_t side = 1u << (shift - grid.shift);
-    const std::uint32_t word = node & PRO_NODE_INNER ? (node & PRO_NODE_GROUP_MASK) << GRID_INDEX_SHIFT
-                                                     : (node - 1) << GRID_INDEX_SHIFT | GRID_LEAF;
-    std::array<std::size_t, 3> from;
-    for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = (corner[axis] >> grid.shift) - grid.origin[axis];
-    for (std::size_t z = from[2]; z < from[2] + side; ++z)
-        for (std::size_t y = from[1]; y < from[1] + side; ++y) {
-            const std::size_t row = (z * grid.size[1] + y) * grid.size[0] + from[0];
-            std::fill_n(grid.words.begin() + static_cast<std::ptrdiff_t>(row), side, word);
-        }
-}
-
 /// Largest empty cube from each cell towards one octant, by the recurrence 1 + minimum over the 7 neighbours there.
 std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
     // a border of empty cells around the grid saves asking where it ends
     const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
-    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kSkipMax), skips(filled.size());
+    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], std::uint8_t{SKIP_CELLS_MAX}), skips(filled.size());
     const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
                                                static_cast<std::ptrdiff_t>(size[0] * size[1])};
     std::ptrdiff_t toward[3];
@@ -90,7 +110,7 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
                 const std::ptrdiff_t dx = toward[0], dy = toward[1], dz = toward[2];
                 const std::uint8_t nearest =
                     std::min({at[dx], at[dy], at[dz], at[dx + dy], at[dx + dz], at[dy + dz], at[dx + dy + dz]});
-                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(kSkipMax, nearest + 1);
+                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(SKIP_CELLS_MAX, nearest + 1);
                 skips[cell] = *at;
             }
     return skips;
@@ -98,27 +118,35 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
 
 } // namespace
 
-EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count) {
-    constexpr std::uint32_t kUnset = GRID_EMPTY_MASK; // no node word ends in it
-    EntryGrid grid = chooseGrid(nodes, leaf_count);
-    grid.words.assign(wordCount(grid), kUnset);
-    forNodes(nodes, PRO_POSITION_BITS - grid.shift,
-             [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) { paint(grid, node, corner, shift); });
-
-    std::vector<char> filled(grid.words.size());
-    for (std::size_t c = 0; c < filled.size(); ++c) filled[c] = grid.words[c] != kUnset;
-    std::array<std::future<std::vector<std::uint8_t>>, 8> work;
-    for (std::uint32_t octant = 0; octant < 8; ++octant)
-        work[octant] = std::async(std::launch::async, [&, octant] { return skipsTowards(filled, grid, octant); });
-    std::array<std::vector<std::uint8_t>, 8> skips;
-    for (std::uint32_t octant = 0; octant < 8; ++octant) skips[octant] = work[octant].get();
-    for (std::size_t c = 0; c < filled.size(); ++c) {
-        if (filled[c]) continue;
-        grid.words[c] = 0;
-        for (std::uint32_t octant = 0; octant < 8; ++octant)
-            grid.words[c] |= static_cast<std::uint32_t>(skips[octant][c]) << (4 * octant);
-    }
+EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
+    const std::uint64_t most = std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, kWordsMost);
+    const std::span<const std::uint32_t> nodes(view.nodes, info.node_count);
+    const MemberCounts members = countMembers(info, view);
+    std::uint32_t depth = preferredDepth(members);
+    EntryGrid grid = frameGrid(nodes, depth);
+    while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
+    grid.uneven = testShare(members, depth) > kCrowdedMost;
     return grid;
+}
+
+void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners) {
+    if (corners.size() > kBricksMost)
+        throw Error(ExitCode::kCannotRun, "more than 2^28 bricks, too many for this viewer");
+    std::vector<char> filled(wordCount(grid));
+    grid.words.assign(filled.size(), 0);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        std::size_t word = 0;
+        for (std::size_t axis = 3; axis-- > 0;)
+            word = word * grid.size[axis] + (corners[k][axis] >> grid.shift) - grid.origin[axis];
+        filled[word] = 1;
+        grid.words[word] = static_cast<std::uint32_t>(k) << GRID_BRICK_SHIFT;
+    }
+    std::array<std::vector<std::uint8_t>, 8> skips;
+    forAll(8,
+           [&](std::size_t octant) { skips[octant] = skipsTowards(filled, grid, static_cast<std::uint32_t>(octant)); });
+    for (std::size_t c = 0; c < filled.size(); ++c)
+        for (std::uint32_t octant = 0; octant < 8 && !filled[c]; ++octant)
+            grid.words[c] |= std::uint32_t{skipCode(skips[octant][c])} << (SKIP_BITS * octant);
 }
 
 } // namespace pointrt

@@ -2,26 +2,44 @@
 // A dense grid over the octree's upper levels: where rays enter the tree, and how far empty space reaches.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "pointrt/pro.h"
+#include "runtime/node_walk.h"
+#include "runtime/page_vector.h"
+#include "shaders/brick_layout.h"
+
 namespace pointrt {
 
-/// Covers the cells of one depth of the octree that hold leaves or parts of them; x runs fastest. A word whose low
-/// 4 bits are 0 is filled: with bit 4, bits 5 and up are the index of the leaf that the cell is or lies in, without it
-/// the number of the group of the cell's children. In an empty cell's word
-/// nibble k says how many cells (1 to 15) around and including it are empty towards octant k (bit 0 of k: x rising,
-/// bit 1: y, bit 2: z); what is outside the grid is empty.
+/// Covers the cells of one depth of the octree; x runs fastest. Layout of the words: shaders/brick_layout.h. What is
+/// outside the grid is empty.
 struct EntryGrid {
     std::uint32_t shift = 0;               ///< log2 of a cell's edge in position steps
     std::array<std::uint32_t, 3> origin{}; ///< of the lowest cell, in cells from the cube's corner
     std::array<std::uint32_t, 3> size{};   ///< in cells
-    std::vector<std::uint32_t> words;
+    Words words;
+    bool uneven = false; ///< so many of the octree's leaves lie deeper that cells are to be cut further
 };
 
-/// nodes are a validated file's NODE words, fewer than 2^27, with a leaf.
-EntryGrid buildEntryGrid(std::span<const std::uint32_t> nodes, std::uint32_t leaf_count);
+/// Whole cells that a skip code stands for, and the largest code for no more than so many, at least 1.
+constexpr std::uint32_t skippedCells(std::uint32_t code) {
+    return std::max(code, static_cast<std::uint32_t>(SKIP_SQUARE * static_cast<float>(code * code)));
+}
+constexpr std::uint8_t skipCode(std::uint32_t cells) {
+    std::uint32_t code = 1;
+    while (code < SKIP_MASK && std::max<float>(code + 1, SKIP_SQUARE * (code + 1) * (code + 1)) <= cells) ++code;
+    return static_cast<std::uint8_t>(code);
+}
+
+/// A grid without words over the leaves of a validated file.
+EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view);
+
+/// Writes the words of a grid without any. corners: of its filled cells, in position steps; brick k is the one at
+/// corners[k]. Throws Error (kCannotRun) where there are more bricks than words can name.
+void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners);
 
 } // namespace pointrt

@@ -5,6 +5,7 @@
 
 #include "pointrt/tool.hpp"
 #include "runtime/bricks.h"
+#include "runtime/cell_skips.h"
 #include "runtime/entry_grid.h"
 
 namespace pointrt {
@@ -28,10 +29,10 @@ void mapFile(Scene& scene) {
         throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^27 nodes, too many for this viewer");
 }
 
-/// A section (never empty) as a texel buffer: the mapped pages themselves where device and host share memory, else a
+/// Bytes (some) as a texel buffer: where device and host share memory the host's own pages, which must stay, else a
 /// copy.
-Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes,
-                     VkFormat format) {
+Buffer texelBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes,
+                   VkFormat format) {
     Buffer buffer;
     if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
     if (!buffer.handle)
@@ -41,12 +42,10 @@ Buffer sectionBuffer(Device& device, Scene& scene, const char* what, const void*
     return buffer;
 }
 
-Buffer wordBuffer(Device& device, Scene& scene, const char* what, const std::vector<std::uint32_t>& words,
-                  VkFormat format) {
-    const std::uint64_t bytes = words.size() * sizeof(std::uint32_t);
-    Buffer buffer = createFilledBuffer(device, what, words.data(), bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    createTexelView(device, what, buffer, format);
-    scene.device_bytes += bytes;
+/// The same for words; a copy's original is let go.
+Buffer wordBuffer(Device& device, Scene& scene, const char* what, Words& words, VkFormat format) {
+    Buffer buffer = texelBuffer(device, scene, what, words.data(), words.size() * sizeof words[0], format);
+    if (!buffer.imported) words = {};
     return buffer;
 }
 
@@ -56,26 +55,28 @@ void uploadSections(Device& device, Scene& scene) {
     const auto words = [](std::uint32_t count, std::uint32_t per_row) {
         return std::uint64_t{count} * per_row * sizeof(std::uint32_t);
     };
-    scene.nodes =
-        sectionBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
-    scene.splats = sectionBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
-                                 VK_FORMAT_R32G32B32A32_UINT);
-    scene.materials = sectionBuffer(device, scene, "material buffer", view.materials,
-                                    words(info.material_count, PRO_MATERIAL_FLOATS), VK_FORMAT_R32G32B32A32_SFLOAT);
+    scene.nodes = texelBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
+    scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
+                               VK_FORMAT_R32G32B32A32_UINT);
+    scene.materials = texelBuffer(device, scene, "material buffer", view.materials,
+                                  words(info.material_count, PRO_MATERIAL_FLOATS), VK_FORMAT_R32G32B32A32_SFLOAT);
 }
 
-void uploadBricks(Device& device, Scene& scene) {
-    const Bricks bricks = buildBricks(scene.info, scene.view);
-    scene.bricks = wordBuffer(device, scene, "brick buffer", bricks.bricks, VK_FORMAT_R32G32B32A32_UINT);
-    scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32B32A32_UINT);
+void uploadTraversal(Device& device, Scene& scene) {
+    EntryGrid& grid = scene.grid_frame;
+    Bricks& bricks = scene.bricks;
+    grid = frameEntryGrid(scene.info, scene.view);
+    bricks = buildBricks(scene.info, scene.view, grid);
+    fillEntryGrid(grid, bricks.corners);
+    fillCellSkips(grid, bricks.corners.size(), bricks.words);
+    bricks.corners = {};
+    scene.grid_words = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
+    scene.brick_words = wordBuffer(device, scene, "brick buffer", bricks.words, VK_FORMAT_R32_UINT);
+    scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32_UINT);
+    scene.slabs = wordBuffer(device, scene, "slab buffer", bricks.slabs, VK_FORMAT_R32_UINT);
+    scene.near = wordBuffer(device, scene, "near splat buffer", bricks.near, VK_FORMAT_R32G32B32A32_UINT);
     scene.lists = wordBuffer(device, scene, "list buffer", bricks.lists, VK_FORMAT_R32G32B32A32_UINT);
-}
-
-void uploadGrid(Device& device, Scene& scene) {
-    EntryGrid grid = buildEntryGrid({scene.view.nodes, scene.info.node_count}, scene.info.leaf_count);
-    scene.grid = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
-    grid.words.clear();
-    scene.grid_frame = std::move(grid);
+    scene.blend_ranges = wordBuffer(device, scene, "blend range buffer", bricks.blend_ranges, VK_FORMAT_R32G32_UINT);
 }
 
 } // namespace
@@ -86,8 +87,7 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     try {
         mapFile(scene);
         uploadSections(device, scene);
-        uploadBricks(device, scene);
-        uploadGrid(device, scene);
+        uploadTraversal(device, scene);
     } catch (...) {
         destroyScene(device, scene);
         throw;
@@ -100,14 +100,17 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
 }
 
 std::vector<BufferBinding> sceneBindings(const Scene& scene) {
-    return {{0, &scene.nodes}, {1, &scene.bricks},    {2, &scene.lists}, {3, &scene.splats},
-            {4, &scene.grid},  {5, &scene.materials}, {14, &scene.cells}};
+    return {{0, &scene.nodes},      {1, &scene.brick_words},  {2, &scene.lists},  {3, &scene.splats},
+            {4, &scene.grid_words}, {5, &scene.materials},    {14, &scene.cells}, {15, &scene.near},
+            {21, &scene.slabs},     {16, &scene.blend_ranges}};
 }
 
 void destroyScene(Device& device, Scene& scene) {
-    for (Buffer* buffer :
-         {&scene.nodes, &scene.splats, &scene.materials, &scene.bricks, &scene.cells, &scene.lists, &scene.grid})
+    for (Buffer* buffer : {&scene.nodes, &scene.splats, &scene.materials, &scene.brick_words, &scene.cells,
+                           &scene.slabs, &scene.near, &scene.lists, &scene.blend_ranges, &scene.grid_words})
         destroyBuffer(device, *buffer);
+    scene.bricks = {};
+    scene.grid_frame = {};
     if (scene.file) pro_close(scene.file);
     scene.file = nullptr;
 }

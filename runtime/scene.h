@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pointrt/pro.h"
+#include "runtime/bricks.h"
 #include "runtime/device.h"
 #include "runtime/entry_grid.h"
 #include "runtime/program.h"
@@ -19,8 +20,9 @@ struct Scene {
     pro_file* file = nullptr;
     pro_info info{};
     pro_view view{};
-    Buffer nodes, splats, materials, bricks, cells, lists, grid;
-    EntryGrid grid_frame; ///< where the grid lies; its words are on the device only
+    EntryGrid grid_frame; ///< its words, and the bricks, are here only where the device reads them here
+    Bricks bricks;
+    Buffer nodes, splats, materials, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
     std::uint64_t device_bytes = 0;
 };
 

@@ -8,11 +8,12 @@
 
 #include "runtime/frame_params.h"
 #include "runtime/program.h"
+#include "shaders/beam.spv.h"
 #include "shaders/prepare.spv.h"
-#include "shaders/raygen.spv.h"
 #include "shaders/shade.spv.h"
 #include "shaders/shadow.spv.h"
 #include "shaders/trace.spv.h"
+#include "shaders/trace_primary.spv.h"
 
 namespace pointrt {
 
@@ -29,8 +30,8 @@ struct TracerState {
     Camera camera;
     const Scene* scene = nullptr;
     std::uint32_t band_rows = 0;
-    Program raygen, trace, shade, shadow, prepare;
-    Buffer params, control, queues, paths, hits, lit, film, first_hits;
+    Program beam, trace_primary, trace, shade, shadow, prepare;
+    Buffer params, control, queues, paths, hits, lit, film, first_hits, beams;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
     std::uint64_t device_bytes = 0;
@@ -39,7 +40,11 @@ struct TracerState {
 
 namespace {
 
-std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return (width + 3) / 4 * ((rows + 1) / 2) * 8; }
+std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
+    return (width + TILE_SIDE - 1) / TILE_SIDE * ((rows + TILE_SIDE - 1) / TILE_SIDE);
+}
+
+std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
 
 void createBuffers(Device& device, TracerState& state) {
     const std::uint32_t width = state.settings.width;
@@ -52,19 +57,26 @@ void createBuffers(Device& device, TracerState& state) {
     };
     state.params = storage("frame parameters", sizeof(gpu::FrameParams));
     state.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-    state.queues = storage("queue buffer", 3 * lanes * sizeof(std::uint32_t));
-    state.paths = storage("path buffer", pixels * sizeof(gpu::PathState));
-    state.hits = storage("hit buffer", pixels * sizeof(gpu::uvec4));
+    state.queues = storage("queue buffer", 3 * lanes * sizeof(std::uint32_t), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, "queue buffer", state.queues, VK_FORMAT_R32_UINT);
+    state.paths = storage("path buffer", pixels * sizeof(gpu::PathState), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, "path buffer", state.paths, VK_FORMAT_R32G32B32A32_SFLOAT);
+    state.hits = storage("hit buffer", pixels * sizeof(gpu::uvec4), VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+    createTexelView(device, "hit buffer", state.hits, VK_FORMAT_R32G32B32A32_UINT);
     state.lit = storage("lit point buffer", pixels * sizeof(gpu::LitPoint));
+    state.beams = storage("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, "beam buffer", state.beams, VK_FORMAT_R32_SFLOAT);
     state.film = storage("film buffer", pixels * sizeof(gpu::vec4));
     state.first_hits = storage("first hit buffer", pixels * sizeof(gpu::vec4));
 }
 
 void createPrograms(Device& device, TracerState& state) {
-    state.raygen = createProgram(device, "raygen", raygen_spv);
-    state.trace = createProgram(device, "trace", trace_spv);
-    state.shade = createProgram(device, "shade", shade_spv);
-    state.shadow = createProgram(device, "shadow", shadow_spv);
+    const std::uint32_t uneven = state.scene->grid_frame.uneven;
+    state.beam = createProgram(device, "beam", beam_spv);
+    state.trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven});
+    state.trace = createProgram(device, "trace", trace_spv, {uneven});
+    state.shade = createProgram(device, "shade", shade_spv, {uneven});
+    state.shadow = createProgram(device, "shadow", shadow_spv, {uneven});
     state.prepare = createProgram(device, "prepare", prepare_spv);
 }
 
@@ -77,7 +89,11 @@ void createBindings(Device& device, TracerState& state) {
                                      {10, &state.hits},
                                      {11, &state.lit},
                                      {12, &state.film},
-                                     {13, &state.first_hits}});
+                                     {13, &state.first_hits},
+                                     {17, &state.paths},
+                                     {19, &state.beams},
+                                     {20, &state.beams},
+                                     {18, &state.queues}});
     state.pool = createDescriptorPool(device, 1);
     state.set = createDescriptorSet(device, state.pool, state.trace, bindings);
 }
@@ -90,45 +106,43 @@ public:
 
     void firstHits() {
         const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
-        run(state_.prepare, 0, 0, bits | STEP_RESET, 1);
-        run(state_.raygen, 0, 0, bits, groups());
-        runIndirect(state_.trace, 0, 0, bits, offsetof(gpu::Control, ray_groups));
-        runIndirect(state_.shade, 0, 0, bits, offsetof(gpu::Control, ray_groups));
+        run(state_.prepare, 0, bits | STEP_RESET, 1);
+        primary(bits);
+        runIndirect(state_.shade, 0, bits, offsetof(gpu::Control, ray_groups));
     }
 
     void sample(std::uint32_t index) {
         sample_ = index;
-        const std::uint32_t center = state_.settings.spp == 1 ? STEP_CENTER : 0u;
-        run(state_.prepare, 0, 0, STEP_RESET, 1);
-        run(state_.raygen, 0, 0, center, groups());
+        center_ = state_.settings.spp == 1 ? STEP_CENTER : 0u;
+        run(state_.prepare, 0, STEP_RESET, 1);
+        primary(center_);
         for (std::uint32_t b = 0; b <= state_.settings.bounces; ++b) bounce(b, b % 2 ? STEP_QUEUE_ONE : 0u);
     }
 
 private:
     void bounce(std::uint32_t index, std::uint32_t queue) {
-        runIndirect(state_.trace, index, 0, queue, offsetof(gpu::Control, ray_groups));
-        runIndirect(state_.shade, index, 0, queue, offsetof(gpu::Control, ray_groups));
-        run(state_.prepare, index, 0, queue, 1);
-        for (std::uint32_t light = 0; light < state_.settings.lights; ++light)
-            runIndirect(state_.shadow, index, light, queue, offsetof(gpu::Control, lit_groups));
+        if (index > 0) runIndirect(state_.trace, index, queue, offsetof(gpu::Control, ray_groups));
+        runIndirect(state_.shade, index, queue | (index == 0 ? center_ : 0u), offsetof(gpu::Control, ray_groups));
+        run(state_.prepare, index, queue, 1);
+        if (state_.settings.lights > 0) runIndirect(state_.shadow, index, queue, offsetof(gpu::Control, lit_groups));
     }
 
-    std::uint32_t groups() const { return (lanes_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE; }
-
-    gpu::PushParams push(std::uint32_t bounce, std::uint32_t light, std::uint32_t bits) const {
-        return {{sample_, 0, bounce | light << 16, bits}};
+    /// First hits of the camera rays.
+    void primary(std::uint32_t bits) {
+        run(state_.beam, 0, bits, (lanes_ / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+        runIndirect(state_.trace_primary, 0, bits, offsetof(gpu::Control, tile_groups));
     }
 
-    void run(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits,
-             std::uint32_t count) {
-        const gpu::PushParams params = push(bounce, light, bits);
+    gpu::PushParams push(std::uint32_t bounce, std::uint32_t bits) const { return {{sample_, 0, bounce, bits}}; }
+
+    void run(const Program& program, std::uint32_t bounce, std::uint32_t bits, std::uint32_t count) {
+        const gpu::PushParams params = push(bounce, bits);
         recordDispatch(commands_, program, state_.set, pushBytes(params), {count, 1, 1});
         recordBarrier(commands_);
     }
 
-    void runIndirect(const Program& program, std::uint32_t bounce, std::uint32_t light, std::uint32_t bits,
-                     std::size_t offset) {
-        const gpu::PushParams params = push(bounce, light, bits);
+    void runIndirect(const Program& program, std::uint32_t bounce, std::uint32_t bits, std::size_t offset) {
+        const gpu::PushParams params = push(bounce, bits);
         recordDispatchIndirect(commands_, program, state_.set, pushBytes(params), state_.control, offset);
         recordBarrier(commands_);
     }
@@ -136,7 +150,7 @@ private:
     VkCommandBuffer commands_;
     const TracerState& state_;
     std::uint32_t lanes_;
-    std::uint32_t sample_ = 0;
+    std::uint32_t sample_ = 0, center_ = 0;
 };
 
 /// Adds the sample's counters, which are 32 bits wide on the device and start at 0 with each sample.
@@ -214,11 +228,12 @@ std::uint64_t deviceBytes(const Tracer& tracer) { return tracer.state->device_by
 void destroyTracer(Device& device, Tracer& tracer) {
     if (!tracer.state) return;
     TracerState& state = *tracer.state;
-    for (Program* program : {&state.raygen, &state.trace, &state.shade, &state.shadow, &state.prepare})
+    for (Program* program :
+         {&state.beam, &state.trace_primary, &state.trace, &state.shade, &state.shadow, &state.prepare})
         destroyProgram(device, *program);
     destroyDescriptorPool(device, state.pool);
     for (Buffer* buffer : {&state.params, &state.control, &state.queues, &state.paths, &state.hits, &state.lit,
-                           &state.film, &state.first_hits})
+                           &state.film, &state.first_hits, &state.beams})
         destroyBuffer(device, *buffer);
     tracer.state.reset();
 }

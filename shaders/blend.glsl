@@ -35,15 +35,15 @@ struct Field {
 
 // Adds one splat's share of the field at point. side is the first hit's normal towards the viewer, front the sign
 // that turns stored normals the same way, or 0 where the file's normals are not oriented.
-void addToField(inout Field field, uvec4 words, vec3 point, vec3 side, float front) {
+void addToField(inout Field field, uvec4 words, vec4 coding, vec3 point, vec3 side, float front) {
     vec3 normal = normalize(splatDirection(words));
     float cosine = dot(normal, side);
     float turn = front == 0.0 ? (cosine < 0.0 ? -1.0 : 1.0) : front;
     vec3 offset = point - splatPosition(words);
-    float radius = splatRadius(words);
+    float radius = splatRadius(words, coding);
     float height = dot(normal, offset);
     float in_plane = 1.0 - (dot(offset, offset) - height * height) / (radius * radius);
-    float in_slab = 1.0 - height * height / (params.splat.z * params.splat.z * radius * radius);
+    float in_slab = 1.0 - height * height / (coding.z * coding.z * radius * radius);
     bool counts = turn * cosine > kSameSideCosine && in_plane > 0.0 && in_slab > 0.0;
     float weight = counts ? in_plane * in_plane * in_slab * in_slab : 0.0;
     field.weight += weight;
@@ -65,17 +65,20 @@ void fillUp(inout Field field, uvec4 words, vec3 point, vec3 side) {
     field.height += missing * dot(side, point - splatPosition(words));
     field.normal += missing * side;
     field.color += missing * splatColor(words);
-    field.radius += missing * splatRadius(words);
+    field.radius += missing * splatRadius(words, params.splat);
 }
 
 // The field at a point, around the disc hit first.
 Field evaluateField(uint cell_index, uvec4 first, vec3 point, vec3 side, float front) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
-    uvec4 cell = loadCell(cell_index);
-    uint count = blendingCount(cell);
-    uint k = 0u;
+    uvec2 cell = loadCell(cell_index);
+    uvec2 blending = loadBlendRange(cell_index);
+    uint discs = cell[CELL_COUNT] & CELL_COUNT_MASK;
+    uint count = discs + blending.y, k = 0u;
+    vec4 coding = params.splat;
     while (k < count) {
-        addToField(field, loadSplat(loadListed(cell[CELL_FIRST] + k)), point, side, front);
+        uint listed = k < discs ? cell[CELL_FIRST] + k : blending.x + k - discs;
+        addToField(field, loadSplat(loadListed(listed)), coding, point, side, front);
         k++;
     }
     fillUp(field, first, point, side);
@@ -92,21 +95,26 @@ float newtonStep(Field field, vec3 direction, float radius) {
 Surface flatSurface(uvec4 words, float t, vec3 direction) {
     vec3 normal = normalize(splatDirection(words));
     normal = dot(normal, direction) > 0.0 ? -normal : normal;
-    return Surface(t, normal, splatColor(words), splatRadius(words), splatMaterial(words));
+    return Surface(t, normal, splatColor(words), splatRadius(words, params.splat), splatMaterial(words));
 }
 
-// The surface at the hit (t, cell, splat) of the ray.
-Surface surfaceAt(vec3 origin, vec3 direction, float t, uint cell, uint splat) {
-    uvec4 words = loadSplat(splat);
+// The surface at a traced hit, its words as stored, of the ray.
+Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
+    SplatHit exact = exactHit(hit, origin, direction);
+    uvec4 words = exact.words;
+    float t = exact.t;
     Surface surface = flatSurface(words, t, direction);
     if (!hasOption(OPTION_BLEND)) return surface;
     vec3 side = surface.normal;
     float front = hasOption(OPTION_ORIENTED) ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
     float radius = surface.radius;
 
-    Field field = evaluateField(cell, words, origin + t * direction, side, front);
+    vec3 point = origin + t * direction;
+    uint cell = cellAt(point);
+    cell = cell == NO_INDEX ? hit.y : cell; // the disc reaches into a cell that lists none
+    Field field = evaluateField(cell, words, point, side, front);
     float t_blended = t + newtonStep(field, direction, radius);
-    vec3 point = origin + t_blended * direction;
+    point = origin + t_blended * direction;
     uint second_cell = cellAt(point);
     field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, point, side, front);
     t_blended += newtonStep(field, direction, radius);

@@ -1,33 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bricks and the entry grid: what the viewer makes of the octree of a .pro. Valid in C++ and GLSL.
+// The entry grid, its bricks and their cells: what the viewer makes of the octree of a .pro. Valid in C++ and GLSL.
 #ifndef POINTRT_SHADERS_BRICK_LAYOUT_H
 #define POINTRT_SHADERS_BRICK_LAYOUT_H
 
-// Cells along an edge of a leaf. A leaf is about 8 radii wide; of the sizes tried, cells of 8/3 radii trace fastest.
-#define BRICK_SIDE 3
-#define BRICK_CELLS 27
+// A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how many cells
+// around and including it are empty towards octant k (bit 0 of k: x rising, bit 1: y, bit 2: z), at least: the larger
+// of the nibble and SKIP_SQUARE times its square, 28.125 at most. The low nibble of a filled one is 0.
+#define SKIP_BITS 4u
+#define SKIP_MASK 15u
+#define SKIP_SQUARE 0.125f
+#define SKIP_CELLS_MAX 29
 
-// A brick: one uvec4.
-#define BRICK_WORDS 4u
-#define BRICK_MASK 0u       // bit x + 3 y + 9 z: the cell has a list
-#define BRICK_FIRST_CELL 1u // the lists' cells follow one another in the order of the bits
-#define BRICK_SHIFT 2u      // log2 of the leaf's edge in position steps
+// A filled grid word names its brick: brick << GRID_BRICK_SHIFT.
+#define GRID_BRICK_SHIFT 4u
 
-// A cell: one uvec4.
-#define CELL_WORDS 4u
-#define CELL_FIRST 0u  // in the lists
-#define CELL_COUNTS 1u // splats whose discs cross the cell in the low half, those that only blend in the high half
-#define CELL_NORMAL 2u // mean normal of the discs that cross it, 3 times 10 bits: code / 511 - 1
-#define CELL_SLAB 3u   // two halves: least and greatest height along it, in cell edges from the cell's centre
+// A brick: the words of 4 x 4 x 4 cells, x fastest; behind all bricks follow groups of 8 words, for cells with too many
+// splats. A filled word names a cell, or with CELL_INNER the group of its halves: index << CELL_INDEX_SHIFT.
+#define BRICK_SIDE 4
+#define BRICK_WORDS 64u
+#define GROUP_WORDS 8u
+#define CELL_INNER 16u
+#define CELL_INDEX_SHIFT 5u
+
+// A cell.
+#define CELL_WORDS 2u
+#define CELL_FIRST 0u // near splat, even
+#define CELL_COUNT 1u // near splats in the low half; in the high half, as half float, position codes to an edge
 #define CELL_COUNT_MASK 0xFFFFu
-#define CELL_COUNT_SHIFT 16u
-#define CELL_NORMAL_BITS 10u
-#define CELL_NORMAL_MASK 0x3FFu
-#define CELL_NORMAL_ZERO 511.0f
+#define CELL_CODES_SHIFT 16u
 
-// A word of the entry grid (runtime/entry_grid.h).
-#define GRID_EMPTY_MASK 15u // 0 in these bits marks a filled cell
-#define GRID_LEAF 16u
-#define GRID_INDEX_SHIFT 5u
+// Two planes that hold a cell's discs, in a word of their own. From the low bits up: their normal x, y, z as signed
+// codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's centre, in
+// SLAB_STEPS to an edge if the normal's codes were divided by SLAB_NORMAL_MAX.
+#define SLAB_NORMAL_BITS 6
+#define SLAB_NORMAL_MAX 31
+#define SLAB_HEIGHT_BITS 7
+#define SLAB_HEIGHT_MAX 63
+#define SLAB_STEPS 63.0f
+
+// A near splat: a disc that rays are tested against, relative to its cell; two to a texel. From the high bits down,
+// word 0: position x, y, z as signed codes from the cell's centre, then the high bits of the radius code;
+// word 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius code.
+// The squared radius in position codes is a float: its upper bits, from an exponent of -13 on, are the radius code.
+#define NEAR_WORDS 2u
+#define NEAR_POSITION_BITS 10
+#define NEAR_POSITION_MAX 511
+#define NEAR_NORMAL_BITS 8
+#define NEAR_NORMAL_MAX 127
+#define NEAR_RADIUS_LOW_BITS 8u
+#define NEAR_RADIUS_LOW_MASK 0xFFu
+#define NEAR_RADIUS_HIGH_BITS 2u
+#define NEAR_RADIUS_HIGH_MASK 3u
+#define NEAR_RADIUS_SHIFT 18u
+#define NEAR_RADIUS_BIAS 0x39000000u
+
+// For each cell, the splats that only blend there: a range of the lists.
+#define BLEND_RANGE_WORDS 2u
 
 #endif

@@ -1,67 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which leaf and which cell of its brick hold a position: the grid of entry points stands for the octree's upper levels,
-// nodes for the rest.
+// Which cell holds a point: the grid of entry points stands for the octree's upper levels, a brick of 4 x 4 x 4 cells
+// for the next ones, groups of 8 for what is deeper. All in grid cells ("grid units") from the cube's lowest corner.
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
-int gridShift() { return int(params.grid.x); }
+// Whether any cell is cut further than a brick does. Even scans have none, and no ray has to ask.
+layout(constant_id = 0) const bool kUneven = false;
 
-// The grid's lowest position and the one behind its last.
-ivec3 gridBegin() { return ivec3(params.grid_origin.xyz) << gridShift(); }
-ivec3 gridEnd() { return ivec3(params.grid_origin.xyz + params.grid_size.xyz) << gridShift(); }
+// What every step needs of the frame, loaded once.
+struct Grid {
+    vec3 lowest;    // corner of the grid
+    vec2 stride;    // words in a row and in a layer
+    uint last_word;
+};
 
-bool inGrid(ivec3 position) {
-    return all(greaterThanEqual(position, gridBegin())) && all(lessThan(position, gridEnd()));
+Grid loadGridFrame() {
+    return Grid(vec3(params.grid_origin.xyz), params.grid_scale.yz, params.grid_size.w);
 }
 
-uint gridWord(ivec3 cell) {
-    uvec3 at = uvec3(cell) - params.grid_origin.xyz;
-    return loadGrid((at.z * params.grid_size.y + at.y) * params.grid_size.x + at.x);
+// Cells to skip from an empty one towards the octant that shift stands for.
+float skippedCells(uint word, uint octant_shift) {
+    float code = float(int(word >> octant_shift & SKIP_MASK));
+    return max(code, SKIP_SQUARE * code * code);
 }
 
-bool isFilled(uint grid_word) { return (grid_word & GRID_EMPTY_MASK) == 0u; }
+bool isFilled(uint word) { return (word & SKIP_MASK) == 0u; }
 
-// From a filled grid cell down to the leaf that holds the position; shift receives the log2 of its edge, where that is
-// less than the grid's. Returns the leaf's index, NO_INDEX where it is empty.
-uint findLeaf(uint grid_word, ivec3 position, inout int shift) {
-    if ((grid_word & GRID_LEAF) != 0u) return grid_word >> GRID_INDEX_SHIFT;
-    uint node = PRO_NODE_INNER | grid_word >> GRID_INDEX_SHIFT;
-    while ((node & PRO_NODE_INNER) != 0u && shift > 0) {
-        shift--;
-        ivec3 bits = (position >> shift) & 1;
-        node = loadNode((node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + uint(bits.x | bits.y << 1 | bits.z << 2));
-    }
-    return node - 1u; // an empty leaf becomes NO_INDEX
+// Where a point is: in a listed cell, or in an empty one of which some more follow in each direction.
+struct Spot {
+    vec3 base;    // lowest corner of the cell, in its edges
+    float edge;   // of the cell
+    uint word;    // of the cell, or of the grid cell where all of that is empty
+};
+
+// Deeper than a brick: the group's word that holds the point.
+void descend(vec3 point, inout Spot spot) {
+    // lavapipe runs a loop's body once more for lanes that have left it: what is kept must be selected
+    do {
+        bool inner = (spot.word & (SKIP_MASK | CELL_INNER)) == CELL_INNER;
+        vec3 half_base = min(max(floor(point / (0.5 * spot.edge)), 2.0 * spot.base), 2.0 * spot.base + 1.0);
+        vec3 bits = half_base - 2.0 * spot.base;
+        uint slot = uint(int(bits.x + 2.0 * bits.y + 4.0 * bits.z));
+        uint word = loadBrickWord(inner ? (spot.word >> CELL_INDEX_SHIFT) * GROUP_WORDS + slot : 0u);
+        spot.base = inner ? half_base : spot.base;
+        spot.edge = inner ? 0.5 * spot.edge : spot.edge;
+        spot.word = inner ? word : spot.word;
+    } while ((spot.word & (SKIP_MASK | CELL_INNER)) == CELL_INNER);
 }
 
-// A brick's place: lowest corner and edge of its leaf, in cube units.
-vec4 brickPlace(uvec4 brick, ivec3 position) {
-    int shift = int(brick[BRICK_SHIFT]);
-    return vec4(vec3((position >> shift) << shift), float(1 << shift)) * PRO_POSITION_STEP;
+// Points outside the grid get an answer too, of whatever cell.
+Spot spotAt(vec3 point, Grid grid) {
+    vec3 grid_base = floor(point), local = grid_base - grid.lowest;
+    int index = int(local.x + local.y * grid.stride.x + local.z * grid.stride.y);
+    uint grid_word = loadGrid(min(uint(index), grid.last_word));
+    bool filled = isFilled(grid_word);
+    vec3 part = floor((point - grid_base) * float(BRICK_SIDE));
+    uint cell = uint(int(part.x + part.y * float(BRICK_SIDE) + part.z * float(BRICK_SIDE * BRICK_SIDE)));
+    uint brick_word = loadBrickWord(filled ? (grid_word >> GRID_BRICK_SHIFT) * BRICK_WORDS + cell : 0u);
+    vec3 brick_base = grid_base * float(BRICK_SIDE) + part;
+    Spot spot = Spot(filled ? brick_base : grid_base, filled ? 1.0 / float(BRICK_SIDE) : 1.0,
+                     filled ? brick_word : grid_word);
+    if (kUneven) descend(point, spot);
+    return spot;
 }
 
-// The cell of the brick that holds a point, which may have no list.
-ivec3 brickCell(vec4 place, vec3 point) {
-    return clamp(ivec3((point - place.xyz) * (float(BRICK_SIDE) / place.w)), ivec3(0), ivec3(BRICK_SIDE - 1));
-}
-
-// Number of a brick's cell in the cells, NO_INDEX where it has no list.
-uint listedCell(uvec4 brick, ivec3 cell) {
-    uint bit = uint(cell.x + BRICK_SIDE * (cell.y + BRICK_SIDE * cell.z));
-    bool listed = (brick[BRICK_MASK] >> bit & 1u) != 0u;
-    return listed ? brick[BRICK_FIRST_CELL] + bitCount(brick[BRICK_MASK] & ((1u << bit) - 1u)) : NO_INDEX;
-}
-
-// The listed cell that holds a point, NO_INDEX where there is none.
+// The listed cell that holds a point in cube units, NO_INDEX where there is none.
 uint cellAt(vec3 point) {
-    ivec3 position = ivec3(floor(point * PRO_POSITION_STEPS));
-    if (!inGrid(position)) return NO_INDEX;
-    int shift = gridShift();
-    uint word = gridWord(position >> shift);
-    uint leaf = isFilled(word) ? findLeaf(word, position, shift) : NO_INDEX;
-    if (leaf == NO_INDEX) return NO_INDEX;
-    uvec4 brick = loadBrick(leaf);
-    return listedCell(brick, brickCell(brickPlace(brick, position), point));
+    vec3 at = point * params.grid_scale.x;
+    Grid grid = loadGridFrame();
+    Spot spot = spotAt(at, grid);
+    vec3 local = at - grid.lowest;
+    bool inside = all(greaterThanEqual(local, vec3(0.0))) && all(lessThan(local, vec3(params.grid_size.xyz)));
+    return inside && isFilled(spot.word) ? spot.word >> CELL_INDEX_SHIFT : NO_INDEX;
 }
 
 #endif

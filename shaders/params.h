@@ -21,6 +21,12 @@ struct uvec4 {
 
 #define MAX_LIGHTS 16
 
+// Pixels that share a beam.
+#define TILE_SIDE 8u
+#define TILE_PIXELS 64u
+// Its length where it passes everything.
+#define BEAM_MISSES 1e30f
+
 // Share of the sky's light taken as ambient by phong and whitted, standing in for what bounces around a scene.
 #define AMBIENT_SHARE 0.16f
 // The sky, linear: between these by the square root of the height over the horizon.
@@ -55,9 +61,10 @@ struct FrameParams {
     vec4 splat;      // x: radius_max, y: radius_step, z: blend_slab, w: overriding reflectivity
     vec4 room_lo;
     vec4 room_hi;
+    vec4 grid_scale; // x: entry grid cells in a cube unit, y: words in a row, z: in a layer, w: one position step in cells
     vec4 sky_up;     // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 grid;      // x: log2 of the entry grid's cells in position steps, w: OPTION_* bits
+    uvec4 grid;      // x: log2 of the entry grid's cells in position steps, y: lights, w: OPTION_* bits
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
     uvec4 grid_size;   // xyz: cells
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, z: ROOM_*, w: seed
@@ -69,6 +76,7 @@ struct FrameParams {
 struct Control {
     uvec4 ray_groups; // indirect arguments of trace and shade
     uvec4 lit_groups; // indirect arguments of shadow
+    uvec4 tile_groups; // indirect arguments of trace_primary; w: tiles in queue 0
     uvec4 queued;     // x, y: rays in queue 0 and 1, z: lit points being appended, w: lit points being shaded
     uvec4 traced;     // x: primary, y: shadow, z: secondary rays of this sample
 };
@@ -90,7 +98,7 @@ struct LitPoint {
 };
 
 struct PushParams {
-    uvec4 step; // x: sample, z: bounce (low half) and light (high half), w: STEP_* bits
+    uvec4 step; // x: sample, z: bounce, w: STEP_* bits
 };
 
 #define STEP_CENTER 1u     // rays go through pixel centres

@@ -11,8 +11,9 @@ uvec4 groupsFor(uint lanes) { return uvec4((lanes + WORKGROUP_SIZE - 1u) / WORKG
 
 void main() {
     if (hasStep(STEP_RESET)) {
-        control.queued = uvec4(bandLanes(), 0u, 0u, 0u);
+        control.queued = uvec4(0u);
         control.ray_groups = groupsFor(bandLanes());
+        control.tile_groups = uvec4(0u, 1u, 1u, 0u);
         control.lit_groups = groupsFor(0u);
         control.traced = uvec4(params.image.x * params.image.w, 0u, 0u, 0u);
         return;

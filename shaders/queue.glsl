@@ -11,8 +11,8 @@ uint balancedLane() {
 }
 
 // The path this lane works on in the queue of the step, or NO_INDEX.
-uint queuedPath(uint lane) {
+uint queuedIndex(uint lane) {
     bool second = hasStep(STEP_QUEUE_ONE);
     uint count = second ? control.queued.y : control.queued.x;
-    return lane < count ? queues[rayQueueStart(second) + lane] : NO_INDEX;
+    return lane < count ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
 }

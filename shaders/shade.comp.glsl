@@ -8,7 +8,7 @@
 #include "queue.glsl"
 #include "splat.glsl"
 #include "blend.glsl"
-#include "random.glsl"
+#include "camera_ray.glsl"
 #include "room.glsl"
 #include "offset.glsl"
 
@@ -32,7 +32,7 @@ vec3 linearFromSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 
 
 Point splatPoint(PathState path, uvec4 hit) {
     Surface surface =
-        surfaceAt(path.origin.xyz, path.direction.xyz, uintBitsToFloat(hit.x), hit.y, hit.z);
+        surfaceAt(path.origin.xyz, path.direction.xyz, hit);
     vec4 base = loadMaterial(surface.material, 0);
     vec4 gloss = loadMaterial(surface.material, 1);
     Point point;
@@ -157,22 +157,41 @@ Shading shade(PathState path, Point point, uint pixel, uint bounce) {
     return shadeClassic(path, point);
 }
 
+const uvec4 kNoHit = uvec4(0u, NO_INDEX, NO_INDEX, 0u);
+
+// The camera ray of this lane's pixel; index is NO_INDEX where it has none.
+PathState cameraPath(out uint index, out uvec4 hit) {
+    uint lane = balancedLane(), tile = min(lane / TILE_PIXELS, bandTiles() - 1u);
+    uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
+    index = lane < bandLanes() ? pixelIndex(pixel) : NO_INDEX;
+    hit = index != NO_INDEX && loadBeam(tile) < BEAM_MISSES ? loadHit(index) : kNoHit;
+    return PathState(vec4(params.eye.xyz, 0.0), vec4(cameraDirection(pixel), 0.0), vec4(1.0), vec4(0.0));
+}
+
+// The queued path of this lane; index is NO_INDEX where there is none.
+PathState queuedPath(out uint index, out uvec4 hit) {
+    index = queuedIndex(balancedLane());
+    hit = index != NO_INDEX ? loadHit(index) : kNoHit;
+    return paths[index != NO_INDEX ? index : 0u];
+}
+
 float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 
 // Rays weaker than a display's last step are not worth their cost.
 const float kLeastWeight = 1.0 / 512.0;
 
 void main() {
-    uint queued = queuedPath(balancedLane());
-    bool live = queued != NO_INDEX;
-    uint index = live ? queued : 0u; // idle lanes work along: the appends below need the whole subgroup
-    PathState path = paths[index];
-    Point point = findPoint(path, live ? hits[index] : uvec4(0u, NO_INDEX, NO_INDEX, 0u));
+    uint bounce = push.step.z;
+    uint index;
+    uvec4 hit;
+    PathState path = bounce == 0u ? cameraPath(index, hit) : queuedPath(index, hit);
+    bool live = index != NO_INDEX;
+    index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
+    Point point = findPoint(path, hit);
     if (hasStep(STEP_FIRST_HIT)) {
         if (live) first_hits[index] = point.t < 0.0 ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(point.normal, point.t);
         return;
     }
-    uint bounce = push.step.z & 0xFFFFu;
     Shading shading = shade(path, point, index + params.image.z * params.image.x, bounce);
     bool goes_on = live && largest(shading.next_weight) > kLeastWeight;
     if (goes_on && bounce >= params.mode.y) { // the last mirror shows the sky's ambient light instead of black
@@ -180,7 +199,8 @@ void main() {
         goes_on = false;
     }
     float coverage = bounce == 0u && point.t >= 0.0 ? 1.0 : 0.0;
-    if (live) film[index] += vec4(shading.added, coverage);
+    vec4 before = bounce == 0u && push.step.x == 0u ? vec4(0.0) : film[index];
+    if (live) film[index] = before + vec4(shading.added, coverage);
     appendLit(live && largest(shading.matte_weight) > 0.0, index, point, -path.direction.xyz, shading.matte_weight);
     appendRay(goes_on, index, point, shading.next, shading.next_weight);
 }

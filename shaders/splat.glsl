@@ -18,14 +18,30 @@ vec3 splatDirection(uvec4 words) {
     return n;
 }
 
-float splatRadius(uvec4 words) {
-    return params.splat.x * exp2(-float(words.w >> PRO_RADIUS_SHIFT) * params.splat.y);
+// coding: params.splat, loaded before any loop: lavapipe takes its time for each load from a storage buffer.
+float splatRadius(uvec4 words, vec4 coding) {
+    return coding.x * exp2(-float(words.w >> PRO_RADIUS_SHIFT) * coding.y);
 }
 
 vec3 splatColor(uvec4 words) { return unpackUnorm4x8(words.w & PRO_COLOR_MASK).rgb; }
 
 uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
-// Lengths of a cell's list: what rays can hit, and all that blends.
-uint hittableCount(uvec4 cell) { return cell[CELL_COUNTS] & CELL_COUNT_MASK; }
-uint blendingCount(uvec4 cell) { return hittableCount(cell) + (cell[CELL_COUNTS] >> CELL_COUNT_SHIFT); }
+// A traced hit's splat and the distance to its disc.
+struct SplatHit {
+    uint splat;
+    uvec4 words;
+    float t;
+};
+
+// hit: a TraceHit's words as stored. Its distance is rounded with its near splat (shaders/brick_layout.h), by less than
+// a hundredth of a radius unless the ray grazes the disc. The exact one is measured from there, because from a distant
+// origin too few bits would be left.
+SplatHit exactHit(uvec4 hit, vec3 origin, vec3 direction) {
+    uint splat = loadListed(hit.z);
+    uvec4 words = loadSplat(splat);
+    float t = uintBitsToFloat(hit.x), radius = splatRadius(words, params.splat);
+    vec3 normal = splatDirection(words);
+    float correction = dot(normal, splatPosition(words) - (origin + t * direction)) / dot(normal, direction);
+    return SplatHit(splat, words, t + clamp(correction, -radius, radius));
+}

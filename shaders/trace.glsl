@@ -1,160 +1,195 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "octree.glsl"
 
-// Stackless traversal. A grid of entry points stands for the octree's upper levels: an empty cell says for each
-// direction octant how many cells can be skipped, a filled one names its leaf or node. From a node down the tree is
-// walked by the bits of the position. A leaf is a brick of cells, which the ray crosses one by one; a cell's discs are
-// looked at only where the ray comes between the two planes that they lie between. Of all that only t is carried from
-// step to step: the ray looks one position step ahead, and the lists take in what that passes over.
+// Stackless traversal, in grid units. Each step finds the cell that the ray enters and passes it: an empty one with as
+// many more as its word allows in the ray's direction octant, a listed one by itself; its discs are looked at only
+// where the ray comes between the two planes that they lie between. Of all that only t is carried from step to step:
+// the ray looks one position step ahead, and the lists take in what that passes over.
 //
-// Loops are written as while over state declared before them: lavapipe's do-while loses values, and an
-// inner loop per phase keeps lanes that wait from costing a turn of the other phase.
+// On lavapipe a loop runs its body once more after the last lane has left, unless that is asked at the end; and a lane
+// that has left takes part until all have. So loops are do-while, and what is used after them is selected by
+// conditions of the lane's own (values that merely were computed in a do-while are wrong for such lanes).
 
 struct TraceHit {
-    float t;    // along the ray; unchanged when nothing is hit
-    uint cell;  // whose list the hit's surroundings are in, NO_INDEX when nothing is hit
-    uint splat;
+    float t;   // along the ray to the near splat: rounded, exactHit knows better; t_max when nothing is hit
+    uint cell; // whose list the hit's surroundings are in
+    uint near; // the near splat, NO_INDEX when nothing is hit
 };
 
 // A ray and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored.
 struct TraceRay {
     vec3 origin;
     vec3 direction;
+    float t_min; // nothing is nearer
     float t_max;
     vec3 own_normal;
     float own_t;
 };
 
-// Distance to the disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
-float hitSplat(uvec4 words, vec3 origin, TraceRay ray, float own_t, float t_min, float t_limit) {
-    vec3 normal = splatDirection(words);
-    vec3 to_center = splatPosition(words) - origin;
-    float t = dot(normal, to_center) / dot(normal, ray.direction);
-    vec3 offset = ray.direction * t - to_center;
-    float radius = splatRadius(words);
-    float facing = dot(normal, ray.own_normal);
-    bool own = t < own_t && facing * facing > 0.25 * dot(normal, normal);
-    return dot(offset, offset) < radius * radius && t >= t_min && t < t_limit && !own ? t : t_limit;
-}
-
-// Cells to skip from an empty grid cell: the nibble of the ray's direction octant.
-int skipCells(uint word, uint octant) { return int((word >> (4u * octant)) & 15u); }
-
-// A ray on its way; only t changes.
+// A ray on its way; only t changes. Lengths along it are in cube units, all else in grid units.
 struct Walk {
-    vec3 origin;   // on the grid's border or inside
+    vec3 origin;    // on the grid's border or inside
     vec3 direction; // no component is 0
     vec3 inverse;
-    vec3 ahead;    // one position step towards where the ray goes, by each axis
-    ivec3 forward; // 1 where the direction rises, else 0
-    uint octant;
-    float t;       // from origin to where the ray enters the next cell
-    float t_end;   // to where it leaves the grid
+    vec3 start;     // one position step from origin towards where the ray goes, by each axis
+    vec3 side;      // signs of the direction
+    vec3 near;      // 0 where the direction rises, else 1
+    uint octant_shift;
+    float t;        // from origin to where the ray enters the next cell
+    float t_end;    // to where it leaves the grid
+};
+
+// A cell whose discs the ray may hit, as a step leaves it.
+struct Visit {
+    uint cell; // NO_INDEX: none
+    vec3 middle;
+    float edge;
+};
+
+// The ray in position codes from a cell's centre.
+struct CellRay {
+    vec3 origin;
+    vec3 direction;
 };
 
 // Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
 // t_start receives the distance from the ray's origin.
-Walk startWalk(TraceRay ray, out float t_start) {
+Walk startWalk(TraceRay ray, Grid grid, out float t_start) {
+    float scale = params.grid_scale.x;
     Walk walk;
     // smaller components would make inverses whose products are not numbers
-    walk.direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20)));
+    walk.direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20))) * scale;
     walk.inverse = 1.0 / walk.direction;
     bvec3 rising = greaterThan(walk.direction, vec3(0.0));
-    walk.forward = ivec3(rising);
-    walk.ahead = vec3(2 * walk.forward - 1) * PRO_POSITION_STEP;
-    walk.octant = uint(walk.forward.x | walk.forward.y << 1 | walk.forward.z << 2);
-    vec3 lo = vec3(gridBegin()) * PRO_POSITION_STEP, hi = vec3(gridEnd()) * PRO_POSITION_STEP;
-    vec3 near = (mix(hi, lo, rising) - ray.origin) * walk.inverse;
-    vec3 far = (mix(lo, hi, rising) - ray.origin) * walk.inverse;
-    t_start = max(max(near.x, near.y), max(near.z, 0.0));
-    walk.origin = ray.origin + ray.direction * t_start;
+    walk.near = vec3(not(rising));
+    walk.side = 1.0 - 2.0 * walk.near;
+    uvec3 bits = uvec3(rising);
+    walk.octant_shift = SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
+    vec3 origin = ray.origin * scale, highest = grid.lowest + vec3(params.grid_size.xyz);
+    vec3 near = (mix(highest, grid.lowest, rising) - origin) * walk.inverse;
+    // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
+    vec3 last = mix(grid.lowest, highest, rising) - 1.5 * params.grid_scale.w * walk.side;
+    vec3 far = (last - origin) * walk.inverse;
+    t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
+    // from a distant origin the product's rounding may put it outside, where words are those of other cells
+    walk.origin = clamp(origin + walk.direction * t_start, grid.lowest, highest);
+    walk.start = walk.origin + walk.side * params.grid_scale.w;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
     return walk;
 }
 
-// Whether the ray comes near the discs of the cell with this corner and edge between t_in and t_out.
-bool meetsSlab(Walk walk, uvec4 cell, vec3 corner, float edge, float t_out) {
-    uvec3 code = uvec3(cell[CELL_NORMAL], cell[CELL_NORMAL] >> CELL_NORMAL_BITS,
-                       cell[CELL_NORMAL] >> (2u * CELL_NORMAL_BITS)) & CELL_NORMAL_MASK;
-    vec3 normal = vec3(code) * (1.0 / CELL_NORMAL_ZERO) - 1.0;
-    float base = dot(normal, walk.origin - corner) - 0.5 * edge * (normal.x + normal.y + normal.z);
+// Whether the ray comes between the planes that hold a cell's discs between t and t_out.
+bool meetsSlab(Walk walk, uint slab, vec3 middle, float edge, float t_out) {
+    const int top = 32 - SLAB_NORMAL_BITS, height_top = 32 - SLAB_HEIGHT_BITS;
+    vec3 normal = vec3(ivec3(slab) << (top - SLAB_NORMAL_BITS * ivec3(0, 1, 2)) >> top);
+    float lo = float(int(slab) << SLAB_HEIGHT_BITS >> height_top), hi = float(int(slab) >> height_top);
+    float base = dot(normal, walk.origin - middle);
     float slope = dot(normal, walk.direction);
     float near = base + slope * walk.t, far = base + slope * t_out;
-    vec2 slab = unpackHalf2x16(cell[CELL_SLAB]) * edge; // the second is the negated upper end
-    return max(near, far) >= slab.x && -min(near, far) >= slab.y;
+    float unit = edge * (float(SLAB_NORMAL_MAX) / SLAB_STEPS);
+    return (near > far ? near : far) >= lo * unit && (near < far ? near : far) <= hi * unit;
 }
 
-// One step: passes the empty cells, or the brick's cell, that the ray enters at t.
-// Returns the number of a cell whose discs the ray may hit and puts its words into cell, else NO_INDEX.
-uint stepWalk(inout Walk walk, inout uvec4 cell) {
-    // One position step ahead: more than rounding, so that a ray at a border is in the cell behind it and moves on.
-    vec3 point = walk.origin + walk.direction * walk.t + walk.ahead;
-    ivec3 position = clamp(ivec3(point * PRO_POSITION_STEPS), gridBegin(), gridEnd() - 1);
-    int shift = gridShift();
-    ivec3 grid_cell = position >> shift;
-    uint word = gridWord(grid_cell);
-    int skip = skipCells(word, walk.octant);
-    // where the ray leaves by each axis: the far side of the skipped cells, of an empty leaf, or of the brick's cell
-    vec3 plane = vec3((grid_cell + walk.forward * (2 * skip - 1) - (skip - 1)) << shift) * PRO_POSITION_STEP;
-    uint found = NO_INDEX;
-    vec3 corner = vec3(0.0);
-    float edge = 0.0;
-    if (isFilled(word)) {
-        uint leaf = findLeaf(word, position, shift);
-        plane = vec3(((position >> shift) + walk.forward) << shift) * PRO_POSITION_STEP;
-        if (leaf != NO_INDEX) {
-            uvec4 brick = loadBrick(leaf);
-            vec4 place = brickPlace(brick, position);
-            ivec3 part = brickCell(place, point);
-            edge = place.w * (1.0 / float(BRICK_SIDE));
-            corner = place.xyz + vec3(part) * edge;
-            plane = corner + vec3(walk.forward) * edge;
-            found = listedCell(brick, part);
-        }
-    }
-    vec3 t_planes = (plane - walk.origin) * walk.inverse;
+// To where the ray leaves the cell, and the empty ones that follow.
+float leaveSpot(Walk walk, Spot spot) {
+    float cells = isFilled(spot.word) ? 1.0 : skippedCells(spot.word, walk.octant_shift);
+    vec3 plane = spot.base + walk.near + cells * walk.side;
+    vec3 t_planes = (plane * spot.edge - walk.origin) * walk.inverse;
+    float t_out = t_planes.x < t_planes.y ? t_planes.x : t_planes.y;
+    t_out = t_out < t_planes.z ? t_out : t_planes.z;
     // never less than a quarter step onwards: rounding at a border must not hold the ray up
-    float t_out = max(min(t_planes.x, min(t_planes.y, t_planes.z)), walk.t + 0.25 * PRO_POSITION_STEP);
-    if (found != NO_INDEX) {
-        cell = loadCell(found);
-        if (!meetsSlab(walk, cell, corner, edge, t_out)) found = NO_INDEX;
-    }
-    walk.t = t_out;
-    return found;
+    float t_least = walk.t + 0.25 * PRO_POSITION_STEP;
+    return t_out > t_least ? t_out : t_least;
+}
+
+// One step: passes the cell that the ray enters at t, and the empty ones that follow, up to t_out.
+Visit stepWalk(Walk walk, Grid grid, out float t_out) {
+    // One position step ahead: more than rounding, so that a ray at a border is in the cell behind it and moves on.
+    Spot spot = spotAt(walk.start + walk.direction * walk.t, grid);
+    t_out = leaveSpot(walk, spot);
+    bool listed = isFilled(spot.word);
+    uint cell = listed ? spot.word >> CELL_INDEX_SHIFT : 0u;
+    vec3 middle = (spot.base + 0.5) * spot.edge;
+    bool meets = listed && meetsSlab(walk, loadSlab(cell), middle, spot.edge, t_out);
+    return Visit(meets ? cell : NO_INDEX, middle, spot.edge);
+}
+
+// Distance to a near splat's disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
+float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
+    const ivec3 axes = ivec3(0, 1, 2);
+    vec3 center = vec3(ivec3(int(words.x)) << (NEAR_POSITION_BITS * axes) >> (32 - NEAR_POSITION_BITS));
+    vec3 normal = vec3(ivec3(int(words.y)) << (NEAR_NORMAL_BITS * axes) >> (32 - NEAR_NORMAL_BITS));
+    uint radius_code = (words.x & NEAR_RADIUS_HIGH_MASK) << NEAR_RADIUS_LOW_BITS | (words.y & NEAR_RADIUS_LOW_MASK);
+    float radius_squared = uintBitsToFloat((radius_code << NEAR_RADIUS_SHIFT) + NEAR_RADIUS_BIAS);
+    vec3 to_center = center - cell_ray.origin;
+    float t = dot(normal, to_center) / dot(normal, cell_ray.direction);
+    vec3 offset = cell_ray.direction * t - to_center;
+    float facing = dot(normal, ray.own_normal);
+    bool own = t < ray.own_t - t_start && facing * facing > 0.25 * dot(normal, normal);
+    return dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !own ? t : t_limit;
+}
+
+bool walks(Walk walk, Visit visit, float t_end) { return visit.cell == NO_INDEX && walk.t < t_end; }
+
+// On to the next cell whose discs the ray may hit; none before t_end leaves visit.cell at NO_INDEX.
+Visit nextVisit(inout Walk walk, Grid grid, float t_end) {
+    Visit visit = Visit(NO_INDEX, vec3(0.0), 1.0);
+    do {
+        bool going = walks(walk, visit, t_end);
+        float t_out;
+        Visit next = stepWalk(walk, grid, t_out);
+        walk.t = going ? t_out : walk.t;
+        visit.cell = going ? next.cell : visit.cell;
+        visit.middle = going ? next.middle : visit.middle;
+        visit.edge = going ? next.edge : visit.edge;
+    } while (walks(walk, visit, t_end));
+    return visit;
+}
+
+// The near splats k and k + 1; going: whether this lane has such.
+void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start, inout TraceHit hit) {
+    uvec4 pair = loadNear((going ? k : 0u) >> 1);
+    float first = hitNear(pair.xy, cell_ray, ray, t_start, hit.t);
+    float second = hitNear(pair.zw, cell_ray, ray, t_start, first);
+    bool nearer = going && second < hit.t;
+    hit.near = nearer ? (second < first ? k + 1u : k) : hit.near;
+    hit.t = nearer ? second : hit.t;
+}
+
+// The nearest hit in a visited cell, if it is nearer than hit. hit.t is from the walk's origin.
+void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHit hit) {
+    bool visits = visit.cell != NO_INDEX;
+    uvec2 cell = loadCell(visits ? visit.cell : 0u);
+    float codes = unpackHalf2x16(cell[CELL_COUNT] >> CELL_CODES_SHIFT).x / visit.edge;
+    CellRay cell_ray = CellRay((walk.origin - visit.middle) * codes, walk.direction * codes);
+    uint k = cell[CELL_FIRST], end = visits ? k + (cell[CELL_COUNT] & CELL_COUNT_MASK) : k;
+    float t_before = hit.t;
+    do {
+        bool going = k < end;
+        testPair(k, going, cell_ray, ray, t_start, hit);
+        k = going ? k + 2u : k;
+#ifdef ANY_HIT
+        end = hit.near != NO_INDEX ? 0u : end;
+#endif
+    } while (k < end);
+    hit.cell = hit.t < t_before ? visit.cell : hit.cell;
 }
 
 TraceHit trace(TraceRay ray) {
+    Grid grid = loadGridFrame();
     float t_start;
-    Walk walk = startWalk(ray, t_start);
+    Walk walk = startWalk(ray, grid, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
-    float own_t = ray.own_t - t_start;
     float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
-    uint last_cell = NO_INDEX;
-
-    while (walk.t < t_end) {
-        uint found = NO_INDEX;
-        uvec4 cell = uvec4(0u);
-        while (found == NO_INDEX && walk.t < t_end) found = stepWalk(walk, cell);
-        last_cell = found == NO_INDEX ? last_cell : found;
-        uint k = cell[CELL_FIRST];
-        uint end = found == NO_INDEX ? k : k + hittableCount(cell);
-        while (k < end) {
-            uint splat = loadListed(k);
-            float t_hit = hitSplat(loadSplat(splat), walk.origin, ray, own_t, -t_start, hit.t);
-            if (t_hit < hit.t) {
-                hit.t = t_hit;
-                hit.splat = splat;
+    do {
+        Visit visit = nextVisit(walk, grid, t_end);
+        testCell(walk, visit, ray, t_start, hit);
+        t_end = hit.t < t_end ? hit.t : t_end;
 #ifdef ANY_HIT
-                t_end = -1.0;
-                end = k;
+        t_end = hit.near != NO_INDEX ? -1.0 : t_end;
 #endif
-            }
-            k++;
-        }
-        t_end = min(t_end, hit.t);
-    }
-    hit.cell = hit.splat == NO_INDEX ? NO_INDEX : last_cell;
+    } while (walk.t < t_end);
     hit.t += t_start;
     return hit;
 }

@@ -69,11 +69,12 @@ int compare(const std::string& path, const CompareOptions& options) {
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
     const EmbreeDiscs embree(splats);
     RayCaster caster(path);
+    const NearRounding rounding = nearRounding(splats, caster.cellEdge());
     const auto run = [&](std::vector<Ray> rays) {
         Comparison result{std::move(rays), {}, {}, {}};
         result.ours = caster.cast(result.rays);
         result.embrees = embree.cast(result.rays);
-        result.check = checkFirstHits(splats, result.rays, result.ours, result.embrees);
+        result.check = checkFirstHits(splats, rounding, result.rays, result.ours, result.embrees);
         return result;
     };
     const Comparison random = run(randomRays(boundingSphere(splats), options.rays, options.seed));

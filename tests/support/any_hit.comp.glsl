@@ -11,9 +11,10 @@
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
-    uint path = queuedPath(balancedLane());
+    uint path = queuedIndex(balancedLane());
     if (path == NO_INDEX) return;
-    PathState state = paths[path];
-    TraceHit hit = trace(TraceRay(state.origin.xyz, state.direction.xyz, 1e30, state.left_normal.xyz, state.origin.w));
-    hits[path] = uvec4(floatBitsToUint(hit.t), hit.cell, hit.splat, 0u);
+    vec4 origin = loadPathTexel(path, PATH_ORIGIN);
+    TraceHit hit = trace(TraceRay(origin.xyz, loadPathTexel(path, PATH_DIRECTION).xyz, 0.0, 1e30,
+                                  loadPathTexel(path, PATH_LEFT_NORMAL).xyz, origin.w));
+    storeHit(path, uvec4(floatBitsToUint(hit.t), hit.cell, hit.near, 0u));
 }

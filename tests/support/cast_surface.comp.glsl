@@ -11,9 +11,9 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= control.queued.x) return;
-    uvec4 hit = hits[i]; // t as bits, cell, splat
+    uvec4 hit = loadHit(i);
     if (hit.z == NO_INDEX) return;
-    Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, uintBitsToFloat(hit.x), hit.y, hit.z);
+    Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, hit);
     first_hits[i] = vec4(surface.normal, surface.t);
     film[i] = vec4(surface.radius);
 }

@@ -5,52 +5,102 @@
 #include <cmath>
 #include <limits>
 
+#include "pointrt/pro.h"
+
 namespace pointrt::test {
 
 namespace {
 
+/// Where a ray meets a disc in double, and how far rounding may move that, cube units.
+struct Meeting {
+    DiscHit at;
+    double off_rim = 0;  ///< inwards
+    double rim = 0;      ///< the rim moves by this
+    double height = 0;   ///< the plane moves by this where the ray meets it
+    double along = 0;    ///< the ray's hit by this, along the ray
+    double sideways = 0; ///< and by this towards the rim or away
+
+    bool surelyHit() const { return off_rim > rim + sideways && at.t > along; }
+    bool surelyMissed() const { return -off_rim > rim + sideways || at.t < -along; }
+};
+
+Meeting meet(const CubeSplat& splat, const NearRounding& rounding, const Ray& ray) {
+    Meeting m;
+    m.at = meetPlane(splat, ray.origin, ray.direction);
+    const double radius = splat.radius, bent = radius > kNearLargest * rounding.cell_edge ? kNearLargeRim : 0;
+    m.off_rim = (1 - m.at.share) * radius;
+    m.rim = kFloatError + rounding.position + kNearRadius * radius + bent * rounding.cell_edge;
+    m.height = kFloatError + rounding.position + kNearNormal * std::max(m.at.share, 1.0) * radius;
+    const double least_slope = m.at.slope - kNearNormal;
+    m.along = least_slope > 0 ? m.height / least_slope : std::numeric_limits<double>::infinity();
+    // of a step along the ray, what lies in the plane, which is turned, as is the way there
+    m.sideways = m.along * std::min(1.0, std::sqrt(std::max(0.0, 1 - m.at.slope * m.at.slope)) + 2 * kNearNormal);
+    return m;
+}
+
 /// One tracer's claim, and what double makes of it.
 struct Claim {
     const CubeSplat* splat = nullptr; ///< nullptr: no hit
-    DiscHit at;
+    Meeting meeting;
     bool ours = false;
-
-    /// How far rounding may move the hit, cube units.
-    double error() const { return kFloatError / at.slope; }
 };
 
-Claim claimOf(std::span<const CubeSplat> splats, const Ray& ray, std::uint32_t splat, bool ours) {
-    if (splat == kNoSplat) return {nullptr, {}, ours};
-    return {&splats[splat], meetPlane(splats[splat], ray.origin, ray.direction), ours};
-}
-
 /// Is the order of two claimed hits open?
-Verdict judgeOrder(const Claim& a, const Claim& b) {
-    const double gap = std::abs(a.at.t - b.at.t), radius = std::min(a.splat->radius, b.splat->radius);
-    if (gap <= kTieRadii * radius) return Verdict::kTie;
-    return gap <= a.error() + b.error() ? Verdict::kRounding : Verdict::kAgree;
+Verdict judgeOrder(const Meeting& a, const Meeting& b) {
+    const double gap = std::abs(a.at.t - b.at.t);
+    if (gap <= a.height + b.height) return Verdict::kTie;
+    return gap <= a.along + b.along ? Verdict::kRounding : Verdict::kAgree;
 }
 
 /// Why one tracer has the nearer claim and the other has not.
 Verdict judgeNearer(const Claim& nearer) {
-    const double off_rim = std::abs(nearer.at.share - 1);
-    if (off_rim <= kRimShare) return Verdict::kRim;
-    if (off_rim * nearer.splat->radius <= nearer.error()) return Verdict::kRounding;
-    const bool is_hit = nearer.at.share < 1 && nearer.at.t > 0;
-    return is_hit == nearer.ours ? Verdict::kEmbreeMisses : Verdict::kWeMiss;
+    const Meeting& m = nearer.meeting;
+    if (std::abs(m.off_rim) <= m.rim) return Verdict::kRim;
+    if (!m.surelyHit() && !m.surelyMissed()) return Verdict::kRounding;
+    return m.surelyHit() == nearer.ours ? Verdict::kEmbreeMisses : Verdict::kWeMiss;
 }
 
 } // namespace
 
-Verdict judge(std::span<const CubeSplat> splats, const Ray& ray, const CastHit& ours, const EmbreeHit& embrees) {
+NearRounding nearRounding(std::span<const CubeSplat> splats, double cell_edge) {
+    double radius = 0;
+    for (const CubeSplat& splat : splats) radius = std::max(radius, splat.radius);
+    // a disc's centre is at most its radius beyond the cell, which is taken larger by the slack (runtime/bricks.cpp)
+    const double slack = std::max(1e-3 * cell_edge, 1.5 * PRO_POSITION_STEP);
+    const double reach = 0.5 * cell_edge + slack + std::min(radius, kNearLargest * cell_edge);
+    return {kNearPosition * reach, cell_edge};
+}
+
+Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray, const CastHit& ours,
+              const EmbreeHit& embrees) {
     if (ours.splat == embrees.splat) return Verdict::kAgree;
-    const Claim a = claimOf(splats, ray, ours.splat, true), b = claimOf(splats, ray, embrees.splat, false);
+    const auto claimOf = [&](std::uint32_t splat, bool is_ours) {
+        return splat == kNoSplat ? Claim{nullptr, {}, is_ours}
+                                 : Claim{&splats[splat], meet(splats[splat], rounding, ray), is_ours};
+    };
+    const Claim a = claimOf(ours.splat, true), b = claimOf(embrees.splat, false);
     if (!a.splat) return judgeNearer(b);
     if (!b.splat) return judgeNearer(a);
     const double radius = std::min(a.splat->radius, b.splat->radius);
     if (std::abs(ours.t_flat - embrees.t) < kSameHitRadii * radius) return Verdict::kAgree;
-    const Verdict order = judgeOrder(a, b);
-    return order != Verdict::kAgree ? order : judgeNearer(a.at.t < b.at.t ? a : b);
+    const Verdict order = judgeOrder(a.meeting, b.meeting);
+    return order != Verdict::kAgree ? order : judgeNearer(a.meeting.at.t < b.meeting.at.t ? a : b);
+}
+
+bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray,
+                std::optional<double> t) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    double soonest = kInfinity, surely_before = kInfinity; // the soonest that a disc hit at t may have seemed to be
+    for (const CubeSplat& splat : splats) {
+        const Meeting m = meet(splat, rounding, ray);
+        if (m.surelyHit()) surely_before = std::min(surely_before, m.at.t + m.along);
+        if (!t || m.surelyMissed()) continue;
+        // distances of hits that rounding moves by more than a radius are not exact (exactHit in shaders/splat.glsl)
+        const double exactly = kFloatError * (1 + *t) / m.at.slope;
+        if (std::abs(m.at.t - *t) <= (m.along < splat.radius ? exactly : m.along))
+            soonest = std::min(soonest, m.at.t - m.along);
+    }
+    return t ? soonest < kInfinity && soonest <= surely_before : surely_before == kInfinity;
 }
 
 std::uint32_t nearestInDouble(std::span<const CubeSplat> splats, const Ray& ray, const CastHit& ours,
@@ -67,13 +117,13 @@ std::uint32_t nearestInDouble(std::span<const CubeSplat> splats, const Ray& ray,
     return best;
 }
 
-FirstHitCheck checkFirstHits(std::span<const CubeSplat> splats, std::span<const Ray> rays,
+FirstHitCheck checkFirstHits(std::span<const CubeSplat> splats, const NearRounding& rounding, std::span<const Ray> rays,
                              std::span<const CastHit> ours, std::span<const EmbreeHit> embrees) {
     FirstHitCheck check;
     check.rays = rays.size();
     for (std::size_t i = 0; i < rays.size(); ++i) {
         check.hits += ours[i].hit();
-        const Verdict verdict = judge(splats, rays[i], ours[i], embrees[i]);
+        const Verdict verdict = judge(splats, rounding, rays[i], ours[i], embrees[i]);
         ++check.counts[static_cast<std::size_t>(verdict)];
         if (verdict == Verdict::kAgree) continue;
         check.double_is_ours += nearestInDouble(splats, rays[i], ours[i], embrees[i]) == ours[i].splat;

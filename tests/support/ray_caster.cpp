@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <numeric>
 
 #include "runtime/camera.h"
@@ -11,9 +13,12 @@
 #include "runtime/program.h"
 #include "runtime/scene.h"
 #include "shaders/any_hit.spv.h"
+#include "shaders/beam.spv.h"
+#include "shaders/camera_rays.spv.h"
 #include "shaders/cast_surface.spv.h"
-#include "shaders/raygen.spv.h"
+#include "shaders/resolve_hits.spv.h"
 #include "shaders/trace.spv.h"
+#include "shaders/trace_primary.spv.h"
 
 namespace pointrt::test {
 
@@ -34,8 +39,9 @@ struct RayCaster::State {
     State& operator=(const State&) = delete;
     ~State() {
         destroyDescriptorPool(device, pool);
-        for (Program* program : {&trace, &any_hit, &raygen, &surface}) destroyProgram(device, *program);
-        for (Buffer* buffer : {&params, &control, &queue, &paths, &hits, &unused, &film, &first_hits})
+        for (Program* program : {&trace, &trace_primary, &any_hit, &beam, &camera_rays, &resolve, &surface})
+            destroyProgram(device, *program);
+        for (Buffer* buffer : {&params, &control, &queue, &paths, &hits, &unused, &film, &first_hits, &beams})
             destroyBuffer(device, *buffer);
         destroyScene(device, scene);
         destroyDevice(device);
@@ -45,21 +51,32 @@ struct RayCaster::State {
     Scene scene;
     std::uint32_t batch_rays;
     std::uint32_t loaded = 0; ///< rays on the device
-    Program trace, any_hit, raygen, surface;
-    Buffer params, control, queue, paths, hits, unused, film, first_hits;
+    Program trace, trace_primary, any_hit, beam, camera_rays, resolve, surface;
+    Buffer params, control, queue, paths, hits, unused, film, first_hits, beams;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
     double trace_seconds = 0;
+    std::vector<std::uint32_t> lane_pixels; ///< of the camera's view
+    std::vector<Ray> view_rays;             ///< one for each of lane_pixels
 
     void createBuffers() {
-        const auto storage = [&](const char* what, std::uint64_t bytes) {
-            return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+            return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
         };
         params = storage("frame parameters", sizeof(gpu::FrameParams));
-        control = storage("control buffer", sizeof(gpu::Control));
-        queue = storage("queue buffer", std::uint64_t{batch_rays} * sizeof(std::uint32_t));
-        paths = storage("path buffer", std::uint64_t{batch_rays} * sizeof(gpu::PathState));
-        hits = storage("hit buffer", std::uint64_t{batch_rays} * sizeof(gpu::uvec4));
+        control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        queue = storage("queue buffer", std::uint64_t{batch_rays} * sizeof(std::uint32_t),
+                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        createTexelView(device, "queue buffer", queue, VK_FORMAT_R32_UINT);
+        paths = storage("path buffer", std::uint64_t{batch_rays} * sizeof(gpu::PathState),
+                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        createTexelView(device, "path buffer", paths, VK_FORMAT_R32G32B32A32_SFLOAT);
+        hits = storage("hit buffer", std::uint64_t{batch_rays} * sizeof(gpu::uvec4),
+                       VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+        createTexelView(device, "hit buffer", hits, VK_FORMAT_R32G32B32A32_UINT);
+        beams = storage("beam buffer", (batch_rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float),
+                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        createTexelView(device, "beam buffer", beams, VK_FORMAT_R32_SFLOAT);
         unused = storage("lit point buffer", sizeof(gpu::LitPoint));
         film = storage("film buffer", std::uint64_t{batch_rays} * sizeof(gpu::vec4));
         first_hits = storage("first hit buffer", std::uint64_t{batch_rays} * sizeof(gpu::vec4));
@@ -73,10 +90,14 @@ struct RayCaster::State {
     }
 
     void createPrograms() {
-        trace = createProgram(device, "trace", trace_spv);
-        any_hit = createProgram(device, "any_hit", any_hit_spv);
-        raygen = createProgram(device, "raygen", raygen_spv);
-        surface = createProgram(device, "cast_surface", cast_surface_spv);
+        const std::uint32_t uneven = scene.grid_frame.uneven;
+        trace = createProgram(device, "trace", trace_spv, {uneven});
+        any_hit = createProgram(device, "any_hit", any_hit_spv, {uneven});
+        trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven});
+        beam = createProgram(device, "beam", beam_spv);
+        camera_rays = createProgram(device, "camera_rays", camera_rays_spv);
+        resolve = createProgram(device, "resolve_hits", resolve_hits_spv);
+        surface = createProgram(device, "cast_surface", cast_surface_spv, {uneven});
         pool = createDescriptorPool(device, 1);
         std::vector<BufferBinding> bindings = sceneBindings(scene);
         bindings.insert(bindings.end(), {{6, &params},
@@ -86,21 +107,27 @@ struct RayCaster::State {
                                          {10, &hits},
                                          {11, &unused},
                                          {12, &film},
-                                         {13, &first_hits}});
+                                         {13, &first_hits},
+                                         {17, &paths},
+                                         {19, &beams},
+                                         {20, &beams},
+                                         {18, &queue}});
         set = createDescriptorSet(device, pool, trace, bindings);
     }
 
+    Camera cameraOf(const CameraRequest& request) const {
+        return frameCamera(request, vec(scene.info.bounds_min), vec(scene.info.bounds_max), 1.0);
+    }
+
     /// The scene's own parameters are the viewer's; the camera and the light matter to cameraRays alone.
-    gpu::FrameParams uploadParams(std::uint32_t size, double fov_deg = CameraRequest{}.fov_deg) {
-        Camera camera = frameCamera(CameraRequest{}, vec(scene.info.bounds_min), vec(scene.info.bounds_max), 1.0);
-        camera.fov_deg = fov_deg;
+    gpu::FrameParams frameParams(std::uint32_t size, const Camera& camera) const {
         RenderSettings settings;
         settings.width = settings.height = size;
         settings.lights = 1;
-        const gpu::FrameParams frame = makeFrameParams(scene, settings, camera, 0, size);
-        uploadBuffer(device, params, &frame, sizeof frame);
-        return frame;
+        return makeFrameParams(scene, settings, camera, 0, size);
     }
+
+    void uploadParams(const gpu::FrameParams& frame) { uploadBuffer(device, params, &frame, sizeof frame); }
 
     void uploadRays(std::span<const Ray> rays) {
         loaded = static_cast<std::uint32_t>(rays.size());
@@ -125,11 +152,54 @@ struct RayCaster::State {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    std::vector<Ray> viewRays(std::uint32_t size, const Camera& camera) {
+        const std::uint32_t pixels = size * size;
+        const gpu::FrameParams frame = frameParams(size, camera);
+        uploadParams(frame);
+        run(camera_rays, pixels, STEP_CENTER);
+        std::vector<gpu::vec4> lanes(pixels);
+        downloadBuffer(device, first_hits, lanes.data(), pixels * sizeof lanes[0]);
+        view_rays.clear();
+        lane_pixels.clear();
+        for (const gpu::vec4& lane : lanes) {
+            view_rays.push_back({vec(frame.eye), vec(lane), {}, 0});
+            lane_pixels.push_back(std::bit_cast<std::uint32_t>(lane.w));
+        }
+        return view_rays;
+    }
+
+    /// Beams, then first hits; pixels whose beam misses keep NO_INDEX, which they get before the clock starts.
+    double traceCamera() {
+        const auto pixels = static_cast<std::uint32_t>(lane_pixels.size());
+        const std::vector<gpu::uvec4> none(pixels, gpu::uvec4{0, NO_INDEX, NO_INDEX, 0});
+        uploadBuffer(device, hits, none.data(), none.size() * sizeof none[0]);
+        gpu::Control counts{};
+        counts.tile_groups = {0, 1, 1, 0};
+        uploadBuffer(device, control, &counts, sizeof counts);
+        const gpu::PushParams push{{0, 0, 0, STEP_CENTER}};
+        const VkCommandBuffer commands = beginCommands(device);
+        recordDispatch(commands, beam, set, pushBytes(push),
+                       {(pixels / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});
+        recordBarrier(commands);
+        recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), control,
+                               offsetof(gpu::Control, tile_groups));
+        recordBarrier(commands);
+        const auto start = std::chrono::steady_clock::now();
+        submitAndWait(device, commands);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        queueInOrder();
+        return seconds;
+    }
+
+    /// Of rays on the device.
     void readFlat(std::span<CastHit> out) {
-        std::vector<gpu::uvec4> flat(out.size());
-        downloadBuffer(device, hits, flat.data(), flat.size() * sizeof flat[0]);
-        for (std::size_t i = 0; i < out.size(); ++i)
-            if (flat[i].z != NO_INDEX) out[i].t_flat = std::bit_cast<float>(flat[i].x), out[i].splat = flat[i].z;
+        run(resolve, loaded);
+        std::vector<gpu::vec4> flat(out.size());
+        downloadBuffer(device, first_hits, flat.data(), flat.size() * sizeof flat[0]);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const auto splat = std::bit_cast<std::uint32_t>(flat[i].y);
+            if (splat != NO_INDEX) out[i].t_flat = flat[i].x, out[i].splat = splat;
+        }
     }
 
     void readBlended(std::span<CastHit> out) {
@@ -150,7 +220,7 @@ RayCaster::RayCaster(const std::string& path, const DeviceRequest& request, std:
     state_->scene = loadScene(state_->device, path, false);
     state_->createBuffers();
     state_->createPrograms();
-    state_->uploadParams(1);
+    state_->uploadParams(state_->frameParams(1, state_->cameraOf({})));
 }
 
 RayCaster::~RayCaster() = default;
@@ -161,30 +231,38 @@ std::vector<CastHit> RayCaster::cast(std::span<const Ray> rays) {
         const std::size_t count = std::min<std::size_t>(state_->batch_rays, rays.size() - first);
         load(rays.subspan(first, count));
         traceLoaded();
-        state_->run(state_->surface, state_->loaded);
         const std::span<CastHit> batch = std::span(hits).subspan(first, count);
         state_->readFlat(batch);
+        state_->run(state_->surface, state_->loaded);
         state_->readBlended(batch);
     }
     return hits;
 }
 
 std::vector<Ray> RayCaster::cameraRays(std::uint32_t size, double fov_deg) {
-    const std::uint32_t pixels = size * size;
-    state_->uploadParams(size, fov_deg);
-    state_->run(state_->raygen, pixels, STEP_CENTER | STEP_FIRST_HIT);
-    std::vector<std::uint32_t> lanes(pixels);
-    std::vector<gpu::PathState> paths(pixels);
-    downloadBuffer(state_->device, state_->queue, lanes.data(), pixels * sizeof lanes[0]);
-    downloadBuffer(state_->device, state_->paths, paths.data(), pixels * sizeof paths[0]);
-    state_->queueInOrder();
-    std::vector<Ray> rays;
-    for (const std::uint32_t pixel : lanes)
-        rays.push_back({vec(paths.at(pixel).origin), vec(paths.at(pixel).direction), {}, 0});
-    return rays;
+    Camera camera = state_->cameraOf({});
+    camera.fov_deg = fov_deg;
+    return state_->viewRays(size, camera);
 }
 
-Vec3 RayCaster::lightPosition() const { return vec(state_->uploadParams(1).light_position[0]); }
+std::vector<Ray> RayCaster::cameraRays(std::uint32_t size, const CameraRequest& request) {
+    return state_->viewRays(size, state_->cameraOf(request));
+}
+
+double RayCaster::traceCamera() { return state_->traceCamera(); }
+
+std::vector<CastHit> RayCaster::cameraHits() {
+    const std::vector<std::uint32_t>& pixels = state_->lane_pixels;
+    std::vector<Ray> rays(pixels.size());
+    for (std::size_t lane = 0; lane < pixels.size(); ++lane) rays.at(pixels[lane]) = state_->view_rays[lane];
+    load(rays);
+    std::vector<CastHit> by_pixel(pixels.size()), hits;
+    state_->readFlat(by_pixel);
+    for (const std::uint32_t pixel : pixels) hits.push_back(by_pixel[pixel]);
+    return hits;
+}
+
+Vec3 RayCaster::lightPosition() const { return vec(state_->frameParams(1, state_->cameraOf({})).light_position[0]); }
 
 void RayCaster::load(std::span<const Ray> rays) { state_->uploadRays(rays); }
 
@@ -202,6 +280,11 @@ std::vector<CastHit> RayCaster::loadedHits() {
 
 double RayCaster::traceSeconds() const { return state_->trace_seconds; }
 const std::string& RayCaster::deviceName() const { return state_->device.name; }
+double RayCaster::cellEdge() const {
+    const int grid_shift = static_cast<int>(state_->scene.grid_frame.shift);
+    return std::ldexp(1.0 / BRICK_SIDE, grid_shift - static_cast<int>(PRO_POSITION_BITS));
+}
+bool RayCaster::isUneven() const { return state_->scene.grid_frame.uneven; }
 std::uint64_t RayCaster::sceneDeviceBytes() const { return state_->scene.device_bytes; }
 
 } // namespace pointrt::test

@@ -44,9 +44,17 @@ public:
     std::vector<CastHit> cast(std::span<const Ray> rays);
 
     /// The product's camera rays for the default view of size x size pixels, through their centres, in the order in
-    /// which its lanes take them (shaders/raygen.comp.glsl). size is a multiple of 16, size * size at most batch_rays.
-    /// fov_deg at its default frames the scene, as pointrt-view does; a smaller one stays where it is and zooms in.
+    /// which its lanes take them (shaders/trace_primary.comp.glsl). size is a multiple of 16, size * size at most
+    /// batch_rays. fov_deg at its default frames the scene, as pointrt-view does; a smaller one stays where it is and
+    /// zooms in.
     std::vector<Ray> cameraRays(std::uint32_t size, double fov_deg = CameraRequest{}.fov_deg);
+    /// The same for a camera of the user's, in input coordinates.
+    std::vector<Ray> cameraRays(std::uint32_t size, const CameraRequest& request);
+    /// Traces the rays of the last cameraRays as the product does: beams, then first hits, each ray made where it is
+    /// traced. Seconds from submission to the end.
+    double traceCamera();
+    /// The last traceCamera's hits, flat, in the order of cameraRays.
+    std::vector<CastHit> cameraHits();
     /// Where the product puts the only light of that view; outside the sphere around all splats.
     Vec3 lightPosition() const;
 
@@ -61,6 +69,10 @@ public:
     /// Seconds that the trace dispatches alone have taken so far, submission and waiting included.
     double traceSeconds() const;
     const std::string& deviceName() const;
+    /// Of a brick's cells, in cube units; none is larger.
+    double cellEdge() const;
+    /// Whether cells with many splats are cut further.
+    bool isUneven() const;
     /// Of the scene, without rays.
     std::uint64_t sceneDeviceBytes() const;
 

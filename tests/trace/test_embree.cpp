@@ -44,44 +44,49 @@ std::vector<Ray> bothKinds(std::span<const CubeSplat> splats, std::size_t count,
 FirstHitCheck check(const SceneFile& scene, std::span<const CubeSplat> embree_splats, std::uint64_t seed) {
     const std::vector<Ray> rays = bothKinds(scene.splats, kRays, seed);
     const std::uint64_t messages = validationMessages();
-    const std::vector<CastHit> ours = RayCaster(scene.path).cast(rays);
+    RayCaster caster(scene.path);
+    const std::vector<CastHit> ours = caster.cast(rays);
     EXPECT_EQ(validationMessages(), messages);
-    const FirstHitCheck result = checkFirstHits(scene.splats, rays, ours, EmbreeDiscs(embree_splats).cast(rays));
+    const FirstHitCheck result = checkFirstHits(scene.splats, nearRounding(scene.splats, caster.cellEdge()), rays, ours,
+                                                EmbreeDiscs(embree_splats).cast(rays));
     std::printf("%zu rays, %zu hits, %zu agree, rim %zu, tie %zu, rounding %zu, unexplained %zu\n", result.rays,
                 result.hits, result.count(Verdict::kAgree), result.count(Verdict::kRim), result.count(Verdict::kTie),
                 result.count(Verdict::kRounding), result.unexplained.size());
     return result;
 }
 
-void expectEmbreesHits(const Splats& splats, const BuildOptions& options = {}) {
+/// agreement: the least share of rays, half of them grazing, with the same hit.
+void expectEmbreesHits(double agreement, const Splats& splats, const BuildOptions& options = {}) {
     const SceneFile scene(splats, options);
     const FirstHitCheck result = check(scene, scene.splats, 1);
     EXPECT_GT(result.hits, kRays); // the grazing ones hit what they were aimed through, or something before it
     EXPECT_EQ(result.unexplained.size(), 0u);
-    EXPECT_GT(result.agreement(), 0.9995); // 2e-4 of a disc's area is its rim, a tenth of it where rays are flat
+    EXPECT_GT(result.agreement(), agreement);
 }
 
-TEST(Embree, AgreesOnASphere) { expectEmbreesHits(sphereSplats(20000, Vec3f(10, -20, 5), 2.0f)); }
+// Where discs overlap nearly in one plane, a grazing ray of slope 0.1 meets the next one 0.1 radii further for each
+// hundredth that rounding moves it: a fifth of those rays meet another disc first.
+TEST(Embree, AgreesOnASphere) { expectEmbreesHits(0.87, sphereSplats(20000, Vec3f(10, -20, 5), 2.0f)); }
 
 TEST(Embree, AgreesOnSheetsALeafApart) {
     const auto sheet = [](float z) {
         return squareSplats(80, Vec3f(0, 0, z), Vec3f(1, 0, 0), Vec3f(0, 0.8f, 0.6f), 1.3f);
     };
-    expectEmbreesHits(joinSplats(sheet(0), sheet(0.02f)));
+    expectEmbreesHits(0.89, joinSplats(sheet(0), sheet(0.02f)));
 }
 
 TEST(Embree, AgreesOnRandomDiscsOfManySizes) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         BuildOptions options;
         options.octree.max_leaf_splats = seed * seed * 4;
-        expectEmbreesHits(randomSplats(1000u << (2 * seed), seed, 0.003f, 0.05f), options);
+        expectEmbreesHits(0.988, randomSplats(1000u << (2 * seed), seed, 0.003f, 0.05f), options);
     }
 }
 
 TEST(Embree, AgreesInASingleLeaf) {
     BuildOptions options;
     options.octree.max_depth = 0;
-    expectEmbreesHits(randomSplats(500, 7, 0.01f, 0.1f), options);
+    expectEmbreesHits(0.97, randomSplats(500, 7, 0.01f, 0.1f), options);
 }
 
 /// A far stray makes the sphere's leaves so small that a ray's look ahead of one position step is a good part of them.
@@ -105,11 +110,12 @@ TEST(Embree, TinyLeavesLoseNoMoreThanRoundingGains) {
 }
 
 TEST(Embree, ALostDiscIsNeverExplained) {
-    const SceneFile scene(sphereSplats(2000, Vec3f(0, 0, 0), 1.0f));
+    const SceneFile scene(sphereSplats(500, Vec3f(0, 0, 0), 1.0f, 0.7f)); // hardly any overlap: it leaves a hole
     std::vector<CubeSplat> without = scene.splats;
-    without[1234].radius = 1e-6;
+    without[123].radius = 1e-6;
     const FirstHitCheck result = check(scene, without, 2);
-    EXPECT_GT(result.count(Verdict::kEmbreeMisses), 5u); // 40000 rays by a 2000th of the sphere, half of it overlapped
+    EXPECT_GT(result.count(Verdict::kEmbreeMisses),
+              10u); // 40000 rays by a 500th of the sphere, some of them past its rim
     EXPECT_EQ(result.count(Verdict::kWeMiss), 0u);
 }
 
@@ -127,15 +133,20 @@ TEST(Embree, PacketsHitWhatSingleRaysHit) {
     EXPECT_LE(other, 2u); // rims: packets fuse other multiplications and additions
 }
 
-/// A hand-made dispute over one unit disc at the origin facing +z, met by a ray from above at x.
-Verdict verdictAt(double x, bool we_hit, bool embree_hits) {
-    const std::vector<CubeSplat> splats{{{0, 0, 0}, {0, 0, 1}, 1}};
-    const Ray ray{{x, 0, 1}, {0, 0, -1}, {}, 0};
+/// A unit disc at the origin facing +z, and one below it.
+const std::vector<CubeSplat> kDiscs{{{0, 0, 0}, {0, 0, 1}, 1}, {{0, 0, -0.1}, {0, 0, 1}, 1}};
+/// Centres off by a hundredth of a radius.
+constexpr NearRounding kRounded{0.01, 1};
+
+/// A hand-made dispute over the first disc, met at x by a ray from above with this slope.
+Verdict verdictAt(double x, bool we_hit, bool embree_hits, double slope = 1) {
+    const Vec3 direction{std::sqrt(1 - slope * slope), 0, -slope};
+    const Ray ray{Vec3{x, 0, 0} - direction, direction, {}, 0};
     CastHit ours;
     EmbreeHit embrees;
     if (we_hit) ours.splat = 0, ours.t_flat = 1;
     if (embree_hits) embrees = {1, 0};
-    return judge(splats, ray, ours, embrees);
+    return judge(kDiscs, kRounded, ray, ours, embrees);
 }
 
 TEST(Embree, VerdictsAreFair) {
@@ -145,9 +156,46 @@ TEST(Embree, VerdictsAreFair) {
     EXPECT_EQ(verdictAt(0.5, true, false), Verdict::kEmbreeMisses);
     EXPECT_EQ(verdictAt(1.5, true, false), Verdict::kWeMiss);
     EXPECT_EQ(verdictAt(1.5, false, true), Verdict::kEmbreeMisses);
-    EXPECT_EQ(verdictAt(0.99995, false, true), Verdict::kRim);
-    EXPECT_EQ(verdictAt(1.00005, false, true), Verdict::kRim);
-    EXPECT_EQ(verdictAt(0.9998, false, true), Verdict::kWeMiss);
+    EXPECT_EQ(verdictAt(0.983, false, true), Verdict::kRim); // 0.01 of the centre and 0.0078 of the radius
+    EXPECT_EQ(verdictAt(1.017, true, false), Verdict::kRim);
+    EXPECT_EQ(verdictAt(0.98, false, true), Verdict::kWeMiss);
+    EXPECT_EQ(verdictAt(1.02, true, false), Verdict::kWeMiss);
+    // the plane is 0.0156 higher or lower at the rim: along a ray of slope 0.1 that is 0.165
+    EXPECT_EQ(verdictAt(0.82, false, true, 0.1), Verdict::kRounding);
+    EXPECT_EQ(verdictAt(0.8, false, true, 0.1), Verdict::kWeMiss);
+    EXPECT_EQ(verdictAt(0.2, false, true, 0.005), Verdict::kRounding); // it may as well run along the plane
+}
+
+/// Both hit at x = 0, we the lower disc and Embree the upper one, gap below it.
+Verdict orderAt(double gap, double slope) {
+    std::vector<CubeSplat> discs = kDiscs;
+    discs[1].center.z = -gap;
+    const Vec3 direction{std::sqrt(1 - slope * slope), 0, -slope};
+    const Ray ray{-1.0 * direction, direction, {}, 0};
+    return judge(discs, kRounded, ray, {1 + gap / slope, 1, 0, {}, 0}, {1, 0});
+}
+
+TEST(Embree, OrderIsOpenAsFarAsPlanesMove) {
+    EXPECT_EQ(orderAt(0.009, 1), Verdict::kAgree); // the same hit
+    EXPECT_EQ(orderAt(0.03, 1), Verdict::kTie);    // twice 0.0156
+    EXPECT_EQ(orderAt(0.035, 1), Verdict::kWeMiss);
+    EXPECT_EQ(orderAt(0.03, 0.2), Verdict::kRounding);
+    EXPECT_EQ(orderAt(0.035, 0.2), Verdict::kWeMiss);
+}
+
+TEST(Embree, OnlyWhatRoundingAllowsMayBeFirst) {
+    const Ray middle{{0, 0, 1}, {0, 0, -1}, {}, 0}, rim{{0.99, 0, 1}, {0, 0, -1}, {}, 0},
+        past{{2, 0, 1}, {0, 0, -1}, {}, 0};
+    const auto may = [](const Ray& ray, std::optional<double> t) { return mayBeFirst(kDiscs, kRounded, ray, t); };
+    EXPECT_TRUE(may(middle, 1.0));
+    EXPECT_FALSE(may(middle, 1.1));   // behind a sure hit
+    EXPECT_FALSE(may(middle, 1.001)); // no disc's distance
+    EXPECT_FALSE(may(middle, std::nullopt));
+    EXPECT_TRUE(may(rim, 1.0));
+    EXPECT_TRUE(may(rim, 1.1));
+    EXPECT_TRUE(may(rim, std::nullopt));
+    EXPECT_FALSE(may(past, 1.0));
+    EXPECT_TRUE(may(past, std::nullopt));
 }
 
 TEST(Rays, ComeFromOutsideAsAnnounced) {

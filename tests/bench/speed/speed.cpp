@@ -28,20 +28,20 @@ class Contest {
 public:
     Contest(RayCaster& caster, const EmbreeDiscs& discs, std::span<const Ray> rays, RayKind kind)
         : caster_(caster), discs_(discs), rays_(rays), any_hit_(kind == RayKind::kShadow),
-          coherent_(kind == RayKind::kPrimary || kind == RayKind::kShadow) {
-        caster_.load(rays_);
+          coherent_(kind == RayKind::kPrimary || kind == RayKind::kShadow), camera_(kind == RayKind::kPrimary) {
+        if (!camera_) caster_.load(rays_);
     }
 
     Turn turn() {
         Turn times;
-        times.ours = caster_.traceLoaded(any_hit_);
+        times.ours = camera_ ? caster_.traceCamera() : caster_.traceLoaded(any_hit_);
         times.single = embree(EmbreeMode::kSingle).seconds;
         times.packets = embree(EmbreeMode::kPackets).seconds;
         return times;
     }
 
     /// Of the last turn.
-    std::vector<CastHit> ourHits() { return caster_.loadedHits(); }
+    std::vector<CastHit> ourHits() { return camera_ ? caster_.cameraHits() : caster_.loadedHits(); }
     std::vector<EmbreeHit> embreeHits() const { return embree(EmbreeMode::kSingle).hits; }
     bool anyHit() const { return any_hit_; }
 
@@ -51,7 +51,7 @@ private:
     RayCaster& caster_;
     const EmbreeDiscs& discs_;
     std::span<const Ray> rays_;
-    bool any_hit_, coherent_;
+    bool any_hit_, coherent_, camera_;
 };
 
 void compareHits(Contest& contest, std::span<const CubeSplat> splats, Speed& speed) {

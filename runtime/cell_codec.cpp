@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/cell_codec.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "shaders/brick_layout.h"
+
+namespace pointrt {
+
+namespace {
+
+/// A disc of more than this many cell edges is replaced by one of that radius that has the same rim nearby: in the cell
+/// the two rims are at most 3/4 / (2 * 8) edges apart, less than a hundredth of the radius.
+constexpr float kLargestRadius = 8;
+
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector sum(const Vector& a, float scale, const Vector& b) {
+    return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
+}
+
+/// A disc's place in cell edges from the cell's middle, its radius at most kLargestRadius.
+struct Place {
+    Vector center;
+    float radius;
+};
+
+Place placeIn(const Disc& disc, const CellBox& box) {
+    const float edges = 0.5f / box.half_edge;
+    Place place{{}, disc.radius * edges};
+    for (std::size_t axis = 0; axis < 3; ++axis) place.center[axis] = (disc.center[axis] - box.middle[axis]) * edges;
+    if (place.radius <= kLargestRadius) return place;
+    // from the point of the plane nearest to the cell's middle, the centre lies this far away in that direction
+    const float height = dot(place.center, disc.normal);
+    const Vector away = sum(place.center, -height, disc.normal);
+    const float distance = std::sqrt(dot(away, away));
+    const float shorter = distance > 0 ? std::max(0.0f, distance - (place.radius - kLargestRadius)) / distance : 0.0f;
+    return {sum(sum(Vector{}, shorter, away), height, disc.normal), kLargestRadius};
+}
+
+/// Not of unit length. Normals may be on either side.
+Vector meanNormal(std::span<const Disc* const> discs) {
+    Vector mean = discs[0]->normal;
+    for (const Disc* disc : discs.subspan(1))
+        mean = sum(mean, dot(mean, disc->normal) < 0 ? -1.0f : 1.0f, disc->normal);
+    return mean;
+}
+
+std::uint32_t bits(std::int32_t value, std::uint32_t count) {
+    return static_cast<std::uint32_t>(value) & ((1u << count) - 1);
+}
+
+constexpr float kHalfMost = 65504;
+
+/// Exact for values that are halves.
+std::uint32_t toHalf(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const std::uint32_t sign = bits >> 16 & 0x8000u;
+    const int exponent = static_cast<int>(bits >> 23 & 0xFF) - 127;
+    if (exponent < -14) return sign | static_cast<std::uint32_t>(std::lround(std::fabs(value) * 0x1p24f));
+    return sign | static_cast<std::uint32_t>(exponent + 15) << 10 | (bits >> 13 & 0x3FFu);
+}
+
+/// The largest half at most value, which is not beyond the largest of them.
+float halfBelow(float value) {
+    const float step = std::ldexp(1.0f, std::max(std::ilogb(value == 0.0f ? 1.0f : value) - 10, -24));
+    return std::floor(value / step) * step;
+}
+
+/// Planes along the mean normal, rounded, outside of all discs and slack.
+std::uint32_t slabWord(std::span<const Disc* const> discs, const CellBox& box) {
+    const Vector mean = meanNormal(discs);
+    const float length = std::sqrt(dot(mean, mean));
+    std::array<std::int32_t, 3> codes{};
+    Vector normal{};
+    for (std::size_t axis = 0; axis < 3 && length > 0; ++axis) {
+        codes[axis] = static_cast<std::int32_t>(std::lround(mean[axis] / length * SLAB_NORMAL_MAX));
+        normal[axis] = static_cast<float>(codes[axis]) / SLAB_NORMAL_MAX;
+    }
+    const float edges = 0.5f / box.half_edge;
+    float lo = std::numeric_limits<float>::infinity(), hi = -lo;
+    for (const Disc* disc : discs) {
+        const float height = dot(normal, sum(disc->center, -1, box.middle));
+        // not by 1 - cos^2, which cancels where a disc is nearly along the planes
+        const Vector sine = cross(normal, disc->normal);
+        const float reach = disc->radius * std::sqrt(dot(sine, sine)) + box.slack;
+        lo = std::min(lo, (height - reach) * edges);
+        hi = std::max(hi, (height + reach) * edges);
+    }
+    static constexpr float kMost = SLAB_HEIGHT_MAX; // a step beyond the farthest corner of a cell with its slack
+    const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMost, kMost)); };
+    std::uint32_t word = bits(code(std::ceil(hi * SLAB_STEPS)), SLAB_HEIGHT_BITS);
+    word = word << SLAB_HEIGHT_BITS | bits(code(std::floor(lo * SLAB_STEPS)), SLAB_HEIGHT_BITS);
+    for (std::size_t axis = 3; axis-- > 0;) word = word << SLAB_NORMAL_BITS | bits(codes[axis], SLAB_NORMAL_BITS);
+    return word;
+}
+
+/// The upper bits of the float, rounded.
+std::uint32_t radiusCode(float squared) {
+    const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (NEAR_RADIUS_SHIFT - 1));
+    return rounded <= NEAR_RADIUS_BIAS ? 0u : (rounded - NEAR_RADIUS_BIAS) >> NEAR_RADIUS_SHIFT;
+}
+
+/// std::lround, which compilers do not inline.
+std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f)); }
+
+/// codes: position codes to a cell edge.
+void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
+    const float largest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    std::uint32_t position = 0, normal = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float limited = std::clamp<float>(place.center[axis] * codes, -NEAR_POSITION_MAX, NEAR_POSITION_MAX);
+        position = position << NEAR_POSITION_BITS | bits(rounded(limited), NEAR_POSITION_BITS);
+        normal = normal << NEAR_NORMAL_BITS | bits(rounded(n[axis] / largest * NEAR_NORMAL_MAX), NEAR_NORMAL_BITS);
+    }
+    const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
+    near.push_back(position << NEAR_RADIUS_HIGH_BITS | radius >> NEAR_RADIUS_LOW_BITS);
+    near.push_back(normal << NEAR_RADIUS_LOW_BITS | bits(radius, NEAR_RADIUS_LOW_BITS));
+}
+
+/// How far the places reach from the middle by any axis, and at least the largest radius.
+float reachOf(std::span<const Disc* const> discs, const CellBox& box) {
+    float reach = 0;
+    for (const Disc* disc : discs) {
+        const Place place = placeIn(*disc, box);
+        reach = std::max(
+            {reach, place.radius, std::fabs(place.center[0]), std::fabs(place.center[1]), std::fabs(place.center[2])});
+    }
+    return reach;
+}
+
+} // namespace
+
+void encodeCell(std::span<const Disc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out) {
+    const float codes = halfBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(discs, box)));
+    for (const Disc* disc : discs) appendNear(placeIn(*disc, box), disc->normal, codes, out.near);
+    if (discs.size() % 2) out.near.insert(out.near.end(), NEAR_WORDS, 0u); // its normal of 0 is never hit
+    const auto count = static_cast<std::uint32_t>(discs.size());
+    out.cells.insert(out.cells.end(), {first, count | toHalf(codes) << CELL_CODES_SHIFT});
+    out.slabs.push_back(slabWord(discs, box));
+}
+
+} // namespace pointrt

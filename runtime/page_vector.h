@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vectors in memory that a device can import as it is (resources.h: importHostBuffer).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+#include <sys/mman.h>
+
+namespace pointrt {
+
+/// Whole huge pages where there are many: fewer faults while they fill, and alignment enough for any driver's imports.
+template <typename T>
+struct PageAllocator {
+    using value_type = T;
+    static constexpr std::size_t kPage = std::size_t{64} << 10, kHugePage = std::size_t{2} << 20;
+
+    PageAllocator() = default;
+    template <typename U>
+    PageAllocator(const PageAllocator<U>&) {}
+
+    T* allocate(std::size_t count) {
+        const std::size_t page = count * sizeof(T) >= kHugePage ? kHugePage : kPage;
+        const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
+        void* memory = std::aligned_alloc(page, bytes);
+        if (!memory) throw std::bad_alloc();
+        if (page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE); // a wish: nothing is lost where it fails
+        return static_cast<T*>(memory);
+    }
+    void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+    friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
+};
+
+using Words = std::vector<std::uint32_t, PageAllocator<std::uint32_t>>;
+
+} // namespace pointrt

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the rays of a tile of pixels go before anything can be near: one lane marches a cone around all of them
+// through the entry grid. Tiles whose cone leaves the grid are done; the others are queued for trace_primary.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
+#include "bindings.glsl"
+#include "octree.glsl"
+#include "camera_ray.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
+
+// Cells by which an empty one may be extended to all sides, itself included: the least of its skips.
+float freeCells(uint word) {
+    uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & SKIP_MASK;
+    uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & SKIP_MASK;
+    uvec4 both = min(low, high);
+    return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
+}
+
+// How far a point, in grid units, is at least from all filled cells, by its largest component. From outside, they are
+// no nearer than from the grid's nearest point, and no nearer than the grid.
+float freeAround(vec3 point, Grid grid, vec3 highest) {
+    float outside = largest(max(grid.lowest - point, point - highest));
+    point = clamp(point, grid.lowest, highest);
+    vec3 base = min(floor(point), highest - 1.0);
+    vec3 local = base - grid.lowest;
+    uint word = loadGrid(uint(int(local.x + local.y * grid.stride.x + local.z * grid.stride.y)));
+    vec3 in_cell = point - base;
+    float inside = isFilled(word) ? 0.0 : freeCells(word) - 1.0 + least(min(in_cell, 1.0 - in_cell));
+    return max(outside, inside);
+}
+
+// Cells below which a further step is not worth its cost.
+const float kLeastStep = 0.25;
+// More steps than a cone needs whose free way doubles or halves with each.
+const int kStepsMost = 96;
+
+// The distance, in cube units, that all directions within spread of this one (by their largest component) can go from
+// the eye, or NO_HIT_DISTANCE where that leads past the grid.
+float marchCone(vec3 direction, float spread) {
+    Grid grid = loadGridFrame();
+    float scale = params.grid_scale.x;
+    vec3 highest = grid.lowest + vec3(params.grid_size.xyz), eye = params.eye.xyz * scale;
+    // beyond its far corner no ray can be in the grid
+    float t_far = length(max(abs(grid.lowest - eye), abs(highest - eye)));
+    float t = 0.0, advance = kLeastStep;
+    int left = kStepsMost;
+    do { // lanes that are done take part until all are: see trace.glsl
+        bool going = advance >= kLeastStep && t < t_far && left > 0;
+        float free = freeAround(eye + direction * t, grid, highest);
+        float further = (free - t * spread) / (largest(abs(direction)) + spread);
+        advance = going ? further : advance;
+        t = going ? t + max(further, 0.0) : t;
+        left--;
+    } while (advance >= kLeastStep && t < t_far && left > 0);
+    // less what rounding may have added
+    return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
+}
+
+void main() {
+    uint tile = gl_GlobalInvocationID.x;
+    bool live = tile < bandTiles();
+    vec2 corner = vec2(tileCorner(tile));
+    vec3 direction = directionThrough(corner + 0.5 * TILE_SIDE);
+    float spread = 0.0;
+    for (uint c = 0u; c < 4u; c++)
+        spread = max(spread, largest(abs(directionThrough(corner + vec2(c & 1u, c >> 1) * TILE_SIDE) - direction)));
+    float safe = marchCone(direction, spread);
+    if (live) beams[tile] = safe;
+
+    uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);
+    uint count = subgroupBallotBitCount(ballot), start = 0u;
+    if (subgroupElect() && count > 0u) {
+        start = atomicAdd(control.tile_groups.w, count);
+        atomicMax(control.tile_groups.x, ((start + count) * TILE_PIXELS + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE);
+    }
+    start = subgroupBroadcastFirst(start);
+    if (live && safe < BEAM_MISSES) queues[start + subgroupBallotExclusiveBitCount(ballot)] = tile;
+}

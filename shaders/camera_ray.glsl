@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Camera rays, made where they are needed: computing one takes less time than reading it.
+#include "random.glsl"
+
+// Pixels are taken in tiles of 8 x 8, and those in blocks of 4 x 2, which lavapipe's 8 lanes share.
+uvec2 tileCorner(uint tile) {
+    // in floats, because integer division is slow; exact below 2^22 tiles
+    uint row = uint((float(tile) + 0.5) / float(tilesAcross()));
+    return uvec2(tile - row * tilesAcross(), row) * TILE_SIDE;
+}
+
+uvec2 tilePixel(uint tile, uint lane) {
+    return tileCorner(tile) + uvec2((lane >> 1 & 4u) | (lane & 3u), (lane >> 3 & 6u) | (lane >> 2 & 1u));
+}
+
+// Index of a pixel in the band, NO_INDEX beyond its borders.
+uint pixelIndex(uvec2 pixel) {
+    return pixel.x < params.image.x && pixel.y < params.image.w ? pixel.y * params.image.x + pixel.x : NO_INDEX;
+}
+
+// R2 sequence (Roberts 2018): steps of 1/p and 1/p^2 for the plastic number p in units of 2^-32, so that late samples
+// lose no bits; shifted per pixel.
+vec2 samplePosition(uint pixel) {
+    if (hasStep(STEP_CENTER)) return vec2(0.5);
+    uvec2 steps = push.step.x * uvec2(0xC13FA9A9u, 0x91E10DA6u);
+    return fract(random3(pixel, 0u, 0u).xy + vec2(steps >> 8u) * (1.0 / 16777216.0));
+}
+
+// Through a place of the band, in pixels.
+vec3 directionThrough(vec2 place) {
+    vec2 at = vec2(place.x, place.y + float(params.image.z)) / vec2(params.image.xy);
+    vec2 plane = vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * params.eye.w * vec2(params.right.w, 1.0);
+    return normalize(params.forward.xyz + plane.x * params.right.xyz + plane.y * params.up.xyz);
+}
+
+// The direction of this sample's ray through a pixel of the band.
+vec3 cameraDirection(uvec2 pixel) {
+    return directionThrough(vec2(pixel) + samplePosition((pixel.y + params.image.z) * params.image.x + pixel.x));
+}

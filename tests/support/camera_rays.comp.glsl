@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera rays that shaders/trace_primary.comp.glsl traces, in the order of its lanes: first_hits gets the
+// directions and, as bits, the pixels.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "bindings.glsl"
+#include "camera_ray.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint lane = gl_GlobalInvocationID.x;
+    if (lane >= bandLanes()) return;
+    uvec2 pixel = tilePixel(lane / TILE_PIXELS, lane % TILE_PIXELS);
+    first_hits[lane] = vec4(cameraDirection(pixel), uintBitsToFloat(pixelIndex(pixel)));
+}
