@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Camera rays that start where the beam of their tile ends hit what the same rays hit one by one.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "shaders/params.h"
+#include "tests/support/ray_caster.h"
+#include "tests/support/splat_scenes.h"
+
+namespace pointrt::test {
+
+namespace {
+
+constexpr std::uint32_t kSize = 128; // pixels a side
+
+/// A scene in a file that goes with it.
+struct SceneFile {
+    std::string path = temporaryPath("beams.pro");
+    explicit SceneFile(const Splats& scene) { writeScene(path, scene, {}); }
+    ~SceneFile() { std::remove(path.c_str()); }
+    SceneFile(const SceneFile&) = delete;
+    SceneFile& operator=(const SceneFile&) = delete;
+};
+
+struct View {
+    CameraRequest camera;
+    std::size_t hits_least = 0, hits_most = kSize * kSize;
+};
+
+View view(Vec3 eye, Vec3 target, double fov_deg, std::size_t hits_least, std::size_t hits_most = kSize * kSize) {
+    return {{eye, target, {}, fov_deg}, hits_least, hits_most};
+}
+
+struct Difference {
+    std::size_t hits = 0;          ///< one by one
+    std::size_t hit_or_miss = 0;   ///< hits that a beam loses or adds
+    std::size_t other_hit = 0;     ///< another splat, and not as far either
+    std::size_t dropped_tiles = 0; ///< nothing is hit in tiles that have hits
+};
+
+Difference compare(RayCaster& caster, const CameraRequest& camera) {
+    const std::vector<Ray> rays = caster.cameraRays(kSize, camera);
+    caster.traceCamera();
+    const std::vector<CastHit> beams = caster.cameraHits();
+    caster.load(rays);
+    caster.traceLoaded();
+    const std::vector<CastHit> single = caster.loadedHits();
+    Difference result;
+    for (std::size_t tile = 0; tile < rays.size(); tile += TILE_PIXELS) {
+        std::size_t in_beam = 0, one_by_one = 0;
+        for (std::size_t i = tile; i < tile + TILE_PIXELS; ++i) {
+            in_beam += beams[i].hit();
+            one_by_one += single[i].hit();
+            result.hit_or_miss += beams[i].hit() != single[i].hit();
+            // rays start elsewhere in the same line: distances differ by a few roundings of 2^-24
+            const double apart = std::abs(beams[i].t_flat - single[i].t_flat);
+            result.other_hit += beams[i].splat != single[i].splat && apart > 0x1p-20 * (1 + single[i].t_flat);
+        }
+        result.hits += one_by_one;
+        result.dropped_tiles += in_beam == 0 && one_by_one > 0;
+    }
+    return result;
+}
+
+/// Rays for which the rounding of another start decides on a rim or the order of two discs: none to two of 16384 were
+/// seen in each view.
+constexpr std::size_t kRoundedMost = 4;
+
+void expectSameHits(const Splats& splats, const std::vector<View>& views) {
+    const SceneFile scene(splats);
+    RayCaster caster(scene.path);
+    for (const View& each : views) {
+        const Difference result = compare(caster, each.camera);
+        std::printf("%zu hits, differ: %zu hit or miss, %zu another hit, %zu tiles dropped\n", result.hits,
+                    result.hit_or_miss, result.other_hit, result.dropped_tiles);
+        EXPECT_GE(result.hits, each.hits_least);
+        EXPECT_LE(result.hits, each.hits_most);
+        EXPECT_LE(result.hit_or_miss, kRoundedMost);
+        EXPECT_LE(result.other_hit, kRoundedMost);
+        EXPECT_EQ(result.dropped_tiles, 0u);
+    }
+    EXPECT_EQ(validationMessages(), 0u);
+}
+
+TEST(Beams, HitTheSameOnASphere) {
+    // the whole sphere is a disc of 45.4 pixels' radius, 6475 pixels, and one of 42.2, 5588 pixels
+    expectSameHits(sphereSplats(20000, Vec3f(1, 2, 3), 1.0f),
+                   {view({1, 2, 7}, {1, 2, 3}, 40, 6430, 6530),      // the whole sphere
+                    view({1, 60, 3}, {1, 2, 3}, 3, 5540, 5640),      // from afar
+                    view({5, 2, 3}, {1, 3.03, 3}, 0.5, 2000, 14000), // thin beams past the edge
+                    view({3, 3, 4}, {1, 2, 3}, 120, 500, 8000),      // a wide one
+                    view({1, 2, 3}, {2, 2, 3}, 90, 16384),           // from the middle
+                    view({1, 2.9, 3.9}, {1, 3, 3.2}, 60, 1000)});    // in a corner of the bounds
+}
+
+/// Thin things with much sky in between: what beams are most likely to pass by.
+TEST(Beams, HitTheSameInASparseCloud) {
+    expectSameHits(randomSplats(300, 3, 0.002f, 0.01f), {view({0.5, 0.5, 3}, {0.5, 0.5, 0.5}, 30, 50, 2000),
+                                                         view({0.4, 0.6, 0.5}, {1, 0.5, 0.4}, 70, 20, 4000),
+                                                         view({-1, 0.2, 0.4}, {0.6, 0.5, 0.5}, 5, 50, 4000),
+                                                         view({30, 40, 20}, {0.5, 0.5, 0.5}, 1.5, 20, 4000)});
+}
+
+TEST(Beams, HitTheSameOnOneSplat) {
+    Splats one = sphereSplats(1, Vec3f(0, 0, 0), 1.0f, 0.05f); // a disc at (1, 0, 0) facing +x
+    expectSameHits(one, {view({3, 0.01, 0.02}, {1, 0, 0}, 10, 4000), view({1.3, 0.1, 0}, {1, 0, 0.1}, 100, 50, 8000),
+                         view({2, 0.5, 0.4}, {1, 0.1, 0.1}, 0.5, 0, 16384), view({0, 3, 0.3}, {1, 0, 0}, 20, 0, 4000)});
+}
+
+/// Small things between the middles of tiles that spread far: only what a beam takes in around its middle finds them.
+TEST(Beams, HitTheSameInWideTiles) {
+    Splats balls = sphereSplats(1500, Vec3f(0, 0, 0), 0.03f);
+    for (const Vec3f& at : {Vec3f(1, 1, 1), Vec3f(0.2f, 0.5f, 0.9f), Vec3f(0.8f, 0.3f, 0.6f), Vec3f(0.4f, 0.9f, 0.3f),
+                            Vec3f(0.1f, 0.8f, 0.7f), Vec3f(0.9f, 0.6f, 0.1f), Vec3f(0.6f, 0.1f, 0.4f)})
+        balls = joinSplats(balls, sphereSplats(1500, at, 0.03f));
+    expectSameHits(balls, {view({0.5, 0.5, 0.5}, {1, 0.5, 0.4}, 140, 10, 4000),
+                           view({0.5, 0.5, 0.5}, {0, 0.6, 0.5}, 150, 10, 4000),
+                           view({0.5, 0.5, 1.8}, {0.3, 0.5, 0.5}, 130, 10, 4000),
+                           view({1.5, 1.2, 0.2}, {0.5, 0.5, 0.5}, 140, 10, 4000)});
+}
+
+/// A dense patch in a wide loose sheet: cells are cut further (uneven), and beams end in the grid above.
+TEST(Beams, HitTheSameInAnUnevenScene) {
+    const Splats sheet = squareSplats(40, Vec3f(0, 0, 0), Vec3f(10, 0, 0), Vec3f(0, 10, 0), 0.9f);
+    const Splats patch = squareSplats(100, Vec3f(1, 2, 0.5f), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.02f), 0.9f);
+    expectSameHits(joinSplats(sheet, patch),
+                   {view({0, 0, 30}, {0, 0, 0}, 40, 4000, 16000), view({1, 2, 1.5}, {1, 2, 0}, 20, 8000),
+                    view({1.05, 2.4, 0.6}, {1, 2, 0.5}, 2, 100), view({9, 9, 0.2}, {-5, -5, 1}, 90, 2000, 14000)});
+}
+
+} // namespace
+
+} // namespace pointrt::test
