@@ -2,38 +2,99 @@
 # SPDX-License-Identifier: Apache-2.0
 # Checks and times a built tree on this machine's GPU: no network, no compiler, no ctest. Writes OUT.json.
 #   tests/gpu/run.sh BUILD_DIR OUT.json SCENE.pro...
-# POINTRT_DEVICE chooses the device (as pointrt-view --device); by default the first that is not a CPU.
-# Exit status: 1 when a test failed, 3 when there is no GPU.
+# Tests that trace on the device; for each scene the rays a second of trace_speed, whose hits are to be Embree's, and
+# the frame times of pointrt-view. Programs whose libraries are not here are left out, loudly: libembree3 and libtbb12
+# may lie in a folder that LD_LIBRARY_PATH names.
+# POINTRT_DEVICE chooses the device (as pointrt-view --device), by default the best; the tests always take the best.
+# POINTRT_GPU_ALLOW_CPU=1 takes a device that is a CPU too. POINTRT_GPU_FRAMES frames are timed, 10 unless set;
+# SPEED_OPTIONS goes to trace_speed.
+# Exit status: 1 when a test failed, hits differ or a scene is bad, 3 when there is no GPU, 4 without OUT.json.
 set -euo pipefail
+
+# What the seed's scenes are compared at, and four times the pixels.
+sizes=(512 1024)
+# Share of the rays that are to hit what Embree's hit. The rest may be rims of discs and ties, which rounding decides.
+least_agreement=0.99
+
+die() {
+    echo "$(basename "$0"): $2" >&2
+    exit "$1"
+}
 [ $# -ge 3 ] || {
-    sed -n '3,6s/^# //p' "$0" >&2
+    sed -n '4s/^# */usage: /p' "$0" >&2
     exit 2
 }
 bin=$1/bin out=$2
 shift 2
-
-"$bin/pointrt-view" --device list
+view=$bin/pointrt-view
+[ -x "$view" ] || die 2 "$view: not there; BUILD_DIR is the folder with bin/"
+for scene in "$@"; do
+    [ -r "$scene" ] || die 1 "$scene: not there or not readable"
+done
 device_option=()
 [ -z "${POINTRT_DEVICE:-}" ] || device_option=(--device "$POINTRT_DEVICE")
 
-# The tests that trace on the device: those of readers and trees tell nothing new here.
-failed=0
-results=()
-for program in "$bin"/test_runtime* "$bin"/test_trace*; do
-    [ -x "$program" ] || continue
-    status=0
-    if ldd "$program" | grep -F 'not found' >&2; then
-        echo "SKIPPED: $program lacks the libraries above" >&2
-        status=null
-    else
-        "$program" --gtest_brief=1 || status=$?
-        [ "$status" = 0 ] || failed=1
-    fi
-    results+=("{\"program\": \"$(basename "$program")\", \"exit_status\": $status}")
+# probe SCENE [OPTION...]: the name of the device that pointrt-view chooses, by a frame of few pixels.
+probe() {
+    local scene=$1 figures
+    shift
+    figures=$("$view" "$scene" "$@" --size 16x16 --integrator depth --bench 1) || return
+    sed -n 's/^ *"device": "\(.*\)",$/\1/p' <<<"$figures"
+}
+
+devices=$("$view" --device list)
+printf '%s\n' "$devices"
+for scene in "$@"; do # all of them, so that a bad one shows before the long work
+    device=$(probe "$scene" "${device_option[@]}")
 done
-[ ${#results[@]} -gt 0 ] || {
-    echo "no test_runtime or test_trace programs in $bin" >&2
-    exit 2
+tests_device=$(probe "$1")
+echo "device: $device"
+# Lines of the list are N "NAME", TYPE, ...
+if grep -qF "\"$device\", CPU, " <<<"$devices" && [ "${POINTRT_GPU_ALLOW_CPU:-0}" != 1 ]; then
+    die 3 "no GPU here: $device runs on the CPU; POINTRT_GPU_ALLOW_CPU=1 takes it all the same"
+fi
+{ : >"$out"; } 2>/dev/null || die 4 "$out: cannot be written"
+
+# By the names that Vulkan gives too: NVIDIA's own tool comes with the driver, vulkaninfo is a package.
+driverOf() {
+    local found=''
+    if command -v nvidia-smi >/dev/null; then
+        found=$(nvidia-smi --query-gpu=name,driver_version --format=csv,noheader 2>/dev/null |
+            awk -v name="$1" 'index($0, name ", ") == 1 { print "NVIDIA " substr($0, length(name) + 3); exit }') || true
+    fi
+    if [ -z "$found" ] && command -v vulkaninfo >/dev/null; then
+        found=$(vulkaninfo --summary 2>/dev/null | awk -v name="$1" '
+            { value = substr($0, index($0, "=") + 2) }
+            $1 == "deviceName" { ours = value == name }
+            $1 == "driverName" && ours { driver = value }
+            $1 == "driverInfo" && ours { print driver " " value; exit }') || true
+    fi
+    echo "${found:-unknown}"
+}
+
+left_out=()
+leaveOut() {
+    left_out+=("$1")
+    echo "LEFT OUT: $1" >&2
+}
+
+# starts PROGRAM: whether it is here with all its libraries; says so where not.
+starts() {
+    local name missing
+    name=$(basename "$1")
+    if [ ! -x "$1" ]; then
+        leaveOut "$name: not built"
+        return 1
+    fi
+    missing=$(ldd "$1" 2>&1 | sed -n 's/^[ \t]*\(.*not found\).*/\1/p' | tr '\n' ' ')
+    [ -z "$missing" ] || leaveOut "$name: ${missing% }"
+    [ -z "$missing" ]
+}
+
+failures=()
+fail() {
+    failures+=("$1")
+    echo "FAILED: $1" >&2
 }
 
 join() {
@@ -41,17 +102,93 @@ join() {
     echo "$*"
 }
 
-scenes=()
+jsonString() {
+    local text=${1//\\/\\\\}
+    printf '"%s"' "${text//\"/\\\"}"
+}
+
+jsonStrings() {
+    local each strings=()
+    for each in "$@"; do strings+=("$(jsonString "$each")"); done
+    printf '[%s]' "$(join "${strings[@]}")"
+}
+
+# onDevice FIGURES WHAT: trace_speed and the viewer choose by themselves; figures of another device are not these.
+onDevice() {
+    grep -qF "\"device\": \"$device\"" <<<"$1" || die 3 "$2 did not run on $device"
+}
+
+driver=$(driverOf "$device")
+echo "driver: $driver"
+
+tests=() started=0
+for program in "$bin"/test_runtime_host "$bin"/test_trace "$bin"/test_embree "$bin"/test_speed; do
+    status=null
+    if starts "$program"; then
+        started=$((started + 1)) status=0
+        "$program" --gtest_brief=1 || status=$?
+        [ "$status" = 0 ] || fail "$(basename "$program"), exit status $status"
+    fi
+    tests+=("{\"program\": \"$(basename "$program")\", \"exit_status\": $status}")
+done
+[ "$started" -gt 0 ] || fail "no test program starts here"
+
+# checkAgreement < FIGURES: a line for each kind of ray; fails where hits are not Embree's.
+checkAgreement() {
+    awk -F '": |,$' -v least="$least_agreement" '
+        $1 ~ /"scene$/ { scene = $2 }
+        $1 ~ /"rays$/ { kind = $2 }
+        $1 ~ /"mrays_per_second$/ { rate = $2 }
+        $1 ~ /"agreement$/ {
+            printf "%s %s: %.1f Mrays/s, %.4f %% agree with Embree\n", scene, kind, rate, 100 * $2
+            kinds++
+            wrong += $2 + 0 < least
+        }
+        END { exit wrong > 0 || kinds == 0 }'
+}
+
+rays=()
+read -ra speed_options <<<"${SPEED_OPTIONS:-}"
+if starts "$bin/trace_speed"; then
+    for scene in "$@"; do
+        figures=$("$bin/trace_speed" "$scene" "${device_option[@]}" --json "${speed_options[@]}") || {
+            fail "trace_speed $scene, exit status $?"
+            continue
+        }
+        onDevice "$figures" trace_speed
+        checkAgreement <<<"$figures" || fail "$scene: fewer than $least_agreement of the rays hit what Embree's hit"
+        rays+=("$(sed '1d;$d' <<<"$figures")") # without its brackets, it goes into the array of all scenes
+    done
+fi
+
+frames=()
 for scene in "$@"; do
-    for room in matte mirror; do
-        figures=$("$bin/pointrt-view" "$scene" "${device_option[@]}" --size 1024x1024 --spp 4 --lights 4 \
-            --bounces 10 --room "$room" --bench 10)
-        case $figures in
-            *llvmpipe*) echo "no GPU here: this ran on the CPU" >&2 && exit 3 ;;
-        esac
-        scenes+=("{\"scene\": \"$(basename "$scene")\", \"room\": \"$room\", \"bench\": $figures}")
+    for size in "${sizes[@]}"; do
+        for room in matte mirror; do
+            figures=$("$view" "$scene" "${device_option[@]}" --size "${size}x$size" --spp 4 --lights 4 --bounces 10 \
+                --room "$room" --bench "${POINTRT_GPU_FRAMES:-10}") || {
+                fail "pointrt-view $scene, $room room, ${size}x$size, exit status $?"
+                continue
+            }
+            onDevice "$figures" pointrt-view
+            name=$(jsonString "$(basename "$scene")")
+            echo "$name $room ${size}x$size: $(sed -n 's/^ *"frame_ms": {\(.*\)},$/\1/p' <<<"$figures") ms"
+            frames+=("{\"scene\": $name, \"room\": \"$room\", \"bench\": $figures}")
+        done
     done
 done
-printf '{"tests": [%s],\n"scenes": [%s]}\n' "$(join "${results[@]}")" "$(join "${scenes[@]}")" >"$out"
+
+processor=$(awk -F ': ' '/^model name/ { print $2; exit }' /proc/cpuinfo) # Embree ran on it
+{
+    printf '{"device": "%s", "driver": %s,\n' "$device" "$(jsonString "$driver")"
+    printf '"processor": %s, "cores": %d,\n' "$(jsonString "$processor")" "$(nproc)"
+    printf '"tests_device": "%s", "tests": [%s],\n' "$tests_device" "$(join "${tests[@]}")"
+    printf '"failures": %s,\n' "$(jsonStrings "${failures[@]}")"
+    printf '"left_out": %s,\n' "$(jsonStrings "${left_out[@]}")"
+    printf '"least_agreement": %s, "rays": [%s],\n' "$least_agreement" "$(join "${rays[@]}")"
+    printf '"frames": [%s]}\n' "$(join "${frames[@]}")"
+} >"$out"
+for reason in "${left_out[@]}"; do echo "LEFT OUT: $reason" >&2; done
+for failure in "${failures[@]}"; do echo "FAILED: $failure" >&2; done
 echo "figures: $out"
-exit "$failed"
+[ ${#failures[@]} -eq 0 ]
