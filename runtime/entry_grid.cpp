@@ -14,13 +14,13 @@ namespace pointrt {
 
 namespace {
 
-/// The grid takes the depth of most leaves, so that rays seldom walk from it down, unless it had more words than this
-/// for each leaf: 2 bytes a splat of an even scan, 20 of the least even one tried.
-constexpr std::uint64_t kWordsPerLeaf = 32;
+/// The grid takes the depth of most splats, so that rays seldom walk from it down, unless it had more words than this
+/// for each leaf: 6 bytes a splat of an even scan, of some 90 splats a leaf.
+constexpr std::uint64_t kWordsPerLeaf = 128;
 /// Bricks that a grid word can name.
 constexpr std::size_t kBricksMost = std::size_t{1} << (32 - GRID_BRICK_SHIFT);
 constexpr std::uint64_t kWordsLeast = 1u << 15;
-constexpr std::uint64_t kWordsMost = 1u << 22; ///< 16 MiB: beyond, the grid itself no longer fits into caches
+constexpr std::uint64_t kWordsMost = 1u << 24; ///< whose numbers shaders compute in floats (shaders/octree.glsl)
 
 /// Leaves above the grid are cut into its cells, where their splats are on more lists. That may make all lists longer
 /// by this factor; and cells below which the octree has leaves are cut further (runtime/bricks.cpp) where the lists of
