@@ -111,34 +111,35 @@ std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (va
 
 /// codes: position codes to a cell edge.
 void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
-    const float largest = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const float normal_codes = NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
     std::uint32_t position = 0, normal = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float limited = std::clamp<float>(place.center[axis] * codes, -NEAR_POSITION_MAX, NEAR_POSITION_MAX);
         position = position << NEAR_POSITION_BITS | bits(rounded(limited), NEAR_POSITION_BITS);
-        normal = normal << NEAR_NORMAL_BITS | bits(rounded(n[axis] / largest * NEAR_NORMAL_MAX), NEAR_NORMAL_BITS);
+        normal = normal << NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), NEAR_NORMAL_BITS);
     }
     const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
     near.push_back(position << NEAR_RADIUS_HIGH_BITS | radius >> NEAR_RADIUS_LOW_BITS);
     near.push_back(normal << NEAR_RADIUS_LOW_BITS | bits(radius, NEAR_RADIUS_LOW_BITS));
 }
 
-/// How far the places reach from the middle by any axis, and at least the largest radius.
-float reachOf(std::span<const Disc* const> discs, const CellBox& box) {
+/// How far places reach from the middle by any axis, and at least the largest radius.
+float reachOf(std::span<const Place> places) {
     float reach = 0;
-    for (const Disc* disc : discs) {
-        const Place place = placeIn(*disc, box);
+    for (const Place& place : places)
         reach = std::max(
             {reach, place.radius, std::fabs(place.center[0]), std::fabs(place.center[1]), std::fabs(place.center[2])});
-    }
     return reach;
 }
 
 } // namespace
 
 void encodeCell(std::span<const Disc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out) {
-    const float codes = halfBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(discs, box)));
-    for (const Disc* disc : discs) appendNear(placeIn(*disc, box), disc->normal, codes, out.near);
+    std::vector<Place> places;
+    places.reserve(discs.size());
+    for (const Disc* disc : discs) places.push_back(placeIn(*disc, box));
+    const float codes = halfBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(places)));
+    for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
     if (discs.size() % 2) out.near.insert(out.near.end(), NEAR_WORDS, 0u); // its normal of 0 is never hit
     const auto count = static_cast<std::uint32_t>(discs.size());
     out.cells.insert(out.cells.end(), {first, count | toHalf(codes) << CELL_CODES_SHIFT});
