@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# How long the first frame of a scene takes beside an empty Vulkan program, in turn, and how much memory: medians of
+# RUNS (default 7) as JSON, an object for each scene. The file is in the page cache after a run that is not counted.
+#   tests/bench/start/run.sh BIN_DIR SCENE.pro...
+set -euo pipefail
+[ $# -ge 2 ] || {
+    sed -n '3,5s/^# //p' "$0" >&2
+    exit 2
+}
+bin=$1
+shift
+time=$(type -P time) || {
+    echo "GNU time is not there (Debian: time)" >&2
+    exit 1
+}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# first_frame SCENE: seconds to the end of the first frame, KiB at most.
+first_frame() {
+    "$time" -f %M -o "$folder/kib" \
+        "$bin/pointrt-view" -q "$1" --size 512x512 --spp 1 -o "$folder/frame.png" --stats "$folder/stats" >"$folder/log" 2>&1 ||
+        { cat "$folder/log" >&2 && return 1; }
+    echo "$(sed -n 's/.*"first_frame_seconds": \([0-9.]*\).*/\1/p' "$folder/stats") $(tail -1 "$folder/kib")"
+    rm "$folder/stats" "$folder/frame.png"
+}
+
+median() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+
+separator='['
+for scene in "$@"; do
+    first_frame "$scene" >/dev/null
+    : >"$folder/runs"
+    for ((run = 0; run < ${RUNS:-7}; run++)); do
+        echo "$("$bin/empty_compute") $(first_frame "$scene")" >>"$folder/runs"
+    done
+    printf '%s{"scene": "%s", "file_mib": %.1f, "first_frame_s": %s, "empty_s": %s, "difference_s": %s, "peak_mib": %.1f}\n' \
+        "$separator" "$(basename "$scene" .pro)" "$(stat -c %s "$scene" | awk '{ print $1 / 1048576 }')" \
+        "$(awk '{ print $2 }' "$folder/runs" | median)" "$(awk '{ print $1 }' "$folder/runs" | median)" \
+        "$(awk '{ print $2 - $1 }' "$folder/runs" | median)" \
+        "$(awk '{ print $3 / 1024 }' "$folder/runs" | median)"
+    separator=,
+done
+echo ']'
