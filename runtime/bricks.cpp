@@ -95,18 +95,21 @@ public:
         widest_ = half_ * (std::fabs(disc.normal[0]) + std::fabs(disc.normal[1]) + std::fabs(disc.normal[2]));
     }
 
-    /// slab: 0 for the disc itself.
-    std::uint64_t cells(float slab) const {
-        std::uint64_t met = 0;
-        const float radius_squared = disc_.radius * disc_.radius + slab * slab;
+    CellSets cells() const {
+        CellSets met;
+        const float slab = disc_.slab, radius_squared = disc_.radius * disc_.radius;
+        const std::uint64_t disc_box = boxed(0.0f);
         for (std::uint64_t left = boxed(slab); left != 0; left &= left - 1) {
             const auto cell = static_cast<std::uint32_t>(std::countr_zero(left));
             const std::uint32_t x = cell & 3, y = cell >> 2 & 3, z = cell >> 4;
-            const float along = along_[0][x] + along_[1][y] + along_[2][z];
+            const float along = std::fabs(along_[0][x] + along_[1][y] + along_[2][z]);
             const float beyond = beyond_[0][x] + beyond_[1][y] + beyond_[2][z];
-            const bool meets = std::fabs(along) <= widest_ + slab && beyond <= radius_squared;
-            met |= std::uint64_t{meets} << cell;
+            const bool by_slab = along <= widest_ + slab && beyond <= radius_squared + slab * slab;
+            const bool by_disc = along <= widest_ && beyond <= radius_squared;
+            met.by_slab |= std::uint64_t{by_slab} << cell;
+            met.by_disc |= std::uint64_t{by_disc} << cell;
         }
+        met.by_disc &= disc_box;
         return met;
     }
 
@@ -130,11 +133,6 @@ private:
     float half_, widest_ = 0;
     PerCell along_, beyond_, outside_;
 };
-
-CellSets cellsMet(const Disc& disc, const Vector& offset, float slack) {
-    const BrickMeeting meeting(disc, offset, slack);
-    return {meeting.cells(0.0f), meeting.cells(disc.slab)};
-}
 
 /// Works in edges of a brick's cells, from the source's lowest corner.
 class BrickBuilder {
@@ -241,7 +239,7 @@ private:
 
     /// Puts a disc on the lists of the cells that it reaches into, of the brick at offset.
     void spread(const Disc& disc, const Vector& offset) {
-        const CellSets sets = cellsMet(disc, offset, slack_);
+        const CellSets sets = BrickMeeting(disc, offset, slack_).cells();
         for (std::uint64_t left = sets.by_disc; left != 0; left &= left - 1)
             cells_[static_cast<std::size_t>(std::countr_zero(left))].hittable.push_back(&disc);
         for (std::uint64_t left = sets.by_slab & ~sets.by_disc; left != 0; left &= left - 1)
