@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 
 #include "pointrt/tool.hpp"
 #include "runtime/cell_codec.h"
@@ -20,6 +21,9 @@ namespace {
 /// Shaders address the lists with signed integers.
 constexpr std::size_t kListedMost = std::numeric_limits<std::int32_t>::max();
 
+/// Cells and groups that a brick's word can name.
+constexpr std::size_t kCellsMost = std::size_t{1} << (32 - CELL_INDEX_SHIFT);
+
 /// Nodes are handed to the threads in runs this long.
 constexpr std::size_t kRunNodes = 256;
 
@@ -32,6 +36,9 @@ constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 /// more.
 constexpr std::size_t kDiscsMost = 48;
 constexpr std::uint32_t kHalvingsMost = 12;
+/// Cells to cut are at least this many slacks wide to a side: a half's corner with its slack stays within an edge of
+/// its centre, as far as slab heights reach.
+constexpr float kHalfEdgeLeast = 16;
 constexpr std::size_t kListsMost = 3;
 
 /// Indices count from the part's own first.
@@ -249,7 +256,8 @@ private:
     /// The cell's word; kEmptyWord where nothing can be hit.
     std::uint32_t emit(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
         if (lists.hittable.empty()) return kEmptyWord; // nothing can be hit where only slabs reach
-        if (halvings < halvings_ && lists.hittable.size() > kDiscsMost) {
+        const bool divisible = halvings < halvings_ && box.half_edge >= kHalfEdgeLeast * box.slack;
+        if (divisible && lists.hittable.size() > kDiscsMost) {
             const std::uint32_t word = halve(lists, box, halvings);
             if (word != kEmptyWord) return word;
         }
@@ -310,7 +318,7 @@ void appendAll(All& all, std::vector<Part>& parts, const MemberOf& memberOf) {
     for (Part& part : parts) {
         auto& member = memberOf(part);
         all.insert(all.end(), member.begin(), member.end());
-        member = {};
+        std::remove_reference_t<decltype(member)>().swap(member); // {} would keep the memory
     }
 }
 
@@ -332,6 +340,14 @@ void relocate(Part& part, const Offsets& before) {
         part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
 }
 
+/// Whether their numbers fit the words that name them.
+void requireFit(const Offsets& total) {
+    if (total.blending > kListedMost)
+        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
+    if (std::max(total.cells, total.groups) > kCellsMost)
+        throw Error(ExitCode::kCannotRun, "more than 2^27 cells, too many for this viewer");
+}
+
 /// Puts the parts behind one another: bricks, then groups; discs, then what only blends.
 Bricks join(std::vector<Part>& parts) {
     Offsets at;
@@ -339,9 +355,6 @@ Bricks join(std::vector<Part>& parts) {
         at.groups += part.words.size() / GROUP_WORDS;
         at.blending += part.lists.size();
     }
-    if (at.blending > kListedMost)
-        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
-    Bricks all;
     for (Part& part : parts) {
         relocate(part, at);
         at.groups += part.groups.size() / GROUP_WORDS;
@@ -349,6 +362,8 @@ Bricks join(std::vector<Part>& parts) {
         at.lists += part.lists.size();
         at.blending += part.blending.size();
     }
+    requireFit(at);
+    Bricks all;
     appendAll(
         all.corners, parts, [](Part & part) -> auto& { return part.corners; });
     appendAll(

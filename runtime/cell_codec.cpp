@@ -92,7 +92,8 @@ std::uint32_t slabWord(std::span<const Disc* const> discs, const CellBox& box) {
         lo = std::min(lo, (height - reach) * edges);
         hi = std::max(hi, (height + reach) * edges);
     }
-    static constexpr float kMost = SLAB_HEIGHT_MAX; // a step beyond the farthest corner of a cell with its slack
+    static constexpr float kMost =
+        SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16 edge (kHalfEdgeLeast, kDeepest)
     const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMost, kMost)); };
     std::uint32_t word = bits(code(std::ceil(hi * SLAB_STEPS)), SLAB_HEIGHT_BITS);
     word = word << SLAB_HEIGHT_BITS | bits(code(std::floor(lo * SLAB_STEPS)), SLAB_HEIGHT_BITS);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "pointrt/tool.hpp"
 #include "runtime/parallel.h"
 #include "shaders/brick_layout.h"
 
@@ -17,8 +16,8 @@ namespace {
 /// The grid takes the depth of most splats, so that rays seldom walk from it down, unless it had more words than this
 /// for each leaf: 6 bytes a splat of an even scan, of some 90 splats a leaf.
 constexpr std::uint64_t kWordsPerLeaf = 128;
-/// Bricks that a grid word can name.
-constexpr std::size_t kBricksMost = std::size_t{1} << (32 - GRID_BRICK_SHIFT);
+/// A brick's cells keep an edge of 32 position steps: planes and walks allow for 1.5 steps around a cell (kSlackSteps).
+constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - 7;
 constexpr std::uint64_t kWordsLeast = 1u << 15;
 constexpr std::uint64_t kWordsMost = 1u << 24; ///< whose numbers shaders compute in floats (shaders/octree.glsl)
 
@@ -122,7 +121,7 @@ EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
     const std::uint64_t most = std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, kWordsMost);
     const std::span<const std::uint32_t> nodes(view.nodes, info.node_count);
     const MemberCounts members = countMembers(info, view);
-    std::uint32_t depth = preferredDepth(members);
+    std::uint32_t depth = std::min(preferredDepth(members), kDeepest);
     EntryGrid grid = frameGrid(nodes, depth);
     while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
     grid.uneven = testShare(members, depth) > kCrowdedMost;
@@ -130,8 +129,6 @@ EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
 }
 
 void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners) {
-    if (corners.size() > kBricksMost)
-        throw Error(ExitCode::kCannotRun, "more than 2^28 bricks, too many for this viewer");
     std::vector<char> filled(wordCount(grid));
     grid.words.assign(filled.size(), 0);
     for (std::size_t k = 0; k < corners.size(); ++k) {

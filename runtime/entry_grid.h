@@ -39,7 +39,7 @@ constexpr std::uint8_t skipCode(std::uint32_t cells) {
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view);
 
 /// Writes the words of a grid without any. corners: of its filled cells, in position steps; brick k is the one at
-/// corners[k]. Throws Error (kCannotRun) where there are more bricks than words can name.
+/// corners[k].
 void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners);
 
 } // namespace pointrt

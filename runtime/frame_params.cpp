@@ -127,7 +127,7 @@ gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& setti
     params.sky_up = pack(staging.up, length(staging.eye - staging.center) + staging.radius);
     params.image = {settings.width, settings.height, first_row, rows};
     const EntryGrid& grid = scene.grid_frame;
-    params.grid = {grid.shift, settings.lights, 0, optionBits(scene, settings)};
+    params.scene = {settings.lights, optionBits(scene, settings), 0, 0};
     params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
     params.grid_size = {grid.size[0], grid.size[1], grid.size[2], grid.size[0] * grid.size[1] * grid.size[2] - 1};
     const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));

@@ -15,7 +15,7 @@ namespace {
 constexpr VkDescriptorType kBufferTypes[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                                              VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER,
                                              VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER};
-// Of each type, for one set: twice what the largest shader binds.
+// Of each type, for one set: more than any shader binds.
 constexpr std::uint32_t kDescriptorsPerSet = 24;
 
 void createLayouts(Device& device, Program& program) {

@@ -12,9 +12,6 @@ namespace pointrt {
 
 namespace {
 
-/// Leaf indices share a word of the entry grid with 5 bits of marking, and there are fewer leaves than nodes.
-constexpr std::uint32_t kNodeCountMax = 1u << 27;
-
 ExitCode exitCodeFor(pro_result result) {
     return result == PRO_OUT_OF_MEMORY ? ExitCode::kCannotRun : ExitCode::kBadInput;
 }
@@ -25,8 +22,6 @@ void mapFile(Scene& scene) {
     if (result != PRO_OK) throw Error(exitCodeFor(result), scene.path + ": " + message.text);
     pro_get_info(scene.file, &scene.info);
     pro_get_view(scene.file, &scene.view);
-    if (scene.info.node_count >= kNodeCountMax)
-        throw Error(ExitCode::kCannotRun, scene.path + ": more than 2^27 nodes, too many for this viewer");
 }
 
 /// Bytes (some) as a texel buffer: where device and host share memory the host's own pages, which must stay, else a
@@ -45,7 +40,7 @@ Buffer texelBuffer(Device& device, Scene& scene, const char* what, const void* d
 /// The same for words; a copy's original is let go.
 Buffer wordBuffer(Device& device, Scene& scene, const char* what, Words& words, VkFormat format) {
     Buffer buffer = texelBuffer(device, scene, what, words.data(), words.size() * sizeof words[0], format);
-    if (!buffer.imported) words = {};
+    if (!buffer.imported) Words().swap(words); // {} would keep the memory
     return buffer;
 }
 
@@ -55,7 +50,6 @@ void uploadSections(Device& device, Scene& scene) {
     const auto words = [](std::uint32_t count, std::uint32_t per_row) {
         return std::uint64_t{count} * per_row * sizeof(std::uint32_t);
     };
-    scene.nodes = texelBuffer(device, scene, "node buffer", view.nodes, words(info.node_count, 1), VK_FORMAT_R32_UINT);
     scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
                                VK_FORMAT_R32G32B32A32_UINT);
     scene.materials = texelBuffer(device, scene, "material buffer", view.materials,
@@ -69,7 +63,7 @@ void uploadTraversal(Device& device, Scene& scene) {
     bricks = buildBricks(scene.info, scene.view, grid);
     fillEntryGrid(grid, bricks.corners);
     fillCellSkips(grid, bricks.corners.size(), bricks.words);
-    bricks.corners = {};
+    std::vector<Corner>().swap(bricks.corners);
     scene.grid_words = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
     scene.brick_words = wordBuffer(device, scene, "brick buffer", bricks.words, VK_FORMAT_R32_UINT);
     scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32_UINT);
@@ -100,14 +94,14 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
 }
 
 std::vector<BufferBinding> sceneBindings(const Scene& scene) {
-    return {{0, &scene.nodes},      {1, &scene.brick_words},  {2, &scene.lists},  {3, &scene.splats},
-            {4, &scene.grid_words}, {5, &scene.materials},    {14, &scene.cells}, {15, &scene.near},
-            {21, &scene.slabs},     {16, &scene.blend_ranges}};
+    return {{1, &scene.brick_words}, {2, &scene.lists},     {3, &scene.splats},
+            {4, &scene.grid_words},  {5, &scene.materials}, {14, &scene.cells},
+            {15, &scene.near},       {21, &scene.slabs},    {16, &scene.blend_ranges}};
 }
 
 void destroyScene(Device& device, Scene& scene) {
-    for (Buffer* buffer : {&scene.nodes, &scene.splats, &scene.materials, &scene.brick_words, &scene.cells,
-                           &scene.slabs, &scene.near, &scene.lists, &scene.blend_ranges, &scene.grid_words})
+    for (Buffer* buffer : {&scene.splats, &scene.materials, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near,
+                           &scene.lists, &scene.blend_ranges, &scene.grid_words})
         destroyBuffer(device, *buffer);
     scene.bricks = {};
     scene.grid_frame = {};

@@ -22,7 +22,7 @@ struct Scene {
     pro_view view{};
     EntryGrid grid_frame; ///< its words, and the bricks, are here only where the device reads them here
     Bricks bricks;
-    Buffer nodes, splats, materials, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
+    Buffer splats, materials, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
     std::uint64_t device_bytes = 0;
 };
 

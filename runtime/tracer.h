@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront ray tracing: one small dispatch per sample, bounce and light.
+// Wavefront ray tracing: a few dispatches for each bounce of a sample.
 #pragma once
 
 #include <functional>

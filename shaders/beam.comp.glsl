@@ -37,10 +37,10 @@ float freeAround(vec3 point, Grid grid, vec3 highest) {
 
 // Cells below which a further step is not worth its cost.
 const float kLeastStep = 0.25;
-// More steps than a cone needs whose free way doubles or halves with each.
+// Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
 const int kStepsMost = 96;
 
-// The distance, in cube units, that all directions within spread of this one (by their largest component) can go from
+// The distance, in cube units, that all directions within spread of this one can go from
 // the eye, or NO_HIT_DISTANCE where that leads past the grid.
 float marchCone(vec3 direction, float spread) {
     Grid grid = loadGridFrame();
@@ -67,9 +67,8 @@ void main() {
     bool live = tile < bandTiles();
     vec2 corner = vec2(tileCorner(tile));
     vec3 direction = directionThrough(corner + 0.5 * TILE_SIDE);
-    float spread = 0.0;
-    for (uint c = 0u; c < 4u; c++)
-        spread = max(spread, largest(abs(directionThrough(corner + vec2(c & 1u, c >> 1) * TILE_SIDE) - direction)));
+    // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
+    float spread = distance(onPlane(corner), onPlane(corner + 0.5 * TILE_SIDE));
     float safe = marchCone(direction, spread);
     if (live) beams[tile] = safe;
 

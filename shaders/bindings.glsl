@@ -5,7 +5,6 @@
 #include "brick_layout.h"
 #include "pointrt/pro_layout.h"
 
-layout(set = 0, binding = 0) uniform usamplerBuffer node_words;
 layout(set = 0, binding = 1) uniform usamplerBuffer brick_words;
 layout(set = 0, binding = 2) uniform usamplerBuffer list_words;
 layout(set = 0, binding = 3) uniform usamplerBuffer splat_words;
@@ -15,7 +14,7 @@ layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams 
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
 layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; }; // two of rays (the first one holds tiles at first), one of lit points
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
-layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels; // TraceHit: t as bits, cell, near splat
+layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels; // TraceHit: t as bits, cell, near splat and its place in the lists
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
 layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // normal, t (negative: none)
@@ -29,7 +28,6 @@ layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
 layout(set = 0, binding = 21) uniform usamplerBuffer slab_words;
 layout(push_constant) uniform Push { PushParams push; };
 
-#define loadNode(i) texelFetch(node_words, int(i)).x
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
 #define loadCell(i) texelFetch(cell_words, int(i)).xy
 #define loadSlab(i) texelFetch(slab_words, int(i)).x
@@ -49,7 +47,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define storeHit(path, words) imageStore(hit_texels, int(path), words)
 #define loadMaterial(row, quarter) texelFetch(material_rows, int(row) * 4 + (quarter))
 
-bool hasOption(uint option) { return (params.grid.w & option) != 0u; }
+bool hasOption(uint option) { return (params.scene.y & option) != 0u; }
 bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
 // Lanes of a sample: the band in tiles, the last ones padded.
 uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }

@@ -26,10 +26,14 @@ vec2 samplePosition(uint pixel) {
     return fract(random3(pixel, 0u, 0u).xy + vec2(steps >> 8u) * (1.0 / 16777216.0));
 }
 
-// Through a place of the band, in pixels.
-vec3 directionThrough(vec2 place) {
+// Where the ray through a place of the band, in pixels, meets the plane at distance 1, to the right and up.
+vec2 onPlane(vec2 place) {
     vec2 at = vec2(place.x, place.y + float(params.image.z)) / vec2(params.image.xy);
-    vec2 plane = vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * params.eye.w * vec2(params.right.w, 1.0);
+    return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * params.eye.w * vec2(params.right.w, 1.0);
+}
+
+vec3 directionThrough(vec2 place) {
+    vec2 plane = onPlane(place);
     return normalize(params.forward.xyz + plane.x * params.right.xyz + plane.y * params.up.xyz);
 }
 

@@ -56,6 +56,7 @@ Spot spotAt(vec3 point, Grid grid) {
     bool filled = isFilled(grid_word);
     vec3 part = floor((point - grid_base) * float(BRICK_SIDE));
     uint cell = uint(int(part.x + part.y * float(BRICK_SIDE) + part.z * float(BRICK_SIDE * BRICK_SIDE)));
+    cell = min(cell, BRICK_WORDS - 1u); // rounding from below 0, or no number
     uint brick_word = loadBrickWord(filled ? (grid_word >> GRID_BRICK_SHIFT) * BRICK_WORDS + cell : 0u);
     vec3 brick_base = grid_base * float(BRICK_SIDE) + part;
     Spot spot = Spot(filled ? brick_base : grid_base, filled ? 1.0 / float(BRICK_SIDE) : 1.0,

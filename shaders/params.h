@@ -64,7 +64,7 @@ struct FrameParams {
     vec4 grid_scale; // x: entry grid cells in a cube unit, y: words in a row, z: in a layer, w: one position step in cells
     vec4 sky_up;     // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 grid;      // x: log2 of the entry grid's cells in position steps, y: lights, w: OPTION_* bits
+    uvec4 scene;     // x: lights, y: OPTION_* bits
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
     uvec4 grid_size;   // xyz: cells
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, z: ROOM_*, w: seed

@@ -35,7 +35,7 @@ void main() {
     bool shadows = hasOption(OPTION_SHADOWS);
     vec3 light = vec3(0.0);
     uint rays = 0u;
-    for (uint l = 0u; l < params.grid.y; l++) {
+    for (uint l = 0u; l < params.scene.x; l++) {
         vec3 to_light = params.light_position[l].xyz - point.position.xyz;
         float distance_to_light = length(to_light);
         vec3 direction = to_light / distance_to_light;

@@ -44,7 +44,7 @@ public:
     std::vector<CastHit> cast(std::span<const Ray> rays);
 
     /// The product's camera rays for the default view of size x size pixels, through their centres, in the order in
-    /// which its lanes take them (shaders/trace_primary.comp.glsl). size is a multiple of 16, size * size at most
+    /// which its lanes take them (shaders/trace_primary.comp.glsl). size is a multiple of 8, size * size at most
     /// batch_rays. fov_deg at its default frames the scene, as pointrt-view does; a smaller one stays where it is and
     /// zooms in.
     std::vector<Ray> cameraRays(std::uint32_t size, double fov_deg = CameraRequest{}.fov_deg);

@@ -2,7 +2,10 @@
 // Camera rays that start where the beam of their tile ends hit what the same rays hit one by one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "shaders/params.h"
 #include "tests/support/ray_caster.h"
@@ -118,6 +121,24 @@ TEST(Beams, HitTheSameInWideTiles) {
                            view({0.5, 0.5, 0.5}, {0, 0.6, 0.5}, 150, 10, 4000),
                            view({0.5, 0.5, 1.8}, {0.3, 0.5, 0.5}, 130, 10, 4000),
                            view({1.5, 1.2, 0.2}, {0.5, 0.5, 0.5}, 140, 10, 4000)});
+}
+
+/// The view's axis goes through the only tile, where directions spread most towards the middles of its edges: pixel
+/// (7, 3)'s ray goes through the one small disc, whose cell is as small.
+TEST(Beams, FindADiscAtTheEdgeOfAWideTile) {
+    const SceneFile scene(sphereSplats(1, Vec3f(0, 0, 0), 1.0f, 0.05f)); // a disc at (1, 0, 0) facing +x
+    RayCaster caster(scene.path);
+    const double wide = std::tan(std::numbers::pi / 4); // half of 90 degrees
+    for (const double distance : {2.0, 5.0, 10.0, 20.0}) {
+        // looking along -x, z to the left, y up
+        const Vec3 to_disc{-1, 0.125 * wide, -0.875 * wide};
+        const Vec3 eye = Vec3{1, 0, 0} - distance * to_disc;
+        const std::vector<Ray> rays = caster.cameraRays(8, CameraRequest{eye, eye + Vec3{-1, 0, 0}, {}, 90});
+        caster.traceCamera();
+        const std::vector<CastHit> beams = caster.cameraHits();
+        EXPECT_EQ(std::count_if(beams.begin(), beams.end(), [](const CastHit& hit) { return hit.hit(); }), 1)
+            << distance;
+    }
 }
 
 /// A dense patch in a wide loose sheet: cells are cut further (uneven), and beams end in the grid above.
