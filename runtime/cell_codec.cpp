@@ -66,9 +66,10 @@ std::uint32_t toHalf(float value) {
     return sign | static_cast<std::uint32_t>(exponent + 15) << 10 | (bits >> 13 & 0x3FFu);
 }
 
-/// The largest half at most value, which is not beyond the largest of them.
-float halfBelow(float value) {
-    const float step = std::ldexp(1.0f, std::max(std::ilogb(value == 0.0f ? 1.0f : value) - 10, -24));
+/// Few values to choose from: lists that differ in a disc or two, of a pruned file and an unpruned one, round alike.
+/// All are halves.
+float quarterOctaveBelow(float value) {
+    const float step = std::ldexp(0.25f, std::ilogb(value));
     return std::floor(value / step) * step;
 }
 
@@ -139,7 +140,7 @@ void encodeCell(std::span<const Disc* const> discs, const CellBox& box, std::uin
     std::vector<Place> places;
     places.reserve(discs.size());
     for (const Disc* disc : discs) places.push_back(placeIn(*disc, box));
-    const float codes = halfBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(places)));
+    const float codes = quarterOctaveBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(places)));
     for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
     if (discs.size() % 2) out.near.insert(out.near.end(), NEAR_WORDS, 0u); // its normal of 0 is never hit
     const auto count = static_cast<std::uint32_t>(discs.size());

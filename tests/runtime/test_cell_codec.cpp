@@ -151,7 +151,7 @@ TEST(CellCodec, KeepsDiscsToHalfACode) {
             expectRadius(cell.discs[k].radius, discs[k].radius / kEdge);
         }
         EXPECT_LE(cell.codes * reach, NEAR_POSITION_MAX * (1 + 1e-6));
-        EXPECT_GE(cell.codes * reach, NEAR_POSITION_MAX * (1 - 1e-3)); // a half has 10 bits of fraction
+        EXPECT_GE(cell.codes * reach, NEAR_POSITION_MAX * (0.8 - 1e-6)); // quarters of a power of two
     }
 }
 

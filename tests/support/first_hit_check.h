@@ -22,8 +22,9 @@ constexpr double kNearRadius = 0x1p-7;
 /// off by half a code each.
 constexpr double kNearNormal = std::numbers::sqrt2 / 2 / 127;
 /// How far the centre may be off, in shares of the reach that is 511 codes: half a code by each axis. The smallest
-/// radius, 2^-6.5 codes, adds what smaller discs grow by; codes to an edge are a half float, 2^-10 too few at most.
-constexpr double kNearPosition = (std::numbers::sqrt3 / 2 + 0.0111) / 511 * (1 + 0x1p-9);
+/// radius, 2^-6.5 codes, adds what smaller discs grow by; codes to an edge are up to a fifth too few, because they are
+/// rounded down to a multiple of a quarter of a power of two.
+constexpr double kNearPosition = (std::numbers::sqrt3 / 2 + 0.0111) / 511 * 1.25;
 /// Discs beyond 8 cell edges are bent to that radius: rims are off by up to this share of an edge
 /// (runtime/cell_codec.cpp).
 constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
@@ -32,7 +33,7 @@ constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
 /// sum, quotient) by half a last place, 2^-24, of distances between 1 and 2.
 constexpr double kFloatError = 0x1p-22;
 /// Hits this near, in local radii, are the same whichever splat is named: in even scenes rounding moves a disc by up to
-/// kNearNormal + 2 kNearPosition radii, 0.009, along its normal, so which of two such discs comes first means nothing.
+/// kNearNormal + 2 kNearPosition radii, 0.01, along its normal, so which of two such discs comes first means nothing.
 constexpr double kSameHitRadii = 0.01;
 
 /// What rounding depends on of a scene, in cube units.
