@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/cell_meeting.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "shaders/brick_layout.h"
+
+namespace pointrt {
+
+namespace {
+
+/// The boxes by axis for all cells, then planes and spheres of what is left.
+class BrickMeeting {
+public:
+    BrickMeeting(const Disc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
+        for (std::uint32_t axis = 0; axis < 3; ++axis)
+            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k) {
+                const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
+                const float outside = std::max(std::fabs(distance) - half_, 0.0f);
+                along_[axis][k] = disc.normal[axis] * distance;
+                beyond_[axis][k] = outside * outside;
+                outside_[axis][k] = outside;
+            }
+        widest_ = half_ * (std::fabs(disc.normal[0]) + std::fabs(disc.normal[1]) + std::fabs(disc.normal[2]));
+    }
+
+    CellSets cells() const {
+        CellSets met;
+        const float slab = disc_.slab, radius_squared = disc_.radius * disc_.radius;
+        const std::uint64_t disc_box = boxed(0.0f);
+        for (std::uint64_t left = boxed(slab); left != 0; left &= left - 1) {
+            const auto cell = static_cast<std::uint32_t>(std::countr_zero(left));
+            const std::uint32_t x = cell & 3, y = cell >> 2 & 3, z = cell >> 4;
+            const float along = std::fabs(along_[0][x] + along_[1][y] + along_[2][z]);
+            const float beyond = beyond_[0][x] + beyond_[1][y] + beyond_[2][z];
+            const bool by_slab = along <= widest_ + slab && beyond <= radius_squared + slab * slab;
+            const bool by_disc = along <= widest_ && beyond <= radius_squared;
+            met.by_slab |= std::uint64_t{by_slab} << cell;
+            met.by_disc |= std::uint64_t{by_disc} << cell;
+        }
+        met.by_disc &= disc_box;
+        return met;
+    }
+
+private:
+    /// Where the bounding box reaches: the bits of each axis, spread over the other two.
+    std::uint64_t boxed(float slab) const {
+        constexpr std::uint64_t kAlong[3] = {0x1111111111111111u, 0x000F000F000F000Fu, 0x000000000000FFFFu};
+        std::uint64_t all = ~std::uint64_t{0};
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const float reach = disc_.reach[axis] + slab * std::fabs(disc_.normal[axis]);
+            std::uint64_t reached = 0;
+            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k)
+                if (outside_[axis][k] <= reach) reached |= kAlong[axis] << (k << (2 * axis));
+            all &= reached;
+        }
+        return all;
+    }
+
+    using PerCell = std::array<std::array<float, BRICK_SIDE>, 3>;
+    const Disc& disc_;
+    float half_, widest_ = 0;
+    PerCell along_, beyond_, outside_;
+};
+
+} // namespace
+
+bool mayMeet(const Disc& disc, const CellBox& box, float slab) {
+    const float half = box.half_edge + box.slack;
+    float along = 0, widest = 0, beyond = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float offset = disc.center[axis] - box.middle[axis], normal = std::fabs(disc.normal[axis]);
+        const float outside = std::max(std::fabs(offset) - half, 0.0f);
+        if (outside > disc.reach[axis] + slab * normal) return false;
+        along += disc.normal[axis] * offset;
+        widest += normal;
+        beyond += outside * outside;
+    }
+    return std::fabs(along) <= half * widest + slab && beyond <= disc.radius * disc.radius + slab * slab;
+}
+
+CellSets cellsMet(const Disc& disc, const Vector& offset, float slack) {
+    return BrickMeeting(disc, offset, slack).cells();
+}
+
+} // namespace pointrt

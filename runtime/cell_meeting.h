@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which cells a disc, or the slab in which it blends, can meet. None that it meets is left out; some may be too many.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/cell_codec.h"
+
+namespace pointrt {
+
+/// Whether disc (slab 0) or slab (its half height) can meet the cell: its bounding box, its planes and its sphere all
+/// do.
+bool mayMeet(const Disc& disc, const CellBox& box, float slab);
+
+/// Cells of a brick, a bit each.
+struct CellSets {
+    std::uint64_t by_disc = 0, by_slab = 0;
+};
+
+/// mayMeet for all cells of a brick at once. Lengths are in edges of its cells; offset is its lowest corner, slack by
+/// how much cells are taken larger.
+CellSets cellsMet(const Disc& disc, const Vector& offset, float slack);
+
+} // namespace pointrt
