@@ -37,15 +37,14 @@ constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 /// more.
 constexpr std::size_t kDiscsMost = 48;
 constexpr std::uint32_t kHalvingsMost = 12;
+constexpr std::size_t kListsMost = 3;
 /// Cells to cut are at least this many slacks wide to a side: a half's corner with its slack stays within an edge of
 /// its centre, as far as slab heights reach.
 constexpr float kHalfEdgeLeast = 16;
-constexpr std::size_t kListsMost = 3;
 
 /// Indices count from the part's own first.
-struct Part {
+struct Part : CellWords {
     std::vector<Corner> corners;
-    CellWords encoded;
     std::vector<std::uint32_t> words, groups, lists, blending, blend_ranges;
 };
 
@@ -215,10 +214,10 @@ private:
     std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
         if (lists.hittable.size() > CELL_COUNT_MASK)
             throw Error(ExitCode::kCannotRun, "a cell lists more splats than this viewer can hold");
-        const auto cell = static_cast<std::uint32_t>(part_.encoded.slabs.size());
-        encodeCell(lists.hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_.encoded);
+        const auto cell = static_cast<std::uint32_t>(part_.slabs.size());
+        encodeCell(lists.hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_);
         for (const Disc* disc : lists.hittable) part_.lists.push_back(disc->splat);
-        part_.lists.resize(part_.encoded.near.size() / NEAR_WORDS);
+        part_.lists.resize(part_.near.size() / NEAR_WORDS);
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(part_.blending.size()));
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(lists.blending.size()));
         for (const Disc* disc : lists.blending) part_.blending.push_back(disc->splat);
@@ -237,15 +236,15 @@ private:
 };
 
 /// Puts a member of all parts behind what all has, and frees it there.
-template <typename All, typename MemberOf>
-void appendAll(All& all, std::vector<Part>& parts, const MemberOf& memberOf) {
+template <typename All, typename Member>
+void appendAll(All& all, std::vector<Part>& parts, Member member) {
     std::size_t size = all.size();
-    for (Part& part : parts) size += memberOf(part).size();
+    for (Part& part : parts) size += (part.*member).size();
     all.reserve(size);
     for (Part& part : parts) {
-        auto& member = memberOf(part);
-        all.insert(all.end(), member.begin(), member.end());
-        std::remove_reference_t<decltype(member)>().swap(member); // {} would keep the memory
+        auto& own = part.*member;
+        all.insert(all.end(), own.begin(), own.end());
+        std::remove_reference_t<decltype(own)>().swap(own); // {} would keep the memory
     }
 }
 
@@ -261,8 +260,8 @@ void relocate(Part& part, const Offsets& before) {
     };
     std::for_each(part.words.begin(), part.words.end(), moved);
     std::for_each(part.groups.begin(), part.groups.end(), moved);
-    for (std::size_t w = CELL_FIRST; w < part.encoded.cells.size(); w += CELL_WORDS)
-        part.encoded.cells[w] += static_cast<std::uint32_t>(before.lists);
+    for (std::size_t w = CELL_FIRST; w < part.cells.size(); w += CELL_WORDS)
+        part.cells[w] += static_cast<std::uint32_t>(before.lists);
     for (std::size_t w = 0; w < part.blend_ranges.size(); w += BLEND_RANGE_WORDS)
         part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
 }
@@ -285,31 +284,22 @@ Bricks join(std::vector<Part>& parts) {
     for (Part& part : parts) {
         relocate(part, at);
         at.groups += part.groups.size() / GROUP_WORDS;
-        at.cells += part.encoded.slabs.size();
+        at.cells += part.slabs.size();
         at.lists += part.lists.size();
         at.blending += part.blending.size();
     }
     requireFit(at);
     Bricks all;
-    appendAll(
-        all.corners, parts, [](Part & part) -> auto& { return part.corners; });
-    appendAll(
-        all.words, parts, [](Part & part) -> auto& { return part.words; });
-    appendAll(
-        all.words, parts, [](Part & part) -> auto& { return part.groups; });
-    appendAll(
-        all.cells, parts, [](Part & part) -> auto& { return part.encoded.cells; });
-    appendAll(
-        all.slabs, parts, [](Part & part) -> auto& { return part.encoded.slabs; });
-    appendAll(
-        all.near, parts, [](Part & part) -> auto& { return part.encoded.near; });
+    appendAll(all.corners, parts, &Part::corners);
+    appendAll(all.words, parts, &Part::words);
+    appendAll(all.words, parts, &Part::groups);
+    appendAll(all.cells, parts, &Part::cells);
+    appendAll(all.slabs, parts, &Part::slabs);
+    appendAll(all.near, parts, &Part::near);
     all.lists.reserve(at.blending + 3);
-    appendAll(
-        all.lists, parts, [](Part & part) -> auto& { return part.lists; });
-    appendAll(
-        all.lists, parts, [](Part & part) -> auto& { return part.blending; });
-    appendAll(
-        all.blend_ranges, parts, [](Part & part) -> auto& { return part.blend_ranges; });
+    appendAll(all.lists, parts, &Part::lists);
+    appendAll(all.lists, parts, &Part::blending);
+    appendAll(all.blend_ranges, parts, &Part::blend_ranges);
     all.lists.resize((all.lists.size() + 3) / 4 * 4);
     return all;
 }

@@ -28,8 +28,7 @@ float freeAround(vec3 point, Grid grid, vec3 highest) {
     float outside = largest(max(grid.lowest - point, point - highest));
     point = clamp(point, grid.lowest, highest);
     vec3 base = min(floor(point), highest - 1.0);
-    vec3 local = base - grid.lowest;
-    uint word = loadGrid(uint(int(local.x + local.y * grid.stride.x + local.z * grid.stride.y)));
+    uint word = gridWord(base, grid);
     vec3 in_cell = point - base;
     float inside = isFilled(word) ? 0.0 : freeCells(word) - 1.0 + least(min(in_cell, 1.0 - in_cell));
     return max(outside, inside);
@@ -40,8 +39,8 @@ const float kLeastStep = 0.25;
 // Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
 const int kStepsMost = 96;
 
-// The distance, in cube units, that all directions within spread of this one can go from
-// the eye, or NO_HIT_DISTANCE where that leads past the grid.
+// The distance, in cube units, that all directions within spread of this one can go from the eye, or BEAM_MISSES where
+// that leads past the grid.
 float marchCone(vec3 direction, float spread) {
     Grid grid = loadGridFrame();
     float scale = params.grid_scale.x;

@@ -12,9 +12,11 @@ layout(set = 0, binding = 4) uniform usamplerBuffer grid_words;
 layout(set = 0, binding = 5) uniform samplerBuffer material_rows;
 layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams params; };
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
-layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; }; // two of rays (the first one holds tiles at first), one of lit points
+// two of rays (the first one holds tiles at first), one of lit points
+layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; };
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
-layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels; // TraceHit: t as bits, cell, near splat and its place in the lists
+// TraceHit: t as bits, cell, near splat and its place in the lists
+layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
 layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // normal, t (negative: none)
@@ -44,7 +46,6 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
 #define loadHit(path) imageLoad(hit_texels, int(path))
-#define storeHit(path, words) imageStore(hit_texels, int(path), words)
 #define loadMaterial(row, quarter) texelFetch(material_rows, int(row) * 4 + (quarter))
 
 bool hasOption(uint option) { return (params.scene.y & option) != 0u; }

@@ -48,11 +48,17 @@ void descend(vec3 point, inout Spot spot) {
     } while ((spot.word & (SKIP_MASK | CELL_INNER)) == CELL_INNER);
 }
 
+// Of the grid cell with this lowest corner; from outside, of whatever cell.
+uint gridWord(vec3 base, Grid grid) {
+    vec3 local = base - grid.lowest;
+    int index = int(local.x + local.y * grid.stride.x + local.z * grid.stride.y);
+    return loadGrid(min(uint(index), grid.last_word));
+}
+
 // Points outside the grid get an answer too, of whatever cell.
 Spot spotAt(vec3 point, Grid grid) {
-    vec3 grid_base = floor(point), local = grid_base - grid.lowest;
-    int index = int(local.x + local.y * grid.stride.x + local.z * grid.stride.y);
-    uint grid_word = loadGrid(min(uint(index), grid.last_word));
+    vec3 grid_base = floor(point);
+    uint grid_word = gridWord(grid_base, grid);
     bool filled = isFilled(grid_word);
     vec3 part = floor((point - grid_base) * float(BRICK_SIDE));
     uint cell = uint(int(part.x + part.y * float(BRICK_SIDE) + part.z * float(BRICK_SIDE * BRICK_SIDE)));

@@ -66,7 +66,7 @@ struct FrameParams {
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
     uvec4 scene;     // x: lights, y: OPTION_* bits
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
-    uvec4 grid_size;   // xyz: cells
+    uvec4 grid_size;   // xyz: cells, w: last word
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, z: ROOM_*, w: seed
     vec4 light_position[MAX_LIGHTS]; // w unused
     vec4 light_power[MAX_LIGHTS];    // radiance a white matte surface facing the light shows, times distance squared
@@ -86,7 +86,7 @@ struct PathState {
     vec4 origin;      // w: hits nearer than this on the surface the ray left are its own
     vec4 direction;
     vec4 throughput;
-    vec4 left_normal; // of the surface the ray left, 0 for camera rays
+    vec4 left_normal; // of the surface the ray left, 0 for the room's walls
 };
 
 // A surface point that wants light.

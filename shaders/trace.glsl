@@ -16,6 +16,10 @@ struct TraceHit {
     uint near; // the near splat, NO_INDEX when nothing is hit
 };
 
+void storeHit(uint path, TraceHit hit) {
+    imageStore(hit_texels, int(path), uvec4(floatBitsToUint(hit.t), hit.cell, hit.near, 0u));
+}
+
 // A ray and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored.
 struct TraceRay {
     vec3 origin;

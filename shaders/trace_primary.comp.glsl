@@ -17,6 +17,5 @@ void main() {
     uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
     uint index = pixelIndex(pixel);
     if (index == NO_INDEX) return;
-    TraceHit hit = trace(TraceRay(params.eye.xyz, cameraDirection(pixel), loadBeam(tile), 1e30, vec3(0.0), 0.0));
-    storeHit(index, uvec4(floatBitsToUint(hit.t), hit.cell, hit.near, 0u));
+    storeHit(index, trace(TraceRay(params.eye.xyz, cameraDirection(pixel), loadBeam(tile), 1e30, vec3(0.0), 0.0)));
 }
