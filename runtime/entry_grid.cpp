@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "runtime/parallel.h"
 #include "shaders/brick_layout.h"
@@ -37,28 +36,33 @@ MemberCounts countMembers(const pro_info& info, const pro_view& view) {
     return members;
 }
 
-/// A disc of radius r meets about (1 + 1.6 r / e)^2 cells of edge e; at the leaves' own depth e is 2 r
-/// (kLeafEdgeRadii in the bake is 8, and a brick has 4 cells). Lists a splat is on, compared to that, in a grid at
-/// depth.
-double listShare(const MemberCounts& members, std::uint32_t depth) {
+/// Mean of value(levels) over the members; levels: how far below the grid's depth their leaves are, negative above.
+template <typename Value>
+double meanOf(const MemberCounts& members, std::uint32_t depth, const Value& value) {
     double sum = 0, count = 0;
     for (std::uint32_t d = 0; d < members.size(); ++d) {
-        const double side = 1 + 0.8 * std::ldexp(1.0, d < depth ? static_cast<int>(depth - d) : 0);
-        sum += members[d] * side * side / (1.8 * 1.8);
+        sum += members[d] * value(static_cast<int>(d) - static_cast<int>(depth));
         count += members[d];
     }
     return sum / count;
 }
 
+/// A disc of radius r meets about (1 + 1.6 r / e)^2 cells of edge e; at the leaves' own depth e is 2 r
+/// (kLeafEdgeRadii in the bake is 8, and a brick has 4 cells). Lists a splat is on, compared to that, in a grid at
+/// depth.
+double listShare(const MemberCounts& members, std::uint32_t depth) {
+    return meanOf(members, depth, [](int levels) {
+        const double side = 1 + 0.8 * std::ldexp(1.0, std::max(-levels, 0));
+        return side * side / (1.8 * 1.8);
+    });
+}
+
 /// The same for the discs a ray tests in a cell, (e + 1.6 r)^2 of them.
 double testShare(const MemberCounts& members, std::uint32_t depth) {
-    double sum = 0, count = 0;
-    for (std::uint32_t d = 0; d < members.size(); ++d) {
-        const double side = 1.6 + std::ldexp(2.0, d > depth ? static_cast<int>(d - depth) : 0);
-        sum += members[d] * side * side / (3.6 * 3.6);
-        count += members[d];
-    }
-    return sum / count;
+    return meanOf(members, depth, [](int levels) {
+        const double side = 1.6 + std::ldexp(2.0, std::max(levels, 0));
+        return side * side / (3.6 * 3.6);
+    });
 }
 
 std::uint32_t preferredDepth(const MemberCounts& members) {

@@ -140,6 +140,12 @@ struct RayCaster::State {
         uploadBuffer(device, control, &counts, sizeof counts);
     }
 
+    double submitTimed(VkCommandBuffer commands) {
+        const auto start = std::chrono::steady_clock::now();
+        submitAndWait(device, commands);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
     /// Seconds from submission to the end.
     double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
         const gpu::PushParams push{{0, 0, 0, step_bits}};
@@ -147,9 +153,7 @@ struct RayCaster::State {
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
         recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});
         recordBarrier(commands);
-        const auto start = std::chrono::steady_clock::now();
-        submitAndWait(device, commands);
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return submitTimed(commands);
     }
 
     std::vector<Ray> viewRays(std::uint32_t size, const Camera& camera) {
@@ -184,9 +188,7 @@ struct RayCaster::State {
         recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), control,
                                offsetof(gpu::Control, tile_groups));
         recordBarrier(commands);
-        const auto start = std::chrono::steady_clock::now();
-        submitAndWait(device, commands);
-        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double seconds = submitTimed(commands);
         queueInOrder();
         return seconds;
     }
