@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings and camera to what the shaders read: everything in cube units.
+// Settings and camera to what the shaders read: everything in stage units.
 #pragma once
 
 #include "runtime/render.h"
-#include "runtime/scene.h"
+#include "runtime/staged_scene.h"
 #include "shaders/params.h"
 
 namespace pointrt {
 
-/// Camera, room, lights and options for one band of rows (first_row, rows) of the image.
-gpu::FrameParams makeFrameParams(const Scene& scene, const RenderSettings& settings, const Camera& camera,
+/// Camera, sky and options for one band of rows (first_row, rows) of the image.
+gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows);
 
 /// Unit direction of the ray through the centre of pixel (x, y), input frame.

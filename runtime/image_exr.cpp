@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "runtime/film_parts.h"
 #include "runtime/output_file.h"
 
 namespace pointrt {
@@ -24,23 +25,9 @@ constexpr std::uint32_t kMagic = 20000630;
 constexpr std::uint32_t kVersion = 2; // no flags: single part, scan lines, short names
 constexpr std::uint8_t kZipCompression = 3;
 constexpr std::uint32_t kRowsPerBlock = 16; // of ZIP compression
-constexpr std::uint32_t kFloatPixels = 2;
-constexpr int kDeflateLevel = 4; // OpenEXR's own default: twice as fast as zlib's, a few percent larger
-
-/// Where a channel's value of pixel i lies: data[i * stride].
-struct Channel {
-    const char* name;
-    const float* data;
-    std::size_t stride;
-};
-
-/// In the order of their names, as the format demands.
-std::vector<Channel> channelsOf(const Film& film) {
-    const float *color = film.rgba.data(), *n = film.normal.data(), *p = film.position.data();
-    return {{"A", color + 3, 4},        {"B", color + 2, 4}, {"G", color + 1, 4}, {"N.X", n, 3},     {"N.Y", n + 1, 3},
-            {"N.Z", n + 2, 3},          {"P.X", p, 3},       {"P.Y", p + 1, 3},   {"P.Z", p + 2, 3}, {"R", color, 4},
-            {"Z", film.depth.data(), 1}};
-}
+constexpr std::size_t kMaxNameBytes = 31;
+constexpr int kDeflateLevel = 4;       // OpenEXR's own default: twice as fast as zlib's, a few percent larger
+constexpr std::size_t kValueBytes = 4; // of both pixel types
 
 template <typename T>
 void append(Bytes& bytes, const T& value) {
@@ -49,9 +36,11 @@ void append(Bytes& bytes, const T& value) {
     std::memcpy(bytes.data() + end, &value, sizeof value);
 }
 
-void appendText(Bytes& bytes, const char* text) { bytes.insert(bytes.end(), text, text + std::strlen(text) + 1); }
+void appendText(Bytes& bytes, const std::string& text) {
+    bytes.insert(bytes.end(), text.c_str(), text.c_str() + text.size() + 1);
+}
 
-void appendAttribute(Bytes& header, const char* name, const char* type, const Bytes& value) {
+void appendAttribute(Bytes& header, const std::string& name, const char* type, const Bytes& value) {
     appendText(header, name);
     appendText(header, type);
     append(header, static_cast<std::uint32_t>(value.size()));
@@ -65,11 +54,15 @@ Bytes pack(const Values&... values) {
     return bytes;
 }
 
-Bytes channelList(const std::vector<Channel>& channels) {
+void appendTextAttribute(Bytes& header, const ExrText& text) {
+    appendAttribute(header, text.name, "string", Bytes(text.value.begin(), text.value.end()));
+}
+
+Bytes channelList(std::span<const ExrChannel> channels) {
     Bytes list;
-    for (const Channel& channel : channels) {
+    for (const ExrChannel& channel : channels) {
         appendText(list, channel.name);
-        append(list, kFloatPixels);
+        append(list, channel.type);
         append(list, std::uint32_t{0}); // not perceptually linear; three reserved bytes
         append(list, std::int32_t{1});  // every pixel in x
         append(list, std::int32_t{1});  // and y
@@ -78,11 +71,10 @@ Bytes channelList(const std::vector<Channel>& channels) {
     return list;
 }
 
-Bytes makeHeader(const Film& film, const std::vector<Channel>& channels) {
+Bytes makeHeader(ExrSize size, std::span<const ExrChannel> channels, std::span<const ExrText> texts) {
     Bytes header = pack(kMagic, kVersion);
-    const char software[] = "pointrt-view " POINTRT_VERSION;
-    const Bytes window = pack(std::int32_t{0}, std::int32_t{0}, static_cast<std::int32_t>(film.width) - 1,
-                              static_cast<std::int32_t>(film.height) - 1);
+    const Bytes window = pack(std::int32_t{0}, std::int32_t{0}, static_cast<std::int32_t>(size.width) - 1,
+                              static_cast<std::int32_t>(size.height) - 1);
     appendAttribute(header, "channels", "chlist", channelList(channels));
     appendAttribute(header, "compression", "compression", {kZipCompression});
     appendAttribute(header, "dataWindow", "box2i", window);
@@ -91,22 +83,23 @@ Bytes makeHeader(const Film& film, const std::vector<Channel>& channels) {
     appendAttribute(header, "pixelAspectRatio", "float", pack(1.0f));
     appendAttribute(header, "screenWindowCenter", "v2f", pack(0.0f, 0.0f));
     appendAttribute(header, "screenWindowWidth", "float", pack(1.0f));
-    appendAttribute(header, "software", "string", Bytes(software, software + sizeof software - 1));
+    appendTextAttribute(header, {"software", "pointrt-view " POINTRT_VERSION});
+    for (const ExrText& text : texts) appendTextAttribute(header, text);
     header.push_back(0);
     return header;
 }
 
 /// Rows [first, first + count), each as its channels one after the other.
-Bytes gatherRows(const Film& film, const std::vector<Channel>& channels, std::uint32_t first, std::uint32_t count) {
-    std::vector<float> row(film.width);
-    Bytes raw;
-    raw.reserve(std::size_t{count} * channels.size() * film.width * sizeof(float));
+Bytes gatherRows(ExrSize size, std::span<const ExrChannel> channels, std::uint32_t first, std::uint32_t count) {
+    Bytes raw(std::size_t{count} * channels.size() * size.width * kValueBytes);
+    std::uint8_t* value = raw.data();
     for (std::uint32_t y = first; y < first + count; ++y)
-        for (const Channel& channel : channels) {
-            const std::size_t start = std::size_t{y} * film.width;
-            for (std::size_t x = 0; x < film.width; ++x) row[x] = channel.data[(start + x) * channel.stride];
-            const auto* bytes = reinterpret_cast<const std::uint8_t*>(row.data());
-            raw.insert(raw.end(), bytes, bytes + row.size() * sizeof(float));
+        for (const ExrChannel& channel : channels) {
+            const auto* from = static_cast<const std::uint8_t*>(channel.data);
+            const std::size_t step = channel.stride * kValueBytes;
+            from += std::size_t{y} * size.width * step;
+            for (std::size_t x = 0; x < size.width; ++x, from += step, value += kValueBytes)
+                std::memcpy(value, from, kValueBytes);
         }
     return raw;
 }
@@ -132,25 +125,28 @@ Bytes compressBlock(Bytes raw) {
     return packed;
 }
 
-void requireComplete(const Film& film) {
-    const std::size_t pixels = std::size_t{film.width} * film.height;
-    if (film.rgba.size() != 4 * pixels || film.depth.size() != pixels || film.normal.size() != 3 * pixels ||
-        film.position.size() != 3 * pixels)
-        throw std::logic_error("writeExr: pixel count does not fit the size");
+/// In the order of their names, as the format demands.
+std::vector<ExrChannel> sorted(std::span<const ExrChannel> channels) {
+    std::vector<ExrChannel> result(channels.begin(), channels.end());
+    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if (result[i].name.size() > kMaxNameBytes || (i > 0 && result[i].name == result[i - 1].name))
+            throw std::logic_error("writeExr: channel name " + result[i].name + " is too long or there twice");
+    return result;
 }
 
 } // namespace
 
-void writeExr(const std::string& path, const Film& film) {
-    requireComplete(film);
-    const std::vector<Channel> channels = channelsOf(film);
-    Bytes file = makeHeader(film, channels);
-    std::vector<std::uint64_t> offsets((film.height + kRowsPerBlock - 1) / kRowsPerBlock);
+void writeExr(const std::string& path, ExrSize size, std::span<const ExrChannel> unsorted,
+              std::span<const ExrText> texts) {
+    const std::vector<ExrChannel> channels = sorted(unsorted);
+    Bytes file = makeHeader(size, channels, texts);
+    std::vector<std::uint64_t> offsets((size.height + kRowsPerBlock - 1) / kRowsPerBlock);
     const std::size_t table_at = file.size(), table_bytes = offsets.size() * sizeof offsets[0];
     file.resize(table_at + table_bytes);
     for (std::uint32_t block = 0; block < offsets.size(); ++block) {
-        const std::uint32_t first = block * kRowsPerBlock, count = std::min(kRowsPerBlock, film.height - first);
-        const Bytes packed = compressBlock(gatherRows(film, channels, first, count));
+        const std::uint32_t first = block * kRowsPerBlock, count = std::min(kRowsPerBlock, size.height - first);
+        const Bytes packed = compressBlock(gatherRows(size, channels, first, count));
         offsets[block] = file.size();
         append(file, first);
         append(file, static_cast<std::uint32_t>(packed.size()));
@@ -158,6 +154,19 @@ void writeExr(const std::string& path, const Film& film) {
     }
     std::memcpy(file.data() + table_at, offsets.data(), table_bytes);
     writeFile(path, file);
+}
+
+void writeExr(const std::string& path, const Film& film, std::span<const ExrText> texts) {
+    const std::size_t pixels = std::size_t{film.width} * film.height;
+    std::vector<ExrChannel> channels;
+    forEachFilmPart(film, [&](const FilmPart& part, const auto& values) {
+        if (values.empty() && !part.required) return;
+        const std::size_t stride = part.channels.size();
+        if (values.size() != stride * pixels) throw std::logic_error("writeExr: pixel count does not fit the size");
+        for (std::size_t c = 0; c < stride; ++c)
+            channels.push_back({part.channels[c], values.data() + c, stride, exrPixelOf(values)});
+    });
+    writeExr(path, {film.width, film.height}, channels, texts);
 }
 
 } // namespace pointrt

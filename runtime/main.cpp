@@ -14,7 +14,9 @@
 #include "runtime/output_file.h"
 #include "runtime/progress.h"
 #include "runtime/report.h"
-#include "runtime/scene.h"
+#include "runtime/scene_file.h"
+#include "runtime/staged_scene.h"
+#include "runtime/staging.h"
 #include "runtime/tonemap.h"
 #include "runtime/tracer.h"
 
@@ -26,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 /// What lives on the device, freed in order however the run ends.
 struct Session {
     Device device;
-    std::optional<Scene> scene;
+    std::optional<StagedScene> scene;
     std::optional<Tracer> tracer;
 
     explicit Session(const Options& options) : device(createDevice({options.device, options.verbose})) {}
@@ -34,30 +36,39 @@ struct Session {
     Session& operator=(const Session&) = delete;
     ~Session() {
         if (tracer) destroyTracer(device, *tracer);
-        if (scene) destroyScene(device, *scene);
+        if (scene) destroyStagedScene(device, *scene);
         destroyDevice(device);
     }
 };
 
-Vec3 toVec3(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-
-Camera cameraFor(const Scene& scene, const RenderSettings& render) {
-    const double aspect = static_cast<double>(render.width) / render.height;
-    return frameCamera(render.camera, toVec3(scene.info.bounds_min), toVec3(scene.info.bounds_max), aspect);
+SceneDescription describeScene(const Options& options) {
+    if (isSceneFile(options.scene)) return readSceneFile(options.scene);
+    SceneDescription scene;
+    scene.path = options.scene;
+    scene.instances.push_back({options.scene, {}, {}, {}});
+    return scene;
 }
 
-void load(Session& session, const Options& options, Report& report) {
+Camera cameraFor(const StagedScene& scene, const RenderSettings& render) {
+    const double aspect = static_cast<double>(render.width) / render.height;
+    return frameCamera(render.camera, scene.bounds.lo, scene.bounds.hi, aspect);
+}
+
+void load(Session& session, SceneDescription description, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
-    session.scene = loadScene(session.device, options.scene, options.verbose);
-    session.tracer =
-        createTracer(session.device, *session.scene, options.render, cameraFor(*session.scene, options.render));
+    session.scene = openScene(session.device, std::move(description), options.verbose);
+    StagedScene& scene = *session.scene;
+    const Camera camera = cameraFor(scene, options.render);
+    addSurroundings(scene.description, options.render, camera, scene.bounds.lo, scene.bounds.hi);
+    furnishScene(session.device, scene, options.render);
+    session.tracer = createTracer(session.device, scene, options.render, camera);
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     report.device = session.device.name;
     report.width = options.render.width;
     report.height = options.render.height;
     report.spp = options.render.spp;
-    report.splats = session.scene->info.splat_count;
-    report.device_bytes = session.scene->device_bytes + deviceBytes(*session.tracer);
+    report.splats = scene.splat_count;
+    report.device_bytes = scene.device_bytes + deviceBytes(*session.tracer);
 }
 
 /// Renders one frame and returns its milliseconds.
@@ -90,9 +101,10 @@ void writeImage(const std::string& path, const Film& film) {
 void render(const Options& options) {
     for (const std::string& path : {options.output, options.stats})
         if (!path.empty() && path != "-") requireWritable(path);
+    SceneDescription description = describeScene(options);
     Report report;
     Session session(options);
-    load(session, options, report);
+    load(session, std::move(description), options, report);
     renderFrames(session, options, report);
     if (!options.output.empty()) writeImage(options.output, readFilm(*session.tracer));
     const std::string json = reportJson(report);

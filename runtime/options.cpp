@@ -161,9 +161,12 @@ void addSceneOptions(CLI::App& app, Options& options) {
         [&](const std::string& text) { render.integrator = parseName(kIntegrators, text); });
     add(app, "--bounces", "N", "Secondary rays in a path at most" + rangeText(render.bounces, 0, kMaxBounces),
         [&](const std::string& text) { render.bounces = parseCount(text, 0, kMaxBounces); });
-    add(app, "--room", "NAME", "A box around the scene: " + choiceText(kRooms, render.room),
+    add(app, "--room", "NAME",
+        "A box around the scene: none, mirror, matte (default: none; without --lights too, and without lights in the "
+        "scene, a studio of three lamps over a floor)",
         [&](const std::string& text) { render.room = parseName(kRooms, text); });
-    add(app, "--lights", "N", "Point lights on a ring above the scene" + rangeText(render.lights, 0, kMaxLights),
+    add(app, "--lights", "N",
+        "Point lights on a ring above the scene (default 3 with --room, 0 to " + std::to_string(kMaxLights) + ")",
         [&](const std::string& text) { render.lights = parseCount(text, 0, kMaxLights); });
     add(app, "--shadows", "on|off", "Shadow rays" + defaultText(nameOf(kSwitch, render.shadows)),
         [&](const std::string& text) { render.shadows = parseName(kSwitch, text); });

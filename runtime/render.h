@@ -32,8 +32,8 @@ struct RenderSettings {
     CameraRequest camera;
     Integrator integrator = Integrator::kPhong;
     std::uint32_t bounces = 4; ///< secondary rays in a path, 0 to 64
-    Room room = Room::kNone;
-    std::uint32_t lights = 3; ///< point lights on the ring, 0 to 16
+    std::optional<Room> room;            ///< a box around the scene
+    std::optional<std::uint32_t> lights; ///< point lights on the ring, 0 to 16
     bool shadows = true;
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
@@ -52,6 +52,15 @@ struct Film {
     std::vector<float> depth;    ///< 1 a pixel, along the ray from the eye, input units; +infinity: nothing hit
     std::vector<float> normal;   ///< 3 a pixel, unit, towards the eye; 0 where nothing is hit
     std::vector<float> position; ///< 3 a pixel, input coordinates; 0 where nothing is hit
+
+    /// Parts of the light in rgba and what a denoiser wants; each may be empty: not asked for.
+    std::vector<float> direct;   ///< 3 a pixel: light that reached the first hit straight from a lamp
+    std::vector<float> indirect; ///< 3 a pixel: light by way of other surfaces
+    std::vector<float> caustic;  ///< 3 a pixel: light that was bundled or bent on its way to a matte surface
+    std::vector<float> albedo;   ///< 3 a pixel, 0 to 1: reflectance of the first hit
+    std::vector<std::uint32_t> splat_id, instance_id; ///< 1 a pixel; 0xFFFFFFFF: none
+    std::vector<float> samples;                       ///< 1 a pixel: paths traced through it
+    std::vector<float> variance;                      ///< 1 a pixel: of the mean luminance
 };
 
 } // namespace pointrt

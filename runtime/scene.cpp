@@ -47,13 +47,8 @@ Buffer wordBuffer(Device& device, Scene& scene, const char* what, Words& words, 
 void uploadSections(Device& device, Scene& scene) {
     const pro_info& info = scene.info;
     const pro_view& view = scene.view;
-    const auto words = [](std::uint32_t count, std::uint32_t per_row) {
-        return std::uint64_t{count} * per_row * sizeof(std::uint32_t);
-    };
-    scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, words(info.splat_count, PRO_SPLAT_WORDS),
-                               VK_FORMAT_R32G32B32A32_UINT);
-    scene.materials = texelBuffer(device, scene, "material buffer", view.materials,
-                                  words(info.material_count, PRO_MATERIAL_FLOATS), VK_FORMAT_R32G32B32A32_SFLOAT);
+    const std::uint64_t bytes = std::uint64_t{info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
+    scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
 }
 
 void uploadTraversal(Device& device, Scene& scene) {
@@ -93,15 +88,28 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     return scene;
 }
 
+Scene blankScene(Device& device) {
+    Scene scene;
+    const std::uint32_t zeros[4] = {};
+    const auto blank = [&](Buffer& buffer, VkFormat format) {
+        buffer =
+            createFilledBuffer(device, "blank buffer", zeros, sizeof zeros, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+        createTexelView(device, "blank buffer", buffer, format);
+    };
+    for (Buffer* buffer : {&scene.grid_words, &scene.brick_words, &scene.slabs}) blank(*buffer, VK_FORMAT_R32_UINT);
+    for (Buffer* buffer : {&scene.cells, &scene.blend_ranges}) blank(*buffer, VK_FORMAT_R32G32_UINT);
+    for (Buffer* buffer : {&scene.splats, &scene.near, &scene.lists}) blank(*buffer, VK_FORMAT_R32G32B32A32_UINT);
+    return scene;
+}
+
 std::vector<BufferBinding> sceneBindings(const Scene& scene) {
-    return {{1, &scene.brick_words}, {2, &scene.lists},     {3, &scene.splats},
-            {4, &scene.grid_words},  {5, &scene.materials}, {14, &scene.cells},
-            {15, &scene.near},       {21, &scene.slabs},    {16, &scene.blend_ranges}};
+    return {{1, &scene.brick_words}, {2, &scene.lists}, {3, &scene.splats}, {4, &scene.grid_words},
+            {14, &scene.cells},      {15, &scene.near}, {21, &scene.slabs}, {16, &scene.blend_ranges}};
 }
 
 void destroyScene(Device& device, Scene& scene) {
-    for (Buffer* buffer : {&scene.splats, &scene.materials, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near,
-                           &scene.lists, &scene.blend_ranges, &scene.grid_words})
+    for (Buffer* buffer : {&scene.splats, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near, &scene.lists,
+                           &scene.blend_ranges, &scene.grid_words})
         destroyBuffer(device, *buffer);
     scene.bricks = {};
     scene.grid_frame = {};

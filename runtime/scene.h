@@ -22,12 +22,14 @@ struct Scene {
     pro_view view{};
     EntryGrid grid_frame; ///< its words, and the bricks, are here only where the device reads them here
     Bricks bricks;
-    Buffer splats, materials, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
+    Buffer splats, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
     std::uint64_t device_bytes = 0;
 };
 
 /// Maps, validates and uploads (or imports) path. Throws Error: kBadInput "FILE: reason" or kCannotRun.
 Scene loadScene(Device& device, const std::string& path, bool verbose);
+/// A scene of nothing: small buffers for programs that must be given some.
+Scene blankScene(Device& device);
 /// The buffers at their places in shaders/bindings.glsl.
 std::vector<BufferBinding> sceneBindings(const Scene& scene);
 void destroyScene(Device& device, Scene& scene);

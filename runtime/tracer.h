@@ -7,7 +7,7 @@
 
 #include "runtime/device.h"
 #include "runtime/render.h"
-#include "runtime/scene.h"
+#include "runtime/staged_scene.h"
 
 namespace pointrt {
 
@@ -18,7 +18,8 @@ struct Tracer {
     std::shared_ptr<TracerState> state;
 };
 
-Tracer createTracer(Device& device, const Scene& scene, const RenderSettings& settings, const Camera& camera);
+/// scene must be furnished, and outlive the tracer.
+Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettings& settings, const Camera& camera);
 void destroyTracer(Device& device, Tracer& tracer);
 
 /// Renders every sample from scratch and returns the rays it counted. progress gets the share done in [0, 1].

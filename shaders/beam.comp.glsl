@@ -8,6 +8,7 @@
 #include "bindings.glsl"
 #include "octree.glsl"
 #include "camera_ray.glsl"
+#include "instance.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
@@ -43,8 +44,8 @@ const int kStepsMost = 96;
 // that leads past the grid.
 float marchCone(vec3 direction, float spread) {
     Grid grid = loadGridFrame();
-    float scale = params.grid_scale.x;
-    vec3 highest = grid.lowest + vec3(params.grid_size.xyz), eye = params.eye.xyz * scale;
+    float scale = instance.grid_scale.x;
+    vec3 highest = grid.lowest + vec3(instance.grid_size.xyz), eye = cubePoint(params.eye.xyz) * scale;
     // beyond its far corner no ray can be in the grid
     float t_far = length(max(abs(grid.lowest - eye), abs(highest - eye)));
     float t = 0.0, advance = kLeastStep;
@@ -68,7 +69,7 @@ void main() {
     vec3 direction = directionThrough(corner + 0.5 * TILE_SIDE);
     // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
     float spread = distance(onPlane(corner), onPlane(corner + 0.5 * TILE_SIDE));
-    float safe = marchCone(direction, spread);
+    float safe = marchCone(cubeDirection(direction), spread);
     if (live) beams[tile] = safe;
 
     uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);

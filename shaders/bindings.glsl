@@ -1,33 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every buffer, once. Octree data is read through texel buffers: on lavapipe those are hardware gathers, three times
-// as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB.
+// Every buffer, once. What is looked up at random is read through texel buffers: on lavapipe those are hardware
+// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB.
+#ifndef POINTRT_SHADERS_BINDINGS_GLSL
+#define POINTRT_SHADERS_BINDINGS_GLSL
 #include "params.h"
 #include "brick_layout.h"
 #include "pointrt/pro_layout.h"
 
+// One instance's.
 layout(set = 0, binding = 1) uniform usamplerBuffer brick_words;
 layout(set = 0, binding = 2) uniform usamplerBuffer list_words;
 layout(set = 0, binding = 3) uniform usamplerBuffer splat_words;
 layout(set = 0, binding = 4) uniform usamplerBuffer grid_words;
-layout(set = 0, binding = 5) uniform samplerBuffer material_rows;
+layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
+layout(set = 0, binding = 15) uniform usamplerBuffer near_words;
+layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
+layout(set = 0, binding = 21) uniform usamplerBuffer slab_words;
+layout(std430, set = 0, binding = 22) readonly buffer InstanceBuffer { InstanceParams instance; };
+
+// The scene's.
+layout(set = 0, binding = 5) uniform usamplerBuffer material_texels;
+layout(set = 0, binding = 23) uniform usamplerBuffer shape_texels;
+layout(set = 0, binding = 24) uniform usamplerBuffer light_texels;
+layout(set = 0, binding = 28) uniform samplerBuffer ggx_albedo; // runtime/ggx_albedo.h
+layout(set = 0, binding = 29) uniform samplerBuffer environment_texels; // runtime/environment.h
+layout(set = 0, binding = 30) uniform samplerBuffer environment_cdf;
+
+// The frame's.
 layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams params; };
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
 // two of rays (the first one holds tiles at first), one of lit points
 layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; };
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
-// TraceHit: t as bits, cell, near splat and its place in the lists
+// TraceHit: t as bits, cell, near splat and its place in the lists, owner; of shapes: t, 0, shape, OWNER_SHAPES
 layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
-layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // normal, t (negative: none)
-layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
-layout(set = 0, binding = 15) uniform usamplerBuffer near_words;
-layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
-layout(set = 0, binding = 17) uniform samplerBuffer path_texels; // of paths
+layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel
+layout(set = 0, binding = 17) uniform usamplerBuffer path_texels; // of paths
 layout(set = 0, binding = 18) uniform usamplerBuffer queue_words; // of queues
 layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // of each tile: free distance from the eye
 layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
-layout(set = 0, binding = 21) uniform usamplerBuffer slab_words;
+layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
+layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it
+layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // DEFERRED_MOST a pixel
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
@@ -39,14 +55,39 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
+#define loadGgxAlbedo(i) texelFetch(ggx_albedo, int(i)).xy
+#define loadEnvironmentTexel(i) texelFetch(environment_texels, int(i))
+#define loadEnvironmentCdf(i) texelFetch(environment_cdf, int(i)).x
 #define PATH_ORIGIN 0
 #define PATH_DIRECTION 1
+#define PATH_THROUGHPUT 2
 #define PATH_LEFT_NORMAL 3
-#define loadPathTexel(path, member) texelFetch(path_texels, int(path) * 4 + (member))
+#define loadPathTexel(path, member) uintBitsToFloat(texelFetch(path_texels, int(path) * 4 + (member)))
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
 #define loadHit(path) imageLoad(hit_texels, int(path))
-#define loadMaterial(row, quarter) texelFetch(material_rows, int(row) * 4 + (quarter))
+
+// Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.
+vec4 materialVector(int i) { return uintBitsToFloat(texelFetch(material_texels, i)); }
+vec4 shapeVector(int i) { return uintBitsToFloat(texelFetch(shape_texels, i)); }
+vec4 lightVector(int i) { return uintBitsToFloat(texelFetch(light_texels, i)); }
+
+Material loadMaterial(uint index) {
+    int i = int(index) * MATERIAL_VECTORS;
+    return Material(materialVector(i), materialVector(i + 1), materialVector(i + 2), materialVector(i + 3),
+                    materialVector(i + 4));
+}
+
+#define loadShape(i) fetchShape(i)
+Shape fetchShape(uint index) {
+    int i = int(index) * SHAPE_VECTORS;
+    return Shape(shapeVector(i), shapeVector(i + 1), shapeVector(i + 2), texelFetch(shape_texels, i + 3));
+}
+
+Light loadLight(uint index) {
+    int i = int(index) * LIGHT_VECTORS;
+    return Light(lightVector(i), lightVector(i + 1), lightVector(i + 2), lightVector(i + 3), lightVector(i + 4));
+}
 
 bool hasOption(uint option) { return (params.scene.y & option) != 0u; }
 bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
@@ -54,5 +95,8 @@ bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
 uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }
 uint bandTiles() { return tilesAcross() * ((params.image.w + TILE_SIDE - 1u) / TILE_SIDE); }
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
+uint bandPixels() { return params.image.x * params.image.w; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint litQueueStart() { return 2u * bandLanes(); }
+
+#endif

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#ifndef POINTRT_SHADERS_BLEND_GLSL
+#define POINTRT_SHADERS_BLEND_GLSL
 #include "octree.glsl"
 
 // A surface, not confetti: around the first hit, the splats of its cell blend position, normal and colour.
@@ -15,6 +17,8 @@ struct Surface {
     vec3 color;   // sRGB
     float radius; // weighted mean of the splats' radii
     uint material;
+    uint splat; // hit first
+    bool back;  // seen from behind, where normals tell
 };
 
 // Discs blend when their normals differ by less than 60 degrees; the sides of an edge or a thin sheet stay apart.
@@ -65,7 +69,7 @@ void fillUp(inout Field field, uvec4 words, vec3 point, vec3 side) {
     field.height += missing * dot(side, point - splatPosition(words));
     field.normal += missing * side;
     field.color += missing * splatColor(words);
-    field.radius += missing * splatRadius(words, params.splat);
+    field.radius += missing * splatRadius(words, instance.splat);
 }
 
 // The field at a point, around the disc hit first.
@@ -75,7 +79,7 @@ Field evaluateField(uint cell_index, uvec4 first, vec3 point, vec3 side, float f
     uvec2 blending = loadBlendRange(cell_index);
     uint discs = cell[CELL_COUNT] & CELL_COUNT_MASK;
     uint count = discs + blending.y, k = 0u;
-    vec4 coding = params.splat;
+    vec4 coding = instance.splat;
     while (k < count) {
         uint listed = k < discs ? cell[CELL_FIRST] + k : blending.x + k - discs;
         addToField(field, loadSplat(loadListed(listed)), coding, point, side, front);
@@ -92,10 +96,20 @@ float newtonStep(Field field, vec3 direction, float radius) {
     return clamp(step, -radius, radius);
 }
 
-Surface flatSurface(uvec4 words, float t, vec3 direction) {
-    vec3 normal = normalize(splatDirection(words));
-    normal = dot(normal, direction) > 0.0 ? -normal : normal;
-    return Surface(t, normal, splatColor(words), splatRadius(words, params.splat), splatMaterial(words));
+Surface flatSurface(SplatHit hit, vec3 direction) {
+    vec3 normal = normalize(splatDirection(hit.words));
+    bool back = dot(normal, direction) > 0.0;
+    return Surface(hit.t, back ? -normal : normal, splatColor(hit.words), splatRadius(hit.words, instance.splat),
+                   splatMaterial(hit.words), hit.splat, back && kOriented);
+}
+
+// At rims the blended normal may lean away from the viewer, who sees the surface all the same: it is brought back to
+// this cosine, nearly at right angles.
+const float kLeastFacing = 0.01;
+
+vec3 bentToViewer(vec3 normal, vec3 direction) {
+    float away = dot(normal, direction) + kLeastFacing;
+    return away > 0.0 ? normalize(normal - away * direction) : normal;
 }
 
 // The surface at a traced hit, its words as stored, of the ray.
@@ -103,10 +117,10 @@ Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
     SplatHit exact = exactHit(hit, origin, direction);
     uvec4 words = exact.words;
     float t = exact.t;
-    Surface surface = flatSurface(words, t, direction);
+    Surface surface = flatSurface(exact, direction);
     if (!hasOption(OPTION_BLEND)) return surface;
     vec3 side = surface.normal;
-    float front = hasOption(OPTION_ORIENTED) ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
+    float front = kOriented ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
     float radius = surface.radius;
 
     vec3 point = origin + t * direction;
@@ -119,10 +133,11 @@ Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
     field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, point, side, front);
     t_blended += newtonStep(field, direction, radius);
     surface.t = clamp(t_blended, t - radius, t + radius);
-    vec3 normal = normalize(field.normal);
-    surface.normal = dot(normal, direction) > 0.0 ? -normal : normal;
+    surface.normal = bentToViewer(normalize(field.normal), direction);
     surface.color = field.color / field.weight;
     surface.radius = field.radius / field.weight;
     surface.material = field.material;
     return surface;
 }
+
+#endif

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Camera rays, made where they are needed: computing one takes less time than reading it.
+#ifndef POINTRT_SHADERS_CAMERA_RAY_GLSL
+#define POINTRT_SHADERS_CAMERA_RAY_GLSL
 #include "random.glsl"
 
 // Pixels are taken in tiles of 8 x 8, and those in blocks of 4 x 2, which lavapipe's 8 lanes share.
@@ -23,7 +25,8 @@ uint pixelIndex(uvec2 pixel) {
 vec2 samplePosition(uint pixel) {
     if (hasStep(STEP_CENTER)) return vec2(0.5);
     uvec2 steps = push.step.x * uvec2(0xC13FA9A9u, 0x91E10DA6u);
-    return fract(random3(pixel, 0u, 0u).xy + vec2(steps >> 8u) * (1.0 / 16777216.0));
+    uvec2 shift = pcg3(uvec3(pixel, 0u, params.mode.w * 0x9E3779B9u)).xy;
+    return fract(vec2(shift >> 8u) * (1.0 / 16777216.0) + vec2(steps >> 8u) * (1.0 / 16777216.0));
 }
 
 // Where the ray through a place of the band, in pixels, meets the plane at distance 1, to the right and up.
@@ -41,3 +44,5 @@ vec3 directionThrough(vec2 place) {
 vec3 cameraDirection(uvec2 pixel) {
     return directionThrough(vec2(pixel) + samplePosition((pixel.y + params.image.z) * params.image.x + pixel.x));
 }
+
+#endif

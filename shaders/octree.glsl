@@ -4,8 +4,7 @@
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
-// Whether any cell is cut further than a brick does. Even scans have none, and no ray has to ask.
-layout(constant_id = 0) const bool kUneven = false;
+#include "instance.glsl"
 
 // What every step needs of the frame, loaded once.
 struct Grid {
@@ -15,7 +14,7 @@ struct Grid {
 };
 
 Grid loadGridFrame() {
-    return Grid(vec3(params.grid_origin.xyz), params.grid_scale.yz, params.grid_size.w);
+    return Grid(vec3(instance.grid_origin.xyz), instance.grid_scale.yz, instance.grid_size.w);
 }
 
 // Cells to skip from an empty one towards the octant that shift stands for.
@@ -73,11 +72,11 @@ Spot spotAt(vec3 point, Grid grid) {
 
 // The listed cell that holds a point in cube units, NO_INDEX where there is none.
 uint cellAt(vec3 point) {
-    vec3 at = point * params.grid_scale.x;
+    vec3 at = point * instance.grid_scale.x;
     Grid grid = loadGridFrame();
     Spot spot = spotAt(at, grid);
     vec3 local = at - grid.lowest;
-    bool inside = all(greaterThanEqual(local, vec3(0.0))) && all(lessThan(local, vec3(params.grid_size.xyz)));
+    bool inside = all(greaterThanEqual(local, vec3(0.0))) && all(lessThan(local, vec3(instance.grid_size.xyz)));
     return inside && isFilled(spot.word) ? spot.word >> CELL_INDEX_SHIFT : NO_INDEX;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which lane works on what.
+#ifndef POINTRT_SHADERS_QUEUE_GLSL
+#define POINTRT_SHADERS_QUEUE_GLSL
 
 // lavapipe hands the first half of the workgroups to one thread and the rest to another: taking them in turn gives
 // each thread every second stretch of the image, so that neither is left with the sky.
@@ -16,3 +18,5 @@ uint queuedIndex(uint lane) {
     uint count = second ? control.queued.y : control.queued.x;
     return lane < count ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
 }
+
+#endif

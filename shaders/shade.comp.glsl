@@ -1,70 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shading of first hits: blends the surface, adds what needs no light, asks for light and for the next ray.
+// What the integrators make of a path's hit: light that needs no further ray, a point that asks for light, and the rays
+// that go on.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "bindings.glsl"
-#include "queue.glsl"
-#include "splat.glsl"
-#include "blend.glsl"
-#include "camera_ray.glsl"
-#include "room.glsl"
+#include "point.glsl"
+#include "matter.glsl"
+#include "film.glsl"
+#include "sky.glsl"
 #include "offset.glsl"
+#include "shading.glsl"
+#include "shade_classic.glsl"
+#include "shade_path.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
-
-// A point of the scene as the integrators see it.
-struct Point {
-    float t; // negative: nothing is hit
-    vec3 position;
-    vec3 normal;
-    vec3 albedo;        // linear
-    vec3 mirror;        // linear reflectance of the mirror share
-    float reflectivity; // share reflected as a mirror
-    float specular;
-    float shininess;
-    float radius; // 0 on the room's walls
-};
-
-// Exact sRGB decoding is a power each; the cubic agrees within 0.002 (Chilliant 2012).
-vec3 linearFromSrgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
-
-Point splatPoint(PathState path, uvec4 hit) {
-    Surface surface =
-        surfaceAt(path.origin.xyz, path.direction.xyz, hit);
-    vec4 base = loadMaterial(surface.material, 0);
-    vec4 gloss = loadMaterial(surface.material, 1);
-    Point point;
-    point.t = surface.t;
-    point.position = path.origin.xyz + surface.t * path.direction.xyz;
-    point.normal = surface.normal;
-    point.albedo = base.rgb * linearFromSrgb(surface.color);
-    point.mirror = vec3(1.0);
-    point.reflectivity = hasOption(OPTION_OVERRIDE_REFLECTIVITY) ? params.splat.w : base.a;
-    point.specular = params.mode.x == INTEGRATOR_PATH ? 0.0 : gloss.x; // Phong's highlight conserves no energy
-    point.shininess = max(gloss.y, 1.0);
-    point.radius = surface.radius;
-    return point;
-}
-
-Point wallPoint(PathState path, float t, vec3 normal) {
-    bool mirror = params.mode.z == ROOM_MIRROR;
-    return Point(t, path.origin.xyz + t * path.direction.xyz, normal, kMatteWall, kMirrorWall, mirror ? 1.0 : 0.0, 0.0,
-                 1.0, 0.0);
-}
-
-Point findPoint(PathState path, uvec4 hit) {
-    Point point;
-    point.t = -1.0;
-    if (hit.z != NO_INDEX) point = splatPoint(path, hit);
-    if (params.mode.z != ROOM_NONE) {
-        vec3 normal;
-        float t_wall = hitRoom(path.origin.xyz, path.direction.xyz, normal);
-        if (point.t < 0.0 || t_wall < point.t) point = wallPoint(path, t_wall, normal);
-    }
-    return point;
-}
 
 uint appendSlot(bool wants, bool lit) {
     uvec4 ballot = subgroupBallot(wants);
@@ -77,130 +27,109 @@ uint appendSlot(bool wants, bool lit) {
     return subgroupBroadcastFirst(start) + subgroupBallotExclusiveBitCount(ballot);
 }
 
-void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight) {
+void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint bounce) {
     uint slot = appendSlot(wants, true);
     if (!wants) return;
     queues[litQueueStart() + slot] = index;
-    float highlight = max(weight.x, max(weight.y, weight.z)) * point.specular;
-    lit_points[index] = LitPoint(vec4(point.position, point.radius), vec4(point.normal, point.shininess),
-                                 vec4(weight * point.albedo, highlight), vec4(view, 0.0));
+    lit_points[index] =
+        LitPoint(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
+                 vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
+                 vec4(view, 0.0));
 }
 
-void appendRay(bool wants, uint index, Point point, vec3 direction, vec3 throughput) {
+void appendRay(bool wants, uint index, PathState path) {
     uint slot = appendSlot(wants, false);
     if (!wants) return;
     queues[rayQueueStart(!hasStep(STEP_QUEUE_ONE)) + slot] = index;
+    paths[index] = path;
+}
+
+// The path that goes on from a point along ray, with waiting rays behind it.
+PathState pathAfter(Point point, PathState path, NextRay ray, uint waiting) {
+    // light that crosses the surface leaves it on its other side
+    bool crosses = dot(point.normal, ray.direction) < 0.0;
     float own_t;
-    vec3 origin = leaveSurface(point.position, point.normal, point.radius, direction, own_t);
-    vec3 left_normal = point.radius > 0.0 ? point.normal : vec3(0.0);
-    paths[index] = PathState(vec4(origin, own_t), vec4(direction, 0.0), vec4(throughput, 0.0), vec4(left_normal, 0.0));
+    vec3 origin = leaveSurface(point.position, crosses ? -point.normal : point.normal, point.radius, ray.direction, own_t);
+    uint before = pathBits(path);
+    uint bits = bounceOf(before) + 1u | waiting << PATH_DEFERRED_SHIFT | before & (PATH_DIFFUSED | PATH_INSIDE) |
+                point.owner << PATH_OWNER_SHIFT;
+    bits |= ray.pdf > 0.0 ? PATH_DIFFUSED : 0u;
+    bits ^= crosses && !isThin(loadMaterial(point.material)) ? PATH_INSIDE : 0u;
+    // as stored, so that of two sheets close to each other the other one is met
+    vec3 stored_normal = point.back ? -point.normal : point.normal;
+    return PathState(vec4(origin, own_t), vec4(ray.direction, ray.pdf), vec4(ray.weight, 0.0),
+                     vec4(stored_normal, uintBitsToFloat(bits)));
 }
 
-// Schlick's approximation for the 4% of common dielectrics: whitted's gloss on what phong shows matte.
-float fresnel(float cosine) {
-    float m = 1.0 - clamp(cosine, 0.0, 1.0);
-    return 0.04 + 0.96 * m * m * m * m * m;
+// Of two rays one is followed and the other waits; where no more can wait, chance takes one of them for both.
+NextRay followed(Shading shading, uint waiting, float u, out bool defers) {
+    float first = luminance(shading.first.weight), second = luminance(shading.second.weight);
+    bool both = first > 0.0 && second > 0.0;
+    defers = both && waiting < DEFERRED_MOST;
+    if (!both || defers) {
+        if (first > 0.0) return shading.first;
+        return shading.second;
+    }
+    float chance = first / (first + second);
+    NextRay chosen = shading.second;
+    if (u < chance) chosen = shading.first;
+    chosen.weight /= u < chance ? chance : 1.0 - chance;
+    return chosen;
 }
 
-// Lambert's lobe about the normal.
-vec3 cosineDirection(vec3 normal, vec2 u) {
-    float angle = 6.28318530718 * u.x, ring = sqrt(u.y);
-    vec3 helper = abs(normal.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    vec3 a = normalize(cross(normal, helper)), b = cross(normal, a);
-    return normalize(ring * cos(angle) * a + ring * sin(angle) * b + sqrt(max(0.0, 1.0 - u.y)) * normal);
+void recordFirstHit(uint index, Point point) {
+    bool hit = point.t >= 0.0;
+    first_hits[FIRST_HIT_VECTORS * index] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
+    first_hits[FIRST_HIT_VECTORS * index + 1u] =
+        vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
 }
 
-// What a point adds to the film, gives to its lights, and sends on.
-struct Shading {
-    vec3 added;        // radiance that needs no further ray
-    vec3 matte_weight; // of the light that shadow rays may bring
-    vec3 next;         // direction of the next ray
-    vec3 next_weight;  // its throughput, 0 where there is none
-};
-
-// Nothing is hit: the sky.
-Shading shadeSky(PathState path) {
-    return Shading(path.throughput.rgb * skyColor(path.direction.xyz), vec3(0.0), vec3(0.0), vec3(0.0));
+// What the scene itself covers of a pixel, and its colour there.
+void recordCoverage(uint index, Point point) {
+    bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.splat).kind.z & SHAPE_BACKDROP) != 0u;
+    if (point.t < 0.0 || backdrop) return;
+    film[filmIndex(index, LAYER_DIRECT)].w += 1.0;
+    film[filmIndex(index, LAYER_ALBEDO)].rgb += point.albedo;
 }
 
-// Phong and Whitted: matte share, highlight and mirror share side by side; the mirror's ray is the one that goes on.
-Shading shadeClassic(PathState path, Point point) {
-    float mirror_share = point.reflectivity;
-    if (params.mode.x == INTEGRATOR_WHITTED && point.specular > 0.0)
-        mirror_share = max(mirror_share, fresnel(-dot(path.direction.xyz, point.normal)) * min(1.0, 4.0 * point.specular));
-    vec3 matte_weight = path.throughput.rgb * (1.0 - mirror_share);
-    return Shading(matte_weight * point.albedo * skyColor(point.normal) * AMBIENT_SHARE, matte_weight,
-                   reflect(path.direction.xyz, point.normal), path.throughput.rgb * point.mirror * mirror_share);
-}
-
-// Path tracing: one of mirror and matte by chance; the chance and the share cancel.
-Shading shadePath(PathState path, Point point, vec3 random) {
-    if (random.z < point.reflectivity)
-        return Shading(vec3(0.0), vec3(0.0), reflect(path.direction.xyz, point.normal), path.throughput.rgb * point.mirror);
-    return Shading(vec3(0.0), path.throughput.rgb, cosineDirection(point.normal, random.xy),
-                   path.throughput.rgb * point.albedo);
-}
-
-// The normal and depth views.
-Shading shadeView(Point point) {
-    vec3 color = vec3(0.0);
-    if (point.t >= 0.0)
-        color = params.mode.x == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
-                                                   : vec3(max(0.0, 1.0 - point.t / params.sky_up.w));
-    return Shading(color, vec3(0.0), vec3(0.0), vec3(0.0));
-}
-
-Shading shade(PathState path, Point point, uint pixel, uint bounce) {
+Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matter, uint index) {
     if (params.mode.x == INTEGRATOR_NORMAL || params.mode.x == INTEGRATOR_DEPTH) return shadeView(point);
-    if (point.t < 0.0) return shadeSky(path);
-    if (params.mode.x == INTEGRATOR_PATH) return shadePath(path, point, random3(pixel, push.step.x, bounce + 1u));
-    return shadeClassic(path, point);
+    if (params.mode.x == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
+    return shadeClassic(path, point, row, matter);
 }
-
-const uvec4 kNoHit = uvec4(0u, NO_INDEX, NO_INDEX, 0u);
-
-// The camera ray of this lane's pixel; index is NO_INDEX where it has none.
-PathState cameraPath(out uint index, out uvec4 hit) {
-    uint lane = balancedLane(), tile = min(lane / TILE_PIXELS, bandTiles() - 1u);
-    uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
-    index = lane < bandLanes() ? pixelIndex(pixel) : NO_INDEX;
-    hit = index != NO_INDEX && loadBeam(tile) < BEAM_MISSES ? loadHit(index) : kNoHit;
-    return PathState(vec4(params.eye.xyz, 0.0), vec4(cameraDirection(pixel), 0.0), vec4(1.0), vec4(0.0));
-}
-
-// The queued path of this lane; index is NO_INDEX where there is none.
-PathState queuedPath(out uint index, out uvec4 hit) {
-    index = queuedIndex(balancedLane());
-    hit = index != NO_INDEX ? loadHit(index) : kNoHit;
-    return paths[index != NO_INDEX ? index : 0u];
-}
-
-float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
-
-// Rays weaker than a display's last step are not worth their cost.
-const float kLeastWeight = 1.0 / 512.0;
 
 void main() {
-    uint bounce = push.step.z;
     uint index;
-    uvec4 hit;
-    PathState path = bounce == 0u ? cameraPath(index, hit) : queuedPath(index, hit);
+    PathState path = currentPath(index);
     bool live = index != NO_INDEX;
     index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
-    Point point = findPoint(path, hit);
+    uvec4 hit = live ? loadHit(index) : kNoHit;
+    Point point = findPoint(index, path, hit);
     if (hasStep(STEP_FIRST_HIT)) {
-        if (live) first_hits[index] = point.t < 0.0 ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(point.normal, point.t);
+        if (live) recordFirstHit(index, point);
         return;
     }
-    Shading shading = shade(path, point, index + params.image.z * params.image.x, bounce);
-    bool goes_on = live && largest(shading.next_weight) > kLeastWeight;
-    if (goes_on && bounce >= params.mode.y) { // the last mirror shows the sky's ambient light instead of black
-        if (params.mode.x != INTEGRATOR_PATH) shading.added += shading.next_weight * skyColor(shading.next) * AMBIENT_SHARE;
-        goes_on = false;
+    uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
+    if (live && isCameraPass()) {
+        beginSample(index, push.step.x == 0u);
+        recordCoverage(index, point);
     }
-    float coverage = bounce == 0u && point.t >= 0.0 ? 1.0 : 0.0;
-    vec4 before = bounce == 0u && push.step.x == 0u ? vec4(0.0) : film[index];
-    if (live) film[index] = before + vec4(shading.added, coverage);
-    appendLit(live && largest(shading.matte_weight) > 0.0, index, point, -path.direction.xyz, shading.matte_weight);
-    appendRay(goes_on, index, point, shading.next, shading.next_weight);
+    // glass is left where the surface is met from behind; where normals do not tell, every second time
+    point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
+    Material row = loadMaterial(point.material);
+    SurfaceMaterial matter = matterOf(row, point.albedo, point.back, -dot(point.normal, path.direction.xyz));
+    path.throughput.rgb *= point.back ? transmittance(row, point.t) : vec3(1.0);
+    Shading shading = shadeAny(path, point, row, matter, index);
+    if (live) addLight(index, shading.added, bounce);
+    appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
+              shading.lit_weight, bounce);
+
+    bool defers;
+    float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
+    NextRay next = followed(shading, waiting, u, defers);
+    bool goes_on = live && largest(next.weight) > 0.0, resumes = live && !goes_on && waiting > 0u;
+    if (live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
+    PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
+    if (resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
+    appendRay(goes_on || resumes, index, after);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decoding of splats, after pro_layout.h.
+#ifndef POINTRT_SHADERS_SPLAT_GLSL
+#define POINTRT_SHADERS_SPLAT_GLSL
 
 vec3 splatPosition(uvec4 words) {
     uvec3 code = uvec3(words.x & PRO_POSITION_MASK,
@@ -18,7 +20,7 @@ vec3 splatDirection(uvec4 words) {
     return n;
 }
 
-// coding: params.splat, loaded before any loop: lavapipe takes its time for each load from a storage buffer.
+// coding: instance.splat, loaded before any loop: lavapipe takes its time for each load from a storage buffer.
 float splatRadius(uvec4 words, vec4 coding) {
     return coding.x * exp2(-float(words.w >> PRO_RADIUS_SHIFT) * coding.y);
 }
@@ -40,8 +42,10 @@ struct SplatHit {
 SplatHit exactHit(uvec4 hit, vec3 origin, vec3 direction) {
     uint splat = loadListed(hit.z);
     uvec4 words = loadSplat(splat);
-    float t = uintBitsToFloat(hit.x), radius = splatRadius(words, params.splat);
+    float t = uintBitsToFloat(hit.x), radius = splatRadius(words, instance.splat);
     vec3 normal = splatDirection(words);
     float correction = dot(normal, splatPosition(words) - (origin + t * direction)) / dot(normal, direction);
     return SplatHit(splat, words, t + clamp(correction, -radius, radius));
 }
+
+#endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "octree.glsl"
+#include "instance.glsl"
 
 // Stackless traversal, in grid units. Each step finds the cell that the ray enters and passes it: an empty one with as
 // many more as its word allows in the ray's direction octant, a listed one by itself; its discs are looked at only
@@ -16,11 +17,20 @@ struct TraceHit {
     uint near; // the near splat, NO_INDEX when nothing is hit
 };
 
+// t is stored in stage units. What was hit before, and nearer, stays.
 void storeHit(uint path, TraceHit hit) {
-    imageStore(hit_texels, int(path), uvec4(floatBitsToUint(hit.t), hit.cell, hit.near, 0u));
+    if (hit.near == NO_INDEX && !hasStep(STEP_FRESH)) return;
+    imageStore(hit_texels, int(path),
+               uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.near, instance.materials.x));
 }
 
-// A ray and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored.
+// How far a path's ray may go, in cube units: to what was hit before.
+float reachOf(uint path) {
+    return hasStep(STEP_FRESH) ? 1e30 : uintBitsToFloat(loadHit(path).x) * cubeScale();
+}
+
+// A ray in cube units and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored,
+// and where normals are not oriented on those facing the other way as well.
 struct TraceRay {
     vec3 origin;
     vec3 direction;
@@ -59,7 +69,7 @@ struct CellRay {
 // Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
 // t_start receives the distance from the ray's origin.
 Walk startWalk(TraceRay ray, Grid grid, out float t_start) {
-    float scale = params.grid_scale.x;
+    float scale = instance.grid_scale.x;
     Walk walk;
     // smaller components would make inverses whose products are not numbers
     walk.direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20))) * scale;
@@ -69,15 +79,15 @@ Walk startWalk(TraceRay ray, Grid grid, out float t_start) {
     walk.side = 1.0 - 2.0 * walk.near;
     uvec3 bits = uvec3(rising);
     walk.octant_shift = SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
-    vec3 origin = ray.origin * scale, highest = grid.lowest + vec3(params.grid_size.xyz);
+    vec3 origin = ray.origin * scale, highest = grid.lowest + vec3(instance.grid_size.xyz);
     vec3 near = (mix(highest, grid.lowest, rising) - origin) * walk.inverse;
     // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
-    vec3 last = mix(grid.lowest, highest, rising) - 1.5 * params.grid_scale.w * walk.side;
+    vec3 last = mix(grid.lowest, highest, rising) - 1.5 * instance.grid_scale.w * walk.side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
     // from a distant origin the product's rounding may put it outside, where words are those of other cells
     walk.origin = clamp(origin + walk.direction * t_start, grid.lowest, highest);
-    walk.start = walk.origin + walk.side * params.grid_scale.w;
+    walk.start = walk.origin + walk.side * instance.grid_scale.w;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
     return walk;
@@ -130,7 +140,7 @@ float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     float t = dot(normal, to_center) / dot(normal, cell_ray.direction);
     vec3 offset = cell_ray.direction * t - to_center;
     float facing = dot(normal, ray.own_normal);
-    bool own = t < ray.own_t - t_start && facing * facing > 0.25 * dot(normal, normal);
+    bool own = t < ray.own_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal);
     return dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !own ? t : t_limit;
 }
 

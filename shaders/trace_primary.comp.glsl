@@ -17,5 +17,6 @@ void main() {
     uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
     uint index = pixelIndex(pixel);
     if (index == NO_INDEX) return;
-    storeHit(index, trace(TraceRay(params.eye.xyz, cameraDirection(pixel), loadBeam(tile), 1e30, vec3(0.0), 0.0)));
+    storeHit(index, trace(TraceRay(cubePoint(params.eye.xyz), cubeDirection(cameraDirection(pixel)), loadBeam(tile),
+                                   reachOf(index), vec3(0.0), 0.0)));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces the queued rays: a whole program but for its version. ANY_HIT, see trace.glsl.
+// Traces the queued rays through one instance: a whole program but for its version. ANY_HIT, see trace.glsl.
 #include "bindings.glsl"
 #include "queue.glsl"
 #include "splat.glsl"
@@ -10,7 +10,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 void main() {
     uint path = queuedIndex(balancedLane());
     if (path == NO_INDEX) return;
-    vec4 origin = loadPathTexel(path, PATH_ORIGIN);
-    storeHit(path, trace(TraceRay(origin.xyz, loadPathTexel(path, PATH_DIRECTION).xyz, 0.0, 1e30,
-                                  loadPathTexel(path, PATH_LEFT_NORMAL).xyz, origin.w)));
+    vec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);
+    bool own = floatBitsToUint(left.w) >> PATH_OWNER_SHIFT == instance.materials.x;
+    storeHit(path, trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
+                                  reachOf(path), cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0)));
 }

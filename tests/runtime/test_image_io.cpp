@@ -60,9 +60,11 @@ struct ExrImage {
     int width = 0, height = 0;
     std::vector<std::string> names; // in the file's order
     std::map<std::string, std::vector<float>> channels;
+    std::map<std::string, std::vector<std::uint32_t>> words;
+    std::map<std::string, std::string> texts;
 };
 
-ExrImage readExr(const std::string& path) {
+ExrImage parseExr(const std::string& path) {
     ExrImage result;
     EXRVersion version;
     EXRHeader header;
@@ -79,11 +81,21 @@ ExrImage readExr(const std::string& path) {
     }
     result.width = image.width;
     result.height = image.height;
+    const int pixels = image.width * image.height;
     for (int c = 0; c < header.num_channels; ++c) {
-        EXPECT_EQ(header.pixel_types[c], TINYEXR_PIXELTYPE_FLOAT);
+        const std::string name = header.channels[c].name;
+        result.names.push_back(name);
         const auto* values = reinterpret_cast<const float*>(image.images[c]);
-        result.names.push_back(header.channels[c].name);
-        result.channels[header.channels[c].name].assign(values, values + image.width * image.height);
+        const auto* words = reinterpret_cast<const std::uint32_t*>(image.images[c]);
+        if (header.pixel_types[c] == TINYEXR_PIXELTYPE_FLOAT)
+            result.channels[name].assign(values, values + pixels);
+        else if (header.pixel_types[c] == TINYEXR_PIXELTYPE_UINT)
+            result.words[name].assign(words, words + pixels);
+    }
+    for (int i = 0; i < header.num_custom_attributes; ++i) {
+        const EXRAttribute& attribute = header.custom_attributes[i];
+        const auto* text = reinterpret_cast<const char*>(attribute.value);
+        if (attribute.type == std::string("string")) result.texts[attribute.name].assign(text, text + attribute.size);
     }
     FreeEXRImage(&image);
     FreeEXRHeader(&header);
@@ -105,7 +117,7 @@ TEST_F(ImageIo, ExrKeepsEveryChannelExactly) {
     for (const auto& [width, height] : {std::pair{1u, 1u}, {5u, 16u}, {7u, 17u}, {101u, 70u}}) {
         const Film film = testFilm(width, height);
         writeExr(path("a.exr"), film);
-        const ExrImage image = readExr(path("a.exr"));
+        const ExrImage image = parseExr(path("a.exr"));
         EXPECT_EQ(image.width, static_cast<int>(width));
         EXPECT_EQ(image.height, static_cast<int>(height));
         EXPECT_EQ(image.names,
@@ -121,6 +133,66 @@ TEST_F(ImageIo, ExrKeepsEveryChannelExactly) {
     }
 }
 
+TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
+    Film film = testFilm(19, 18);
+    const std::size_t pixels = 19 * 18;
+    for (std::size_t i = 0; i < 3 * pixels; ++i) {
+        const float value = static_cast<float>(i);
+        film.direct.push_back(value);
+        film.indirect.push_back(value + 0.25f);
+        film.caustic.push_back(value + 0.5f);
+        film.albedo.push_back(value / static_cast<float>(3 * pixels));
+    }
+    for (std::uint32_t i = 0; i < pixels; ++i) {
+        film.splat_id.push_back(i % 5 == 0 ? 0xFFFFFFFFu : 0xFFFF0000u + i); // no float holds all of them
+        film.instance_id.push_back(i);
+        film.samples.push_back(static_cast<float>(i + 1));
+        film.variance.push_back(static_cast<float>(i) * 0.125f);
+    }
+    writeExr(path("a.exr"), film, std::vector<ExrText>{{"pointrt.note", "two words"}});
+    const ExrImage image = parseExr(path("a.exr"));
+    EXPECT_EQ(image.names,
+              (std::vector<std::string>{
+                  "A",         "B",          "G",          "N.X",        "N.Y",      "N.Z",      "P.X",
+                  "P.Y",       "P.Z",        "R",          "Z",          "albedo.B", "albedo.G", "albedo.R",
+                  "caustic.B", "caustic.G",  "caustic.R",  "direct.B",   "direct.G", "direct.R", "id.instance",
+                  "id.splat",  "indirect.B", "indirect.G", "indirect.R", "samples",  "variance"}));
+    const char* colours[] = {"R", "G", "B"};
+    for (std::size_t c = 0; c < 3; ++c) {
+        expectChannel(image, (std::string("direct.") + colours[c]).c_str(), film.direct, c, 3);
+        expectChannel(image, (std::string("indirect.") + colours[c]).c_str(), film.indirect, c, 3);
+        expectChannel(image, (std::string("caustic.") + colours[c]).c_str(), film.caustic, c, 3);
+        expectChannel(image, (std::string("albedo.") + colours[c]).c_str(), film.albedo, c, 3);
+        expectChannel(image, colours[c], film.rgba, c, 4);
+    }
+    EXPECT_EQ(image.words.at("id.splat"), film.splat_id);
+    EXPECT_EQ(image.words.at("id.instance"), film.instance_id);
+    EXPECT_EQ(image.channels.at("samples"), film.samples);
+    EXPECT_EQ(image.channels.at("variance"), film.variance);
+    EXPECT_EQ(image.texts.at("pointrt.note"), "two words");
+    EXPECT_EQ(image.texts.at("software").substr(0, 13), "pointrt-view ");
+}
+
+TEST_F(ImageIo, ExrTakesAPictureAlone) {
+    Film film = testFilm(3, 2);
+    film.depth = film.normal = film.position = {};
+    writeExr(path("a.exr"), film);
+    EXPECT_EQ(parseExr(path("a.exr")).names, (std::vector<std::string>{"A", "B", "G", "R"}));
+    film.albedo.resize(5);
+    EXPECT_THROW(writeExr(path("a.exr"), film), std::logic_error);
+    film.albedo.clear();
+    film.rgba.clear();
+    EXPECT_THROW(writeExr(path("a.exr"), film), std::logic_error);
+}
+
+TEST_F(ImageIo, ExrRefusesNamesThatTheFormatCannotHold) {
+    const float value = 1;
+    const ExrChannel twice[] = {{"a", &value}, {"b", &value}, {"a", &value}};
+    EXPECT_THROW(writeExr(path("a.exr"), {1, 1}, twice), std::logic_error);
+    const ExrChannel longer[] = {{std::string(32, 'x'), &value}};
+    EXPECT_THROW(writeExr(path("a.exr"), {1, 1}, longer), std::logic_error);
+}
+
 TEST_F(ImageIo, ExrCompressesFlatPictures) {
     Film film{256,
               256,
@@ -130,7 +202,7 @@ TEST_F(ImageIo, ExrCompressesFlatPictures) {
               std::vector<float>(3 * 65536)};
     writeExr(path("flat.exr"), film);
     EXPECT_LT(fs::file_size(path("flat.exr")), 11u * 4 * 65536 / 50);
-    expectChannel(readExr(path("flat.exr")), "G", film.rgba, 1, 4);
+    expectChannel(parseExr(path("flat.exr")), "G", film.rgba, 1, 4);
 }
 
 Film noiseFilm(std::uint32_t size) {
@@ -151,7 +223,7 @@ TEST_F(ImageIo, ExrStoresNoiseAsItIs) {
     const Film film = noiseFilm(64);
     writeExr(path("noise.exr"), film);
     EXPECT_EQ(fs::file_size(path("noise.exr")), header_bytes + 4 * kBlockBytes + 64 * 64 * kPixelBytes);
-    expectChannel(readExr(path("noise.exr")), "P.Y", film.position, 1, 3);
+    expectChannel(parseExr(path("noise.exr")), "P.Y", film.position, 1, 3);
 }
 
 TEST_F(ImageIo, PngKeepsPixels) {

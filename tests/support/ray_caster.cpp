@@ -9,9 +9,11 @@
 #include <numeric>
 
 #include "runtime/camera.h"
+#include "runtime/frame_buffers.h"
 #include "runtime/frame_params.h"
 #include "runtime/program.h"
-#include "runtime/scene.h"
+#include "runtime/staged_scene.h"
+#include "runtime/staging.h"
 #include "shaders/any_hit.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
@@ -41,103 +43,109 @@ struct RayCaster::State {
         destroyDescriptorPool(device, pool);
         for (Program* program : {&trace, &trace_primary, &any_hit, &beam, &camera_rays, &resolve, &surface})
             destroyProgram(device, *program);
-        for (Buffer* buffer : {&params, &control, &queue, &paths, &hits, &unused, &film, &first_hits, &beams})
-            destroyBuffer(device, *buffer);
-        destroyScene(device, scene);
+        destroyFrameBuffers(device, buffers);
+        destroyStagedScene(device, scene);
         destroyDevice(device);
     }
 
     Device device;
-    Scene scene;
+    StagedScene scene;
     std::uint32_t batch_rays;
     std::uint32_t loaded = 0; ///< rays on the device
     Program trace, trace_primary, any_hit, beam, camera_rays, resolve, surface;
-    Buffer params, control, queue, paths, hits, unused, film, first_hits, beams;
+    FrameBuffers buffers;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
     double trace_seconds = 0;
     std::vector<std::uint32_t> lane_pixels; ///< of the camera's view
     std::vector<Ray> view_rays;             ///< one for each of lane_pixels
 
+    /// What no ray's program writes is as small as can be.
     void createBuffers() {
         const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
             return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
         };
-        params = storage("frame parameters", sizeof(gpu::FrameParams));
-        control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        queue = storage("queue buffer", std::uint64_t{batch_rays} * sizeof(std::uint32_t),
-                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        createTexelView(device, "queue buffer", queue, VK_FORMAT_R32_UINT);
-        paths = storage("path buffer", std::uint64_t{batch_rays} * sizeof(gpu::PathState),
-                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        createTexelView(device, "path buffer", paths, VK_FORMAT_R32G32B32A32_SFLOAT);
-        hits = storage("hit buffer", std::uint64_t{batch_rays} * sizeof(gpu::uvec4),
-                       VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
-        createTexelView(device, "hit buffer", hits, VK_FORMAT_R32G32B32A32_UINT);
-        beams = storage("beam buffer", (batch_rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float),
-                        VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        createTexelView(device, "beam buffer", beams, VK_FORMAT_R32_SFLOAT);
-        unused = storage("lit point buffer", sizeof(gpu::LitPoint));
-        film = storage("film buffer", std::uint64_t{batch_rays} * sizeof(gpu::vec4));
-        first_hits = storage("first hit buffer", std::uint64_t{batch_rays} * sizeof(gpu::vec4));
+        const auto texels = [&](const char* what, std::uint64_t bytes, VkFormat format,
+                                VkBufferUsageFlags usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) {
+            Buffer buffer = storage(what, bytes, usage);
+            createTexelView(device, what, buffer, format);
+            return buffer;
+        };
+        const std::uint64_t rays = batch_rays;
+        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams));
+        buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        buffers.queues = texels("queue buffer", rays * sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+        buffers.paths = texels("path buffer", rays * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT);
+        buffers.hits = texels("hit buffer", rays * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+                              VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+        buffers.beams =
+            texels("beam buffer", (rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT);
+        buffers.film = storage("film buffer", rays * sizeof(gpu::vec4));
+        buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
+        buffers.surfaces = storage("surface buffer", sizeof(gpu::SurfacePoint));
+        buffers.lit = storage("lit point buffer", sizeof(gpu::LitPoint));
+        buffers.light_masks = storage("light mask buffer", sizeof(std::uint32_t));
+        buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
         queueInOrder();
     }
 
     void queueInOrder() {
         std::vector<std::uint32_t> in_order(batch_rays);
         std::iota(in_order.begin(), in_order.end(), 0u);
-        uploadBuffer(device, queue, in_order.data(), queue.bytes);
+        uploadBuffer(device, buffers.queues, in_order.data(), buffers.queues.bytes);
     }
 
     void createPrograms() {
-        const std::uint32_t uneven = scene.grid_frame.uneven;
-        trace = createProgram(device, "trace", trace_spv, {uneven});
-        any_hit = createProgram(device, "any_hit", any_hit_spv, {uneven});
-        trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven});
+        const std::uint32_t uneven = file().grid_frame.uneven, oriented = scene.instances[0].oriented;
+        trace = createProgram(device, "trace", trace_spv, {uneven, oriented});
+        any_hit = createProgram(device, "any_hit", any_hit_spv, {uneven, oriented});
+        trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven, oriented});
         beam = createProgram(device, "beam", beam_spv);
         camera_rays = createProgram(device, "camera_rays", camera_rays_spv);
         resolve = createProgram(device, "resolve_hits", resolve_hits_spv);
-        surface = createProgram(device, "cast_surface", cast_surface_spv, {uneven});
+        surface = createProgram(device, "cast_surface", cast_surface_spv, {uneven, oriented});
         pool = createDescriptorPool(device, 1);
-        std::vector<BufferBinding> bindings = sceneBindings(scene);
-        bindings.insert(bindings.end(), {{6, &params},
-                                         {7, &control},
-                                         {8, &queue},
-                                         {9, &paths},
-                                         {10, &hits},
-                                         {11, &unused},
-                                         {12, &film},
-                                         {13, &first_hits},
-                                         {17, &paths},
-                                         {19, &beams},
-                                         {20, &beams},
-                                         {18, &queue}});
+        std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
+        const std::vector<BufferBinding> frame = frameBindings(buffers);
+        bindings.insert(bindings.end(), frame.begin(), frame.end());
         set = createDescriptorSet(device, pool, trace, bindings);
     }
 
     Camera cameraOf(const CameraRequest& request) const {
-        return frameCamera(request, vec(scene.info.bounds_min), vec(scene.info.bounds_max), 1.0);
+        return frameCamera(request, scene.bounds.lo, scene.bounds.hi, 1.0);
+    }
+
+    const Scene& file() const { return scene.files[0]; }
+
+    void open(const std::string& path) {
+        SceneDescription description;
+        description.instances.push_back({path, {}, {}, {}});
+        scene = openScene(device, std::move(description), false);
+        RenderSettings settings;
+        settings.lights = 1;
+        addSurroundings(scene.description, settings, cameraOf({}), scene.bounds.lo, scene.bounds.hi);
+        furnishScene(device, scene, settings);
     }
 
     /// The scene's own parameters are the viewer's; the camera and the light matter to cameraRays alone.
     gpu::FrameParams frameParams(std::uint32_t size, const Camera& camera) const {
         RenderSettings settings;
         settings.width = settings.height = size;
-        settings.lights = 1;
         return makeFrameParams(scene, settings, camera, 0, size);
     }
 
-    void uploadParams(const gpu::FrameParams& frame) { uploadBuffer(device, params, &frame, sizeof frame); }
+    void uploadParams(const gpu::FrameParams& frame) { uploadBuffer(device, buffers.params, &frame, sizeof frame); }
 
     void uploadRays(std::span<const Ray> rays) {
         loaded = static_cast<std::uint32_t>(rays.size());
         std::vector<gpu::PathState> packed;
         for (const Ray& ray : rays)
-            packed.push_back({pack(ray.origin, ray.own_t), pack(ray.direction, 0), {}, pack(ray.own_normal, 0)});
-        uploadBuffer(device, paths, packed.data(), packed.size() * sizeof packed[0]);
+            packed.push_back(
+                {pack(ray.origin, ray.own_t), pack(ray.direction, 0), {}, pack(ray.own_normal, 0)}); // of instance 0
+        uploadBuffer(device, buffers.paths, packed.data(), packed.size() * sizeof packed[0]);
         gpu::Control counts{};
         counts.queued.x = loaded;
-        uploadBuffer(device, control, &counts, sizeof counts);
+        uploadBuffer(device, buffers.control, &counts, sizeof counts);
     }
 
     double submitTimed(VkCommandBuffer commands) {
@@ -147,7 +155,7 @@ struct RayCaster::State {
     }
 
     /// Seconds from submission to the end.
-    double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
+    double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = STEP_FRESH) {
         const gpu::PushParams push{{0, 0, 0, step_bits}};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
@@ -162,7 +170,7 @@ struct RayCaster::State {
         uploadParams(frame);
         run(camera_rays, pixels, STEP_CENTER);
         std::vector<gpu::vec4> lanes(pixels);
-        downloadBuffer(device, first_hits, lanes.data(), pixels * sizeof lanes[0]);
+        downloadBuffer(device, buffers.first_hits, lanes.data(), pixels * sizeof lanes[0]);
         view_rays.clear();
         lane_pixels.clear();
         for (const gpu::vec4& lane : lanes) {
@@ -175,17 +183,18 @@ struct RayCaster::State {
     /// Beams, then first hits; pixels whose beam misses keep NO_INDEX, which they get before the clock starts.
     double traceCamera() {
         const auto pixels = static_cast<std::uint32_t>(lane_pixels.size());
-        const std::vector<gpu::uvec4> none(pixels, gpu::uvec4{0, NO_INDEX, NO_INDEX, 0});
-        uploadBuffer(device, hits, none.data(), none.size() * sizeof none[0]);
+        const std::vector<gpu::uvec4> none(pixels,
+                                           gpu::uvec4{std::bit_cast<std::uint32_t>(1e30f), NO_INDEX, NO_INDEX, 0});
+        uploadBuffer(device, buffers.hits, none.data(), none.size() * sizeof none[0]);
         gpu::Control counts{};
         counts.tile_groups = {0, 1, 1, 0};
-        uploadBuffer(device, control, &counts, sizeof counts);
+        uploadBuffer(device, buffers.control, &counts, sizeof counts);
         const gpu::PushParams push{{0, 0, 0, STEP_CENTER}};
         const VkCommandBuffer commands = beginCommands(device);
         recordDispatch(commands, beam, set, pushBytes(push),
                        {(pixels / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});
         recordBarrier(commands);
-        recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), control,
+        recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), buffers.control,
                                offsetof(gpu::Control, tile_groups));
         recordBarrier(commands);
         const double seconds = submitTimed(commands);
@@ -197,7 +206,7 @@ struct RayCaster::State {
     void readFlat(std::span<CastHit> out) {
         run(resolve, loaded);
         std::vector<gpu::vec4> flat(out.size());
-        downloadBuffer(device, first_hits, flat.data(), flat.size() * sizeof flat[0]);
+        downloadBuffer(device, buffers.first_hits, flat.data(), flat.size() * sizeof flat[0]);
         for (std::size_t i = 0; i < out.size(); ++i) {
             const auto splat = std::bit_cast<std::uint32_t>(flat[i].y);
             if (splat != NO_INDEX) out[i].t_flat = flat[i].x, out[i].splat = splat;
@@ -206,8 +215,8 @@ struct RayCaster::State {
 
     void readBlended(std::span<CastHit> out) {
         std::vector<gpu::vec4> blended(out.size()), radii(out.size());
-        downloadBuffer(device, first_hits, blended.data(), blended.size() * sizeof blended[0]);
-        downloadBuffer(device, film, radii.data(), radii.size() * sizeof radii[0]);
+        downloadBuffer(device, buffers.first_hits, blended.data(), blended.size() * sizeof blended[0]);
+        downloadBuffer(device, buffers.film, radii.data(), radii.size() * sizeof radii[0]);
         for (std::size_t i = 0; i < out.size(); ++i) {
             if (!out[i].hit()) continue;
             out[i].t_blended = blended[i].w;
@@ -219,7 +228,7 @@ struct RayCaster::State {
 
 RayCaster::RayCaster(const std::string& path, const DeviceRequest& request, std::uint32_t batch_rays)
     : state_(new State(request, batch_rays)) {
-    state_->scene = loadScene(state_->device, path, false);
+    state_->open(path);
     state_->createBuffers();
     state_->createPrograms();
     state_->uploadParams(state_->frameParams(1, state_->cameraOf({})));
@@ -264,7 +273,7 @@ std::vector<CastHit> RayCaster::cameraHits() {
     return hits;
 }
 
-Vec3 RayCaster::lightPosition() const { return vec(state_->frameParams(1, state_->cameraOf({})).light_position[0]); }
+Vec3 RayCaster::lightPosition() const { return vec(state_->scene.light_rows.at(0).position); }
 
 void RayCaster::load(std::span<const Ray> rays) { state_->uploadRays(rays); }
 
@@ -283,10 +292,10 @@ std::vector<CastHit> RayCaster::loadedHits() {
 double RayCaster::traceSeconds() const { return state_->trace_seconds; }
 const std::string& RayCaster::deviceName() const { return state_->device.name; }
 double RayCaster::cellEdge() const {
-    const int grid_shift = static_cast<int>(state_->scene.grid_frame.shift);
+    const int grid_shift = static_cast<int>(state_->file().grid_frame.shift);
     return std::ldexp(1.0 / BRICK_SIDE, grid_shift - static_cast<int>(PRO_POSITION_BITS));
 }
-bool RayCaster::isUneven() const { return state_->scene.grid_frame.uneven; }
+bool RayCaster::isUneven() const { return state_->file().grid_frame.uneven; }
 std::uint64_t RayCaster::sceneDeviceBytes() const { return state_->scene.device_bytes; }
 
 } // namespace pointrt::test

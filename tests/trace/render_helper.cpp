@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "runtime/camera.h"
+#include "runtime/staging.h"
+#include "shaders/brick_layout.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
 /// leak checker has no name to suppress them by.
@@ -28,26 +30,38 @@ RenderSettings square(std::uint32_t size) {
     RenderSettings settings;
     settings.width = settings.height = size;
     settings.spp = 1;
+    settings.lights = 3;
     return settings;
 }
 
-Rendered renderFile(const std::string& path, RenderSettings settings) {
+Rendered renderScene(SceneDescription description, RenderSettings settings) {
     Device& device = sharedDevice();
     settings.first_hits = true;
-    Scene scene = loadScene(device, path, false);
+    StagedScene scene = openScene(device, std::move(description), false);
     Rendered rendered;
-    rendered.info = scene.info;
-    const Vec3 lo{scene.info.bounds_min[0], scene.info.bounds_min[1], scene.info.bounds_min[2]};
-    const Vec3 hi{scene.info.bounds_max[0], scene.info.bounds_max[1], scene.info.bounds_max[2]};
-    rendered.camera = frameCamera(settings.camera, lo, hi, static_cast<double>(settings.width) / settings.height);
+    rendered.camera = frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
+                                  static_cast<double>(settings.width) / settings.height);
+    addSurroundings(scene.description, settings, rendered.camera, scene.bounds.lo, scene.bounds.hi);
+    furnishScene(device, scene, settings);
+    rendered.scene = scene.description;
+    if (!scene.instances.empty()) {
+        rendered.info = scene.files[0].info;
+        rendered.cell_edge = 1 / (BRICK_SIDE * double{scene.instances[0].params.grid_scale.x});
+    }
     rendered.params = makeFrameParams(scene, settings, rendered.camera, 0, settings.height);
     Tracer tracer = createTracer(device, scene, settings, rendered.camera);
     rendered.rays = renderFrame(device, tracer, {});
     rendered.film = readFilm(tracer);
     destroyTracer(device, tracer);
-    destroyScene(device, scene);
+    destroyStagedScene(device, scene);
     EXPECT_EQ(validationMessages(), 0u);
     return rendered;
+}
+
+Rendered renderFile(const std::string& path, RenderSettings settings) {
+    SceneDescription scene;
+    scene.instances.push_back({path, {}, {}, {}});
+    return renderScene(std::move(scene), settings);
 }
 
 float pixel(const Film& film, std::uint32_t x, std::uint32_t y, int channel) {

@@ -62,7 +62,7 @@ struct FlatComparison {
 /// In cube units, as the shaders. Distances are the same within tolerance, in input units.
 FlatComparison compareFlat(const std::string& path, const Rendered& rendered, double tolerance) {
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
-    const NearRounding rounding = nearRounding(splats, 1 / (BRICK_SIDE * double{rendered.params.grid_scale.x}));
+    const NearRounding rounding = nearRounding(splats, rendered.cell_edge);
     const Reference scene = loadReference(path);
     const Film& film = rendered.film;
     const RenderSettings settings = square(film.width);
@@ -180,7 +180,7 @@ TEST(FirstHits, PruningLongListsOpensNothing) {
     const Rendered full = render(false), pruned = render(true);
     const std::vector<CubeSplat> splats = loadCubeSplats(path);
     std::remove(path.c_str());
-    const NearRounding rounding = nearRounding(splats, 1 / (BRICK_SIDE * double{full.params.grid_scale.x}));
+    const NearRounding rounding = nearRounding(splats, full.cell_edge);
     std::size_t moved = 0, lost = 0, at_rims = 0;
     for (std::size_t i = 0; i < full.film.depth.size(); ++i) {
         const float before = full.film.depth[i], after = pruned.film.depth[i];

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/reference.h"
@@ -54,19 +55,17 @@ TEST(Light, MirrorShowsTheWallItFaces) {
         const Vec3 r{d.x, d.y, -d.z}; // mirrored in the plane z = 0
         const double t = (3.0 - at.x) / r.x;
         const Vec3 wall = at + t * r, n{-1, 0, 0};
-        const double scale = one_bounce.info.scale;
         double light = 0;
-        for (std::uint32_t l = 0; l < settings.lights; ++l) {
-            const auto& p = one_bounce.params.light_position[l];
-            const Vec3 lamp = Vec3{one_bounce.info.origin[0], one_bounce.info.origin[1], one_bounce.info.origin[2]} +
-                              scale * Vec3{p.x, p.y, p.z};
-            const Vec3 to = lamp - wall;
+        for (const LightDescription& each : one_bounce.scene.lights) {
+            const auto& lamp = std::get<PointLight>(each);
+            const Vec3 to = lamp.position - wall;
             const double cosine = dot(n, to) / length(to);
-            light += std::max(0.0, cosine) * one_bounce.params.light_power[l].x * scale * scale / dot(to, to);
+            light += std::max(0.0, cosine) * double{lamp.intensity[0]} / std::numbers::pi / dot(to, to);
         }
         EXPECT_GT(light, 0.02);
         const double red_seen = pixel(one_bounce.film, x, y, 0), green_seen = pixel(one_bounce.film, x, y, 1);
-        const double horizon[] = {SKY_HORIZON}, ambient = AMBIENT_SHARE * horizon[0]; // the wall is upright
+        const SkyDescription sky;
+        const double ambient = sky.ambient * sky.horizon[0]; // the wall is upright
         EXPECT_NEAR(red_seen, light + ambient, 0.02 * (light + ambient));
         EXPECT_LT(green_seen, 1e-3);
     }
@@ -89,9 +88,7 @@ TEST(Light, ShadowsFallWhereBruteForceSaysSo) {
     const Rendered rendered = renderFile(path, settings);
     const Reference scene = loadReference(path);
     std::remove(path.c_str());
-    const auto& p = rendered.params.light_position[0];
-    const Vec3 lamp = Vec3{rendered.info.origin[0], rendered.info.origin[1], rendered.info.origin[2]} +
-                      rendered.info.scale * Vec3{p.x, p.y, p.z};
+    const Vec3 lamp = std::get<PointLight>(rendered.scene.lights[0]).position;
     std::size_t checked = 0, dark = 0, wrong = 0;
     for (std::uint32_t y = 0; y < 96; ++y)
         for (std::uint32_t x = 0; x < 96; ++x) {
@@ -195,15 +192,15 @@ TEST(Light, BandsJoinWithoutASeam) {
 
 /// The sky's green averaged over the hemisphere around +Z by the cosine, up being +Y.
 double skyOverHemisphere() {
-    const float zenith[] = {SKY_ZENITH}, horizon[] = {SKY_HORIZON}, ground[] = {SKY_GROUND};
+    const SkyDescription sky;
     double sum = 0;
     const int steps = 400;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
             const double ring = std::sqrt((i + 0.5) / steps),
                          height = ring * std::sin(6.28318530718 * (j + 0.5) / steps);
-            const double share = std::sqrt(std::abs(height)), end = height > 0 ? zenith[1] : ground[1];
-            sum += horizon[1] + share * (end - horizon[1]);
+            const double share = std::sqrt(std::abs(height)), end = height > 0 ? sky.zenith[1] : sky.ground[1];
+            sum += sky.horizon[1] + share * (end - sky.horizon[1]);
         }
     return sum / (steps * steps);
 }

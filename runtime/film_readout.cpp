@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/film_readout.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "runtime/frame_params.h"
+
+namespace pointrt {
+
+namespace {
+
+float luminance(float r, float g, float b) { return 0.2126f * r + 0.7152f * g + 0.0722f * b; } // as shaders/color.glsl
+
+std::size_t firstPixel(Band band, const Film& film) { return std::size_t{band.first_row} * film.width; }
+std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.rows} * film.width; }
+
+/// rgb of a layer as means.
+void storeLayer(const gpu::vec4* layer, std::size_t pixels, float share, float* rgb) {
+    for (std::size_t i = 0; i < pixels; ++i) {
+        rgb[3 * i] = layer[i].x * share;
+        rgb[3 * i + 1] = layer[i].y * share;
+        rgb[3 * i + 2] = layer[i].z * share;
+    }
+}
+
+gpu::vec4 restored(const float* rgb, float sum, float w) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, w}; }
+
+/// Of the mean of samples with this sum and this sum of squares.
+float varianceOfMean(double sum, double squares, double samples) {
+    if (samples < 2) return std::numeric_limits<float>::infinity();
+    const double mean = sum / samples;
+    return static_cast<float>(std::max(squares / samples - mean * mean, 0.0) / (samples - 1));
+}
+
+} // namespace
+
+void allocateFilm(const RenderSettings& settings, Film& film) {
+    const std::size_t pixels = std::size_t{settings.width} * settings.height;
+    film = {};
+    film.width = settings.width;
+    film.height = settings.height;
+    film.rgba.assign(4 * pixels, 0.0f);
+    for (auto* layer : {&film.direct, &film.indirect, &film.caustic, &film.albedo}) layer->assign(3 * pixels, 0.0f);
+    film.samples.assign(pixels, 0.0f);
+    film.variance.assign(pixels, 0.0f);
+    if (!settings.first_hits) return;
+    film.depth.assign(pixels, std::numeric_limits<float>::infinity());
+    film.normal.assign(3 * pixels, 0.0f);
+    film.position.assign(3 * pixels, 0.0f);
+    film.splat_id.assign(pixels, NO_INDEX);
+    film.instance_id.assign(pixels, NO_INDEX);
+}
+
+void storeLight(Device& device, const FrameBuffers& buffers, Band band, std::uint32_t samples, Film& film) {
+    const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
+    std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
+    downloadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
+    const float share = 1.0f / static_cast<float>(samples);
+    const auto layer = [&](std::uint32_t which) { return layers.data() + which * pixels; };
+    storeLayer(layer(LAYER_DIRECT), pixels, share, film.direct.data() + 3 * first);
+    storeLayer(layer(LAYER_INDIRECT), pixels, share, film.indirect.data() + 3 * first);
+    storeLayer(layer(LAYER_CAUSTIC), pixels, share, film.caustic.data() + 3 * first);
+    storeLayer(layer(LAYER_ALBEDO), pixels, share, film.albedo.data() + 3 * first);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const gpu::vec4 direct = layer(LAYER_DIRECT)[i], indirect = layer(LAYER_INDIRECT)[i],
+                        caustic = layer(LAYER_CAUSTIC)[i];
+        const gpu::vec4 sum{direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
+                            direct.z + indirect.z + caustic.z, direct.w};
+        float* out = film.rgba.data() + 4 * (first + i);
+        out[0] = sum.x * share;
+        out[1] = sum.y * share;
+        out[2] = sum.z * share;
+        out[3] = sum.w * share;
+        film.samples[first + i] = static_cast<float>(samples);
+        // the last sample is not squared yet
+        film.variance[first + i] = varianceOfMean(luminance(sum.x, sum.y, sum.z),
+                                                  double{caustic.w} + double{indirect.w} * indirect.w, samples);
+    }
+}
+
+void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film) {
+    const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
+    std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
+    const auto sum = static_cast<float>(samples);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const std::size_t at = first + i;
+        const float* rgba = film.rgba.data() + 4 * at;
+        const double mean = luminance(rgba[0], rgba[1], rgba[2]);
+        const double squares = samples * (double{film.variance[at]} * (samples - 1.0) + mean * mean);
+        layers[LAYER_DIRECT * pixels + i] = restored(film.direct.data() + 3 * at, sum, rgba[3] * sum);
+        layers[LAYER_INDIRECT * pixels + i] = restored(film.indirect.data() + 3 * at, sum, 0);
+        layers[LAYER_CAUSTIC * pixels + i] =
+            restored(film.caustic.data() + 3 * at, sum,
+                     samples > 1 ? static_cast<float>(squares) : static_cast<float>(mean * mean));
+        layers[LAYER_ALBEDO * pixels + i] = restored(film.albedo.data() + 3 * at, sum, 0);
+    }
+    uploadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
+}
+
+void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, const StagedScene& scene,
+                    const RenderSettings& settings, const Camera& camera, Film& film) {
+    std::vector<gpu::vec4> hits(FIRST_HIT_VECTORS * pixelCount(band, film));
+    downloadBuffer(device, buffers.first_hits, hits.data(), hits.size() * sizeof hits[0]);
+    for (std::uint32_t row = 0; row < band.rows; ++row)
+        for (std::uint32_t x = 0; x < film.width; ++x) {
+            const gpu::vec4* hit = hits.data() + FIRST_HIT_VECTORS * (std::size_t{row} * film.width + x);
+            if (hit->w < 0) continue;
+            const std::uint32_t y = band.first_row + row;
+            const std::size_t pixel = std::size_t{y} * film.width + x;
+            const double distance = hit->w * scene.stage.scale;
+            const Vec3 at = camera.eye + distance * centerRayDirection(settings, camera, x, y);
+            film.depth[pixel] = static_cast<float>(distance);
+            const float normal[] = {hit->x, hit->y, hit->z};
+            const double position[] = {at.x, at.y, at.z};
+            for (int c = 0; c < 3; ++c) {
+                film.normal[3 * pixel + c] = normal[c];
+                film.position[3 * pixel + c] = static_cast<float>(position[c]);
+            }
+            const auto owner = std::bit_cast<std::uint32_t>(hit[1].y);
+            film.instance_id[pixel] = owner;
+            if (owner != OWNER_SHAPES) film.splat_id[pixel] = std::bit_cast<std::uint32_t>(hit[1].x);
+        }
+}
+
+} // namespace pointrt

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/frame_buffers.h"
+
+#include "shaders/params.h"
+
+namespace pointrt {
+
+std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
+    return (width + TILE_SIDE - 1) / TILE_SIDE * ((rows + TILE_SIDE - 1) / TILE_SIDE);
+}
+
+std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
+
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t width, std::uint32_t rows) {
+    const std::uint64_t pixels = std::uint64_t{width} * rows, lanes = lanesOf(width, rows);
+    FrameBuffers buffers;
+    const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+        buffers.device_bytes += bytes;
+        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
+    };
+    const auto texels = [&](const char* what, std::uint64_t bytes, VkFormat format, VkBufferUsageFlags usage) {
+        Buffer buffer = storage(what, bytes, usage);
+        createTexelView(device, what, buffer, format);
+        return buffer;
+    };
+    constexpr VkBufferUsageFlags kRead = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    try {
+        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams));
+        buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        buffers.queues = texels("queue buffer", 3 * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+        buffers.paths = texels("path buffer", pixels * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.hits = texels("hit buffer", pixels * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+                              VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+        buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+        buffers.surfaces = storage("surface buffer", pixels * sizeof(gpu::SurfacePoint));
+        buffers.lit = storage("lit point buffer", pixels * sizeof(gpu::LitPoint));
+        buffers.light_masks = storage("light mask buffer", pixels * sizeof(std::uint32_t));
+        buffers.deferred = storage("deferred ray buffer", pixels * DEFERRED_MOST * sizeof(gpu::PathState));
+        buffers.film = storage("film buffer", pixels * FILM_LAYERS * sizeof(gpu::vec4));
+        buffers.first_hits = storage("first hit buffer", pixels * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
+    } catch (...) {
+        destroyFrameBuffers(device, buffers);
+        throw;
+    }
+    return buffers;
+}
+
+void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
+    for (Buffer* buffer :
+         {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
+          &buffers.lit, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits, &buffers.beams})
+        destroyBuffer(device, *buffer);
+    buffers = {};
+}
+
+std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
+    return {{6, &buffers.params},    {7, &buffers.control},      {8, &buffers.queues},   {9, &buffers.paths},
+            {10, &buffers.hits},     {11, &buffers.lit},         {12, &buffers.film},    {13, &buffers.first_hits},
+            {17, &buffers.paths},    {18, &buffers.queues},      {19, &buffers.beams},   {20, &buffers.beams},
+            {25, &buffers.surfaces}, {26, &buffers.light_masks}, {27, &buffers.deferred}};
+}
+
+} // namespace pointrt

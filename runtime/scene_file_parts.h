@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sections of a scene file: each function reads one from the whole file into reading.scene.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "runtime/scene_values.h"
+
+namespace pointrt {
+
+constexpr std::size_t kMostMaterials = 256;
+
+struct SceneReading {
+    SceneDescription scene; ///< path and up are set before the sections are read, materials before what uses them
+    std::map<std::string, std::uint32_t, std::less<>> material_of_name;
+    std::set<std::uint32_t> uncolored_materials; ///< which have splats' colours only
+};
+
+void readMaterials(const SceneValue& file, SceneReading& reading);
+void readInstances(const SceneValue& file, SceneReading& reading);
+void readShapes(const SceneValue& file, SceneReading& reading);
+void readLights(const SceneValue& file, SceneReading& reading);
+void readSky(const SceneValue& file, SceneReading& reading);
+
+/// Number of the material that value names.
+std::uint32_t materialOf(const SceneValue& value, const SceneReading& reading);
+/// The file that value names, relative to the scene file's folder; it is there.
+std::string fileOf(const SceneValue& value, const SceneReading& reading);
+/// Rows of the matrix that value's rotations make, in their order: {axis, degrees} or a list of them.
+std::array<Vec3, 3> rotationOf(const SceneValue& value);
+
+/// Half edges of a rectangle. Refuses table where they are not at right angles.
+struct HalfEdges {
+    Vec3 u, v;
+};
+HalfEdges halfEdgesOf(const SceneValue& table);
+
+/// Refuses value where its shape is one more than MAX_SHAPES: shapes, sphere and quad lights together.
+void requireRoomForShape(const SceneValue& value, const SceneReading& reading);
+
+} // namespace pointrt

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stage: the frame that rays, shapes and lights share on the device, and how each part of a scene is put in it.
+// Everything here is in doubles until the last rounding, so that a scene far from its origin (national grids) loses
+// nothing: what the device gets is small numbers around the first instance's cube.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "pointrt/pro.h"
+#include "runtime/scene_description.h"
+#include "shaders/scene_layout.h"
+
+namespace pointrt {
+
+/// stage = (world - origin) / scale.
+struct Stage {
+    Vec3 origin;      ///< world units
+    double scale = 1; ///< world units in a stage unit, above 0
+};
+
+/// A box along the axes, in world units.
+struct Bounds {
+    Vec3 lo, hi;
+};
+
+/// Around the first instance: origin at its cube's lowest corner as placed, scale its cube's edge. Where that instance
+/// is not moved, the stage is its cube's frame to the last bit. Without instances, the bounds of all shapes with an
+/// extent: their lowest corner and longest edge; without those world units.
+/// infos: of the instances' files, in their order.
+Stage chooseStage(const SceneDescription& scene, std::span<const pro_info> infos);
+
+Vec3 stagePoint(const Stage& stage, Vec3 world);
+Vec3 worldPoint(const Stage& stage, Vec3 point);
+
+/// Rows that take a stage point into the cube of an instance, [0,1)^3; the unit matrix, exactly, for the first instance
+/// where it is not moved.
+std::array<gpu::vec4, 3> cubeFromStage(const Stage& stage, const Placement& placement, const pro_info& info);
+
+/// The box around an instance's bounds as placed: around its eight corners.
+Bounds placedBounds(const Placement& placement, const pro_info& info);
+/// None for planes.
+std::optional<Bounds> shapeBounds(const ShapeDescription& shape);
+Bounds joined(const Bounds& a, const Bounds& b);
+
+/// u, v and w of the description span space, whatever the kind.
+gpu::Shape packShape(const Stage& stage, const ShapeDescription& shape);
+/// The light in the stage's units: lengths and radiant intensities change, radiance and the sun's irradiance do not.
+gpu::Light packLight(const Stage& stage, const LightDescription& light);
+/// Absorption is by stage units. The material stands for no light.
+gpu::Material packMaterial(const Stage& stage, const MaterialDescription& material);
+
+/// The surface of a sphere or quad light, with a material of this number; none for the other kinds.
+std::optional<gpu::Shape> lampShape(const Stage& stage, const LightDescription& light, std::uint32_t material);
+/// The material of that surface, which shines and reflects nothing; light: its number.
+std::optional<gpu::Material> lampMaterial(const LightDescription& light, std::uint32_t number);
+
+} // namespace pointrt

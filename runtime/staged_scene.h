@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that is in the picture, on the device: the .pro files, where they stand, shapes, materials and lights.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/device.h"
+#include "runtime/resources.h"
+#include "runtime/scene.h"
+#include "runtime/scene_description.h"
+#include "runtime/stage.h"
+#include "shaders/params.h"
+
+namespace pointrt {
+
+/// A file as it stands in the scene.
+struct Instance {
+    std::uint32_t file = 0; ///< in StagedScene::files
+    gpu::InstanceParams params{};
+    Buffer params_buffer;
+    bool oriented = false;
+};
+
+struct StagedScene {
+    SceneDescription description;
+    Stage stage;
+    std::vector<Scene> files; ///< each .pro once, however often it stands in the scene
+    std::vector<Instance> instances;
+    Instance blank;           ///< stands for them in the bindings of scenes without any
+    Bounds bounds;            ///< of the instances; without any, of what shapes are bounded
+    bool splits_rays = false; ///< some surface both reflects and refracts
+    std::vector<gpu::Light> light_rows;
+    std::uint32_t shape_count = 0;
+    std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
+    gpu::EnvironmentFrame environment{}; ///< of that picture
+    std::uint64_t splat_count = 0;
+    std::uint64_t device_bytes = 0;
+    Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
+};
+
+/// Maps the files that description names and puts them on the device, with where they stand; shapes, materials and
+/// lights follow with furnishScene, for which the bounds must be known. Throws Error as loadScene does.
+StagedScene openScene(Device& device, SceneDescription description, bool verbose);
+
+/// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before.
+/// Throws Error kBadInput where the sky's picture cannot be read.
+void furnishScene(Device& device, StagedScene& scene, const RenderSettings& settings);
+
+/// The buffers of an instance, or of scene.blank, at their places in shaders/bindings.glsl.
+std::vector<BufferBinding> instanceBindings(const StagedScene& scene, const Instance& instance);
+
+void destroyStagedScene(Device& device, StagedScene& scene);
+
+} // namespace pointrt

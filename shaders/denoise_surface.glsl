@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the preview denoiser knows of a pixel besides its light, and how alike that makes two pixels.
+#ifndef POINTRT_SHADERS_DENOISE_SURFACE_GLSL
+#define POINTRT_SHADERS_DENOISE_SURFACE_GLSL
+
+// Kinds of pixels; only pixels of one kind are averaged. Between empty and full: by eighths of the pixel that the scene
+// covers, so that the background that partly covered pixels hold stays among them.
+#define KIND_EMPTY 1.0
+#define KIND_FULL 9.0
+#define KIND_BLACK 16.0 // added where the albedo is 0: emitters and perfect mirrors
+
+// The largest angle between normals that still counts is about 20 degrees: exp(-64 (1 - cos 20)) = 0.02.
+const float kNormalSharpness = 48.0;
+// A plane continues for this share of the slope it was predicted with ...
+const float kSlopeTolerance = 0.25;
+// ... and for this many pixel widths of depth a pixel of distance: what turns away by 45 degrees at once.
+const float kDepthPixels = 1.0;
+
+struct DenoiseSurface {
+    vec3 normal;
+    float closeness; // 1 / depth, linear across a plane's picture; 0: unknown
+    float kind;      // KIND_*
+    bool broken;     // its light is not a number
+};
+
+bool isFinite(float value) { return (floatBitsToUint(value) & 0x7F800000u) != 0x7F800000u; }
+bool isFinite(vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
+
+// Rec. 709.
+float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+
+vec2 signs(vec2 v) { return vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0); }
+
+// Octahedral normal (Cigolle et al., A Survey of Efficient Representations for Independent Unit Vectors, JCGT 2014),
+// closeness, kind; a broken pixel's kind is written negative.
+vec4 packSurface(DenoiseSurface surface) {
+    vec3 n = surface.normal / max(dot(abs(surface.normal), vec3(1.0)), 1e-12);
+    vec2 folded = n.z >= 0.0 ? n.xy : (1.0 - abs(n.yx)) * signs(n.xy);
+    return vec4(folded, surface.closeness, surface.broken ? -surface.kind : surface.kind);
+}
+
+DenoiseSurface unpackSurface(vec4 words) {
+    vec3 n = vec3(words.xy, 1.0 - abs(words.x) - abs(words.y));
+    n.xy -= signs(n.xy) * max(-n.z, 0.0);
+    return DenoiseSurface(n * inversesqrt(dot(n, n)), words.z, abs(words.w), words.w < 0.0);
+}
+
+bool sameKind(DenoiseSurface a, DenoiseSurface b) { return a.kind == b.kind && a.kind != KIND_EMPTY; }
+
+// What keeps b, at offset pixels from a, from being averaged with a, as the exponent x of exp(-x). slope: change of
+// closeness a pixel at a. pixel_angle: radians.
+float surfaceDistance(DenoiseSurface a, vec2 slope, DenoiseSurface b, vec2 offset, float pixel_angle) {
+    float predicted = dot(slope, offset);
+    float tolerance = kSlopeTolerance * abs(predicted) +
+                      kDepthPixels * pixel_angle * length(offset) * a.closeness + 1e-20;
+    float off = (b.closeness - a.closeness - predicted) / tolerance;
+    return kNormalSharpness * max(0.0, 1.0 - dot(a.normal, b.normal)) + off * off;
+}
+
+#endif

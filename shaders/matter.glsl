@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material's row with what a point of its surface adds.
+#ifndef POINTRT_SHADERS_MATTER_GLSL
+#define POINTRT_SHADERS_MATTER_GLSL
+#include "bindings.glsl"
+#include "material.glsl"
+
+bool isClassic() { return params.mode.x != INTEGRATOR_PATH; }
+
+// cosine: of the angle between normal and view.
+SurfaceMaterial matterOf(Material row, vec3 albedo, bool back, float cosine) {
+    if (params.mode.x == INTEGRATOR_WHITTED) row.gloss.w = glossedMirrorShare(row, cosine);
+    return surfaceMaterial(row, albedo, back, cosine);
+}
+
+#endif

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Renders a scene by Mitsuba 3: render_mitsuba.py SCENE.json OUT.exr [--spp N] [--seed N] [--first-hits]
+
+Spheres are analytic, everything else is the mesh. The EXR is linear: R, G, B. With --first-hits, instead of light, what
+the rays through the pixels' centres hit: Z (distance, infinite where nothing is), N.X, N.Y, N.Z (towards the eye) and
+ID (1 and up: instances in their order; 0: anything else).
+
+Needs LLVM 17 or newer (Debian's libllvm19), found as DRJIT_LIBLLVM_PATH.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+
+import mitsuba as mi
+import numpy as np
+
+mi.set_variant("llvm_ad_rgb")
+T = mi.ScalarTransform4f
+
+# Stratified over a pass of 8 x 8 samples; all samples of a picture at once would not fit in memory.
+PASS_SPP = 64
+
+
+def rgb(color):
+    return {"type": "rgb", "value": list(color)}
+
+
+def bsdf(material):
+    color, kind = rgb(material["color"]), material["kind"]
+    if kind == "matte":
+        return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": color}}
+    if kind == "mirror":
+        return {"type": "conductor", "material": "none", "specular_reflectance": color}
+    if kind == "metal":  # GGX with alpha = roughness^2 and Schlick's Fresnel term
+        return {"type": "principled", "base_color": color, "metallic": 1.0, "roughness": material["roughness"]}
+    if kind == "glass":
+        return {"type": "dielectric", "int_ior": material["index"], "ext_ior": 1.0, "specular_transmittance": color}
+    raise ValueError(f"material kind {kind}")
+
+
+def quadFrame(quad):
+    """Mitsuba's rectangle, [-1, 1] squared in z = 0 and facing +z, onto the quad."""
+    center, u, v = (np.array(quad[key], float) for key in ("center", "u", "v"))
+    normal = np.cross(u, v)
+    frame = np.eye(4)
+    frame[:3] = np.column_stack([u, v, normal / np.linalg.norm(normal), center])
+    return T(frame)
+
+
+def lamp(light):
+    """Black but for what it emits."""
+    looks = {"emitter": {"type": "area", "radiance": rgb(light["radiance"])},
+             "bsdf": {"type": "diffuse", "reflectance": rgb((0, 0, 0))}}
+    if light["type"] == "sphere":
+        return {"type": "sphere", "center": light["center"], "radius": light["radius"], **looks}
+    return {"type": "rectangle", "to_world": quadFrame(light), **looks}
+
+
+def instance(item, folder):
+    looks = {"bsdf": {"type": "ref", "id": "material-" + item["material"]}}
+    if item["mesh"] == "sphere":
+        return {"type": "sphere", "center": item["translate"], "radius": item["scale"], **looks}
+    place = T().translate(item["translate"]).scale(item["scale"])
+    return {"type": "ply", "filename": str(folder / (item["mesh"] + ".ply")), "to_world": place, **looks}
+
+
+def sensor(scene):
+    camera = scene["camera"]
+    return {
+        "type": "perspective", "fov_axis": "y", "fov": camera["fov"], "near_clip": 1e-3, "far_clip": 1e3,
+        "to_world": T().look_at(origin=camera["eye"], target=camera["target"], up=camera["up"]),
+        "film": {"type": "hdrfilm", "width": scene["size"], "height": scene["size"], "pixel_format": "rgb",
+                 "component_format": "float32", "rfilter": {"type": "box"}},
+        "sampler": {"type": "multijitter", "sample_count": PASS_SPP},
+    }
+
+
+def load(scene, folder):
+    # Mitsuba counts edges of paths, the one from the eye included.
+    content = {"type": "scene", "sensor": sensor(scene),
+               "integrator": {"type": "path", "max_depth": scene["bounces"] + 2, "rr_depth": 8}}
+    content |= {f"material-{name}": bsdf(material) for name, material in scene["materials"].items()}
+    content |= {f"instance-{i}": instance(item, folder) for i, item in enumerate(scene["instances"])}
+    for i, shape in enumerate(scene["shapes"]):
+        content[f"shape-{i}"] = {"type": "rectangle", "to_world": quadFrame(shape),
+                                 "bsdf": {"type": "ref", "id": "material-" + shape["material"]}}
+    content |= {f"lamp-{i}": lamp(light) for i, light in enumerate(scene["lights"])}
+    if any(scene["sky"]):
+        content["sky"] = {"type": "constant", "radiance": rgb(scene["sky"])}
+    return mi.load_dict(content, optimize=False)  # which would merge shapes and lose their names
+
+
+def centreHits(world, size):
+    """(size, size, 5), the channels of --first-hits."""
+    row, column = np.divmod(np.arange(size * size), size)
+    film = mi.Point2f((column + 0.5) / size, (row + 0.5) / size)
+    rays, _ = world.sensors()[0].sample_ray(0.0, 0.5, film, mi.Point2f(0.5))
+    hit = world.ray_intersect(rays)
+    towards_eye = -np.array(rays.d).T
+    eye = np.array(world.sensors()[0].world_transform().matrix)[:3, 3].ravel()
+    distance = np.linalg.norm(np.array(hit.p).T - eye, axis=1)
+    normal = np.array(hit.sh_frame.n).T
+    normal *= np.sign(np.sum(normal * towards_eye, axis=1, keepdims=True))
+    missed = ~np.array(hit.is_valid())
+    distance[missed], normal[missed] = np.inf, 0
+    number = np.zeros(size * size)
+    for shape in world.shapes():
+        kind, index = shape.id().split("-")
+        if kind == "instance":
+            number[np.array(hit.shape == mi.ShapePtr(shape))] = int(index) + 1
+    return np.column_stack([distance, normal, number]).reshape(size, size, 5).astype(np.float32)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scene", type=pathlib.Path)
+    parser.add_argument("output")
+    parser.add_argument("--spp", type=int, default=1024, help="rounded up to passes of 64 (default 1024)")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--first-hits", action="store_true")
+    options = parser.parse_args()
+    scene = json.loads(options.scene.read_text())
+    world = load(scene, options.scene.parent)
+    if options.first_hits:
+        mi.Bitmap(centreHits(world, scene["size"]), mi.Bitmap.PixelFormat.MultiChannel,
+                  ["Z", "N.X", "N.Y", "N.Z", "ID"]).write(options.output)
+        return
+    passes = math.ceil(options.spp / PASS_SPP)
+    total = 0
+    for i in range(passes):
+        picture = mi.render(world, spp=PASS_SPP, seed=options.seed * passes + i)
+        total = total + np.array(picture, dtype=np.float64)
+    mi.Bitmap((total / passes).astype(np.float32)).write(options.output)
+
+
+if __name__ == "__main__":
+    main()

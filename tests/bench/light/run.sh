@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Our pictures of splats beside those that independent path tracers make of the meshes they were sampled from.
+#   tests/bench/light/run.sh BIN_DIR OUT_DIR [SCENE...]
+# OUT_DIR gets the scenes, the linear pictures as EXR, comparisons as PNG and JSON, and RESULTS.md, also printed.
+# References that are there already are kept while their scene is the same; delete them to have them rendered again.
+# Scenes (default: all): diffuse mirror metal glass soft-shadow sky. Settings, from the environment, with defaults:
+#   SPP=256             samples a pixel of ours
+#   MITSUBA_SPP=512     of Mitsuba, the reference; CYCLES_SPP=128 of Blender's Cycles, 0 leaves it out
+#   SIZE=512            pixels of a side; SPACING=0.5 pixels between splats where the camera is nearest
+#   VIEW_OPTIONS=       more options for pointrt-view
+# Installs Debian's blender, libllvm19 and python3-venv where they are missing (root or sudo), and Mitsuba, FLIP and
+# OpenEXR from PyPI into OUT_DIR/environment.
+set -euo pipefail
+[ $# -ge 2 ] || {
+    sed -n '3,13s/^# //p' "$0" >&2
+    exit 2
+}
+here=$(cd "$(dirname "$0")" && pwd)
+bin=$(cd "$1" && pwd)
+mkdir -p "$2"
+out=$(cd "$2" && pwd)
+shift 2
+scenes=("$@")
+[ ${#scenes[@]} -gt 0 ] || scenes=(diffuse mirror metal glass soft-shadow sky)
+spp=${SPP:-256} mitsuba_spp=${MITSUBA_SPP:-512} cycles_spp=${CYCLES_SPP:-128}
+size=${SIZE:-512} spacing=${SPACING:-0.5}
+read -ra view_options <<<"${VIEW_OPTIONS:-}"
+
+say() { printf '==> %s\n' "$*" >&2; }
+
+installPackages() {
+    local package missing=()
+    for package in libllvm19 python3-venv $([ "$cycles_spp" = 0 ] || echo blender); do
+        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+    done
+    [ ${#missing[@]} -gt 0 ] || return 0
+    say "installing ${missing[*]}"
+    local as_root=()
+    [ "$(id -u)" = 0 ] || as_root=(sudo)
+    "${as_root[@]}" apt-get -q update >&2
+    "${as_root[@]}" apt-get -q -y install --no-install-recommends "${missing[@]}" >&2
+}
+
+installPython() {
+    [ -e "$out/environment/complete" ] && return
+    say "installing Mitsuba, FLIP and OpenEXR"
+    python3 -m venv "$out/environment"
+    "$out/environment/bin/pip" install -q --disable-pip-version-check \
+        mitsuba==3.9.1 flip-evaluator==1.7 OpenEXR==3.5.3 numpy==2.4.6 pillow==13.0.0
+    touch "$out/environment/complete"
+}
+
+# timed NAME COMMAND...: runs it, its output to NAME.log, and notes the seconds it took.
+timed() {
+    local name=$1 started=$SECONDS
+    shift
+    "$@" >"$out/$name.log" 2>&1 || {
+        cat "$out/$name.log" >&2
+        exit 1
+    }
+    say "$name: $((SECONDS - started)) s"
+}
+
+bakeAll() {
+    local mesh samples
+    for mesh in "$out"/*.ply; do
+        mesh=$(basename "$mesh" .ply)
+        samples=$(cat "$out/$mesh.samples")
+        timed "$mesh" "$bin/pointrt-bake" "$out/$mesh.ply" --sample "$samples" --force -o "$out/$mesh.pro"
+    done
+}
+
+python() { "$out/environment/bin/python" "$@"; }
+blenderRun() { blender -b --factory-startup --python-exit-code 1 -P "$here/render_reference.py" -- "$@"; }
+
+renderReferences() {
+    local scene=$1
+    # References of what the scene was before are of no use.
+    cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{mitsuba,cycles}.exr
+    cp "$out/$scene.json" "$out/$scene.rendered.json"
+    # Renamed when complete, so that an interrupted run leaves no half picture to be kept.
+    if [ ! -e "$out/$scene.mitsuba.exr" ]; then
+        timed "$scene.hits" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/$scene.hits.exr" --first-hits
+        timed "$scene.mitsuba" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/partial.exr" \
+            --spp "$mitsuba_spp"
+        mv "$out/partial.exr" "$out/$scene.mitsuba.exr"
+    fi
+    if [ "$cycles_spp" != 0 ] && [ ! -e "$out/$scene.cycles.exr" ]; then
+        timed "$scene.cycles" blenderRun "$out/$scene.json" "$out/partial.exr" --spp "$cycles_spp"
+        mv "$out/partial.exr" "$out/$scene.cycles.exr"
+    fi
+}
+
+compareWith() {
+    local scene=$1 reference=$2 test=$3
+    python "$here/compare.py" "$out/$scene.json" "$out/$scene.$reference.exr" "$out/$scene.$test.exr" \
+        "$out/$scene.$test-$reference" --first-hits "$out/$scene.hits.exr"
+}
+
+installPackages
+installPython
+DRJIT_LIBLLVM_PATH=$(dpkg -L libllvm19 | grep -m 1 -E '/libLLVM\.so\.19\.[0-9.]+$')
+export DRJIT_LIBLLVM_PATH PYTHONDONTWRITEBYTECODE=1
+python "$here/check_compare.py" >&2
+python "$here/make_scenes.py" "$out" --size "$size" --spacing "$spacing"
+bakeAll
+{
+    echo "Ours: $spp samples a pixel; Mitsuba: $mitsuba_spp; Cycles: $cycles_spp. $size x $size pixels, splats every" \
+        "$spacing pixels. Rows are TEST-REFERENCE; both encoded by sRGB after the scene's exposure, clipped."
+    echo
+    python "$here/compare.py" --heading
+} >"$out/RESULTS.md"
+for scene in "${scenes[@]}"; do
+    renderReferences "$scene"
+    timed "$scene.ours" "$bin/pointrt-view" "$out/$scene.toml" --spp "$spp" -o "$out/$scene.ours.exr" \
+        "${view_options[@]}"
+    python "$here/compare_first_hits.py" "$out/$scene.json" "$out/$scene.hits.exr" "$out/$scene.ours.exr" \
+        >"$out/$scene.first-hits.json" || say "$scene: other surfaces are seen: $scene.first-hits.json"
+    compareWith "$scene" mitsuba ours >>"$out/RESULTS.md"
+    [ "$cycles_spp" = 0 ] || compareWith "$scene" mitsuba cycles >>"$out/RESULTS.md"
+done
+cat "$out/RESULTS.md"

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The scenes, said once. World is y up; colours are linear. Quad lamps shine to the side of u x v; their other side may
+shine too, as nothing in these scenes sees it.
+
+A scene is a dict:
+  camera     eye, target, up, fov (vertical, degrees)
+  materials  by name: kind (matte, mirror, metal, glass), color, roughness, index
+  instances  mesh (of meshes.MAKERS), material, translate, scale
+  shapes     quads: center, u, v (half edges), material
+  lights     quad: center, u, v, radiance; sphere: center, radius, radiance
+  sky        radiance from all around
+  exposure   what the linear picture is multiplied by before it is encoded
+"""
+
+BOUNCES = 16  # past which under 1 in 1000 of the light is left in each of these scenes
+
+CAMERA = {"eye": [0.3, 2.6, 7.2], "target": [0.1, 0.95, 0], "up": [0, 1, 0], "fov": 36}
+
+WHITE = {"kind": "matte", "color": [0.73, 0.73, 0.73]}
+RED = {"kind": "matte", "color": [0.63, 0.07, 0.05]}
+GREEN = {"kind": "matte", "color": [0.12, 0.45, 0.12]}
+BLUE = {"kind": "matte", "color": [0.15, 0.28, 0.65]}
+WALLS = {"white": WHITE, "red": RED, "green": GREEN}
+
+
+def quad(center, u, v, material):
+    return {"type": "quad", "center": center, "u": u, "v": v, "material": material}
+
+
+FLOOR = quad([0, 0, 0], [6, 0, 0], [0, 0, -8], "white")
+ROOM = [
+    FLOOR,
+    quad([0, 3, -3], [6, 0, 0], [0, 3, 0], "white"),
+    quad([-3.2, 3, 0], [0, 0, -8], [0, 3, 0], "red"),
+    quad([3.2, 3, 0], [0, 0, -8], [0, 3, 0], "green"),
+]
+
+QUAD_LAMP = {"type": "quad", "center": [0.5, 5.2, 1], "u": [1.2, 0, 0], "v": [0, 0, 1.2], "radiance": [14, 13, 11.5]}
+# Large, and low: light that glass bundles comes by paths that happen to end on the lamp.
+BROAD_LAMP = {"type": "quad", "center": [0.5, 5, 0.5], "u": [2, 0, 0], "v": [0, 0, 2], "radiance": [5, 4.8, 4.4]}
+BALL_LAMP = {"type": "sphere", "center": [-2.4, 4.6, 2.6], "radius": 0.6, "radiance": [42, 40, 36]}
+
+
+def pair(first, first_material, second_material):
+    """A knot or blob at the left and a sphere at the right, both standing on the floor."""
+    return [
+        {"mesh": first, "material": first_material, "translate": [-1.05, 1.13, -0.2], "scale": 1},
+        {"mesh": "sphere", "material": second_material, "translate": [1.25, 0.851, 0.3], "scale": 0.85},
+    ]
+
+
+def scene(materials, instances, shapes, lights, sky=(0, 0, 0), exposure=1):
+    return {
+        "camera": CAMERA,
+        "materials": materials,
+        "instances": instances,
+        "shapes": shapes,
+        "lights": lights,
+        "sky": list(sky),
+        "exposure": exposure,
+        "bounces": BOUNCES,
+    }
+
+
+SCENES = {
+    "diffuse": scene(
+        {**WALLS, "orange": {"kind": "matte", "color": [0.75, 0.32, 0.08]}, "blue": BLUE},
+        pair("knot", "orange", "blue"), ROOM, [QUAD_LAMP],
+    ),
+    "mirror": scene(
+        {**WALLS, "mirror": {"kind": "mirror", "color": [0.9, 0.9, 0.9]}},
+        pair("knot", "mirror", "mirror"), ROOM, [QUAD_LAMP], sky=(0.35, 0.42, 0.55),
+    ),
+    "metal": scene(
+        {**WALLS, "gold": {"kind": "metal", "color": [1, 0.71, 0.29], "roughness": 0.3},
+         "steel": {"kind": "metal", "color": [0.56, 0.57, 0.58], "roughness": 0.5}},
+        pair("knot", "gold", "steel"), ROOM, [QUAD_LAMP], sky=(0.35, 0.42, 0.55),
+    ),
+    "glass": scene(
+        {**WALLS, "glass": {"kind": "glass", "color": [1, 1, 1], "index": 1.5}},
+        pair("blob", "glass", "glass"), ROOM, [BROAD_LAMP], sky=(0.25, 0.3, 0.4), exposure=0.6,
+    ),
+    "soft-shadow": scene(
+        {"white": WHITE, "orange": {"kind": "matte", "color": [0.75, 0.32, 0.08]}, "blue": BLUE},
+        pair("knot", "orange", "blue"), [FLOOR], [BALL_LAMP],
+    ),
+    "sky": scene(
+        {"white": WHITE, "orange": {"kind": "matte", "color": [0.75, 0.32, 0.08]}, "blue": BLUE},
+        pair("knot", "orange", "blue"), [FLOOR], [], sky=(0.8, 0.9, 1),
+    ),
+}
