@@ -3,15 +3,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
-#include <utility>
-#include <vector>
+#include <tuple>
 
 #include "pointrt/tool.hpp"
+#include "runtime/option_values.h"
 
 namespace pointrt {
 namespace {
@@ -19,73 +17,11 @@ namespace {
 constexpr std::uint32_t kMaxSize = 16384; // pixels: what image viewers and GPUs take as a texture
 constexpr std::uint32_t kMaxBounces = 64;
 constexpr std::uint32_t kMaxLights = 16;
-constexpr std::uint32_t kMaxSpp = 65536;
 constexpr std::uint32_t kMaxBenchFrames = 100000;
-
-template <typename Value>
-using Names = std::vector<std::pair<const char*, Value>>;
-
-const Names<Integrator> kIntegrators = {{"phong", Integrator::kPhong},
-                                        {"whitted", Integrator::kWhitted},
-                                        {"path", Integrator::kPath},
-                                        {"normal", Integrator::kNormal},
-                                        {"depth", Integrator::kDepth}};
-const Names<Room> kRooms = {{"none", Room::kNone}, {"mirror", Room::kMirror}, {"matte", Room::kMatte}};
-const Names<bool> kSwitch = {{"on", true}, {"off", false}};
-
-/// All of text as a number; false where it is not one or out of T's range.
-template <typename T>
-bool parseNumber(const std::string& text, T& value) {
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc() && rest == end;
-}
-
-template <typename Value>
-Value parseName(const Names<Value>& names, const std::string& text) {
-    std::string known;
-    for (const auto& [name, value] : names) {
-        if (text == name) return value;
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    throw std::invalid_argument("\"" + text + "\" is none of " + known);
-}
-
-template <typename Value>
-const char* nameOf(const Names<Value>& names, Value wanted) {
-    for (const auto& [name, value] : names)
-        if (value == wanted) return name;
-    return "";
-}
-
-std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high) {
-    std::uint32_t value = 0;
-    if (parseNumber(text, value) && value >= low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a whole number from " + std::to_string(low) + " to " +
-                                std::to_string(high));
-}
-
-std::pair<std::uint32_t, std::uint32_t> parseSize(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    std::uint32_t width = 0, height = 0;
-    if (cross != std::string::npos && parseNumber(text.substr(0, cross), width) &&
-        parseNumber(text.substr(cross + 1), height) && width >= 1 && height >= 1 && width <= kMaxSize &&
-        height <= kMaxSize)
-        return {width, height};
-    throw std::invalid_argument("\"" + text + "\" is not WxH with 1 to " + std::to_string(kMaxSize) + " pixels each");
-}
-
-double parseAngle(const std::string& text) {
-    double value = 0;
-    if (parseNumber(text, value) && value > 0 && value < 180) return value;
-    throw std::invalid_argument("\"" + text + "\" is not an angle above 0 and below 180 degrees");
-}
-
-float parseShare(const std::string& text) {
-    float value = 0;
-    if (parseNumber(text, value) && value >= 0 && value <= 1) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a number from 0 to 1");
-}
+constexpr double kMaxSeconds = 1e7; // a third of a year
+constexpr double kMaxExposure = 20; // stops: a factor of a million
+const Names<DenoiseChoice> kDenoiseNames = {
+    {"on", DenoiseChoice::kOn}, {"off", DenoiseChoice::kOff}, {"auto", DenoiseChoice::kAuto}};
 
 std::string parseOutput(const std::string& path) {
     if (path.ends_with(".png") || path.ends_with(".exr")) return path;
@@ -123,7 +59,9 @@ std::string choiceText(const Names<Value>& names, Value value) {
 void addImageOptions(CLI::App& app, Options& options) {
     app.option_defaults()->group("Image");
     RenderSettings& render = options.render;
-    add(app, "-o,--output", "FILE", "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits)",
+    SceneChoices& choices = options.choices;
+    add(app, "-o,--output", "FILE",
+        "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light)",
         [&](const std::string& text) {
             options.output = parseOutput(text);
             options.render.first_hits = text.ends_with(".exr");
@@ -131,12 +69,33 @@ void addImageOptions(CLI::App& app, Options& options) {
     add(app, "--size", "WxH",
         "Image size in pixels (default " + std::to_string(render.width) + "x" + std::to_string(render.height) +
             ", each 1 to " + std::to_string(kMaxSize) + ")",
-        [&](const std::string& text) { std::tie(render.width, render.height) = parseSize(text); });
+        [&](const std::string& text) { std::tie(choices.width, choices.height) = parseSize(text, kMaxSize); });
     add(app, "--spp", "N", "Samples a pixel; 1 samples its centre" + rangeText(render.spp, 1, kMaxSpp),
-        [&](const std::string& text) { render.spp = parseCount(text, 1, kMaxSpp); });
+        [&](const std::string& text) { choices.spp = parseCount(text, 1, kMaxSpp); });
     const std::uint32_t max_seed = std::numeric_limits<std::uint32_t>::max();
     add(app, "--seed", "N", "Of the random numbers" + rangeText(render.seed, 0, max_seed),
         [&render, max_seed](const std::string& text) { render.seed = parseCount(text, 0, max_seed); });
+    add(app, "--denoise", "on|off|auto",
+        "Filter the noise out: a guess, for previews (default auto: PNG of soft light with fewer than 256 samples)",
+        [&](const std::string& text) { options.denoise = parseName(kDenoiseNames, text); });
+    add(app, "--exposure", "STOPS", "Brighten a PNG by 2^STOPS (default 0, -20 to 20)", [&](const std::string& text) {
+        options.exposure = static_cast<float>(parseReal(text, -kMaxExposure, kMaxExposure));
+    });
+}
+
+/// With one of these --spp is the most, and what a scene file says of samples is not asked.
+void addQualityOptions(CLI::App& app, Options& options) {
+    app.option_defaults()->group("How long");
+    add(app, "--time-limit", "SECONDS",
+        "Samples until the time is up, one at least (default: none; with it --spp is the most, and without --spp " +
+            std::to_string(kMaxSpp) + " are)",
+        [&](const std::string& text) { options.limits.seconds = parseRealAbove(text, 0, kMaxSeconds); });
+    add(app, "--noise", "TARGET",
+        "Samples until the relative noise of the picture is this or less, such as 0.02 (default: none; --spp as above)",
+        [&](const std::string& text) { options.limits.noise = parseRealAbove(text, 0, 1); });
+    app.add_flag("--resume", options.resume,
+                 "Go on with the film in -o FILE.exr up to --spp samples in all; a new one where there is no such file "
+                 "(default: off)");
 }
 
 void addCameraOptions(CLI::App& app, Options& options) {
@@ -151,29 +110,32 @@ void addCameraOptions(CLI::App& app, Options& options) {
     char fov[16];
     std::snprintf(fov, sizeof fov, "%g", camera.fov_deg);
     add(app, "--fov", "DEG", std::string("Vertical field of view (default ") + fov + ", above 0 and below 180)",
-        [&](const std::string& text) { camera.fov_deg = parseAngle(text); });
+        [&](const std::string& text) { options.choices.fov_deg = parseAngle(text); });
 }
 
 void addSceneOptions(CLI::App& app, Options& options) {
     app.option_defaults()->group("Light and surfaces");
     RenderSettings& render = options.render;
-    add(app, "--integrator", "NAME", choiceText(kIntegrators, render.integrator),
-        [&](const std::string& text) { render.integrator = parseName(kIntegrators, text); });
+    add(app, "--integrator", "NAME", choiceText(kIntegratorNames, render.integrator),
+        [&](const std::string& text) { options.choices.integrator = parseName(kIntegratorNames, text); });
     add(app, "--bounces", "N", "Secondary rays in a path at most" + rangeText(render.bounces, 0, kMaxBounces),
-        [&](const std::string& text) { render.bounces = parseCount(text, 0, kMaxBounces); });
+        [&](const std::string& text) { options.choices.bounces = parseCount(text, 0, kMaxBounces); });
     add(app, "--room", "NAME",
         "A box around the scene: none, mirror, matte (default: none; without --lights too, and without lights in the "
         "scene, a studio of three lamps over a floor)",
-        [&](const std::string& text) { render.room = parseName(kRooms, text); });
+        [&](const std::string& text) { render.room = parseName(kRoomNames, text); });
     add(app, "--lights", "N",
         "Point lights on a ring above the scene (default 3 with --room, 0 to " + std::to_string(kMaxLights) + ")",
         [&](const std::string& text) { render.lights = parseCount(text, 0, kMaxLights); });
-    add(app, "--shadows", "on|off", "Shadow rays" + defaultText(nameOf(kSwitch, render.shadows)),
-        [&](const std::string& text) { render.shadows = parseName(kSwitch, text); });
-    add(app, "--blend", "on|off", "Blend overlapping splats" + defaultText(nameOf(kSwitch, render.blend)),
-        [&](const std::string& text) { render.blend = parseName(kSwitch, text); });
+    add(app, "--shadows", "on|off", "Shadow rays" + defaultText(nameOf(kSwitchNames, render.shadows)),
+        [&](const std::string& text) { render.shadows = parseName(kSwitchNames, text); });
+    add(app, "--blend", "on|off", "Blend overlapping splats" + defaultText(nameOf(kSwitchNames, render.blend)),
+        [&](const std::string& text) { render.blend = parseName(kSwitchNames, text); });
+    add(app, "--caustics", "on|off",
+        "Light bundled by glass and mirrors" + defaultText(nameOf(kSwitchNames, render.caustics)),
+        [&](const std::string& text) { render.caustics = parseName(kSwitchNames, text); });
     add(app, "--reflectivity", "R", "Of every surface, 0 matte to 1 mirror (default: each material's own)",
-        [&](const std::string& text) { render.reflectivity = parseShare(text); });
+        [&](const std::string& text) { render.reflectivity = static_cast<float>(parseReal(text, 0, 1)); });
 }
 
 void addRunOptions(CLI::App& app, Options& options) {
@@ -194,9 +156,18 @@ void addRunOptions(CLI::App& app, Options& options) {
     app.set_help_flag("-h,--help", "Print this help and end");
 }
 
+void requireOutput(const Options& options, bool given, const char* option, const char* suffix) {
+    if (given && !options.output.ends_with(suffix))
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with -o FILE" + suffix};
+}
+
 void requireTask(const Options& options) {
     if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
     if (options.list_devices) return;
+    requireOutput(options, options.resume, "--resume", ".exr");
+    requireOutput(options, options.exposure.has_value(), "--exposure", ".png");
+    if (options.resume && options.bench_frames != 0)
+        throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
     if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene given; --help lists the options"};
     if (options.output.empty() && options.bench_frames == 0)
         throw Error{ExitCode::kBadUsage, "this build has no window yet; -o FILE.png or -o FILE.exr renders to a file"};
@@ -204,28 +175,23 @@ void requireTask(const Options& options) {
 
 } // namespace
 
-Vec3 parseVector(const std::string& text) {
-    double values[3] = {};
-    std::size_t start = 0;
-    for (int i = 0; i < 3; ++i) {
-        const std::size_t comma = text.find(',', start);
-        const bool last = comma == std::string::npos;
-        if (last != (i == 2) || !parseNumber(text.substr(start, comma - start), values[i]) || !std::isfinite(values[i]))
-            throw std::invalid_argument("\"" + text + "\" is not X,Y,Z with three finite numbers");
-        start = comma + 1;
-    }
-    return {values[0], values[1], values[2]};
-}
-
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
-    CLI::App app("Renders a .pro scene by tracing rays on a Vulkan device.", "pointrt-view");
+    CLI::App app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
     app.get_formatter()->column_width(26);
     app.footer(
         "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
+        "Ctrl-C while FILE.exr is rendered: the sample under way is finished and the film saved, for --resume; the "
+        "exit\n"
+        "status is the signal's all the same. A second Ctrl-C ends at once.\n"
         "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("SCENE", options.scene, "The scene, FILE.pro")->type_name("")->group("Scene");
+    app.add_option(
+           "SCENE", options.scene,
+           "FILE.pro as pointrt-bake wrote it, or a scene file FILE.toml (docs/SCENES.md), which the options overrule")
+        ->type_name("")
+        ->group("Scene");
     addImageOptions(app, options);
+    addQualityOptions(app, options);
     addCameraOptions(app, options);
     addSceneOptions(app, options);
     addRunOptions(app, options);

@@ -2,7 +2,9 @@
 #include "runtime/programs.h"
 
 #include "shaders/beam.spv.h"
+#include "shaders/caustic.spv.h"
 #include "shaders/light.spv.h"
+#include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
 #include "shaders/shade.spv.h"
 #include "shaders/shadow.spv.h"
@@ -45,6 +47,10 @@ Programs createPrograms(Device& device, const StagedScene& scene) {
     programs.shade = createProgram(device, "shade", shade_spv, {0, 0, picture});
     programs.shadow_shapes = createProgram(device, "shadow_shapes", shadow_shapes_spv, {0, 0, picture});
     programs.light = createProgram(device, "light", light_spv, {0, 0, picture});
+    if (castsCaustics(scene)) {
+        programs.photon = createProgram(device, "photon", photon_spv, {0, 0, picture});
+        programs.caustic = createProgram(device, "caustic", caustic_spv, {0, 0, picture});
+    }
     for (const Instance& instance : scene.instances) {
         const Kind kind = kindOf(scene, instance);
         auto& variant = programs.variants[slotOf(kind)];
@@ -55,7 +61,7 @@ Programs createPrograms(Device& device, const StagedScene& scene) {
 
 void destroyPrograms(Device& device, Programs& programs) {
     for (Program* program : {&programs.prepare, &programs.trace_shapes, &programs.beam, &programs.shade,
-                             &programs.shadow_shapes, &programs.light})
+                             &programs.shadow_shapes, &programs.light, &programs.photon, &programs.caustic})
         destroyProgram(device, *program);
     for (auto& variant : programs.variants)
         if (variant)

@@ -17,7 +17,7 @@ struct InstancePrograms {
 
 /// All declare the same bindings (shaders/bindings.glsl).
 struct Programs {
-    Program prepare, trace_shapes, beam, shade, shadow_shapes, light;
+    Program prepare, trace_shapes, beam, shade, shadow_shapes, light, photon, caustic;
     std::array<std::optional<InstancePrograms>, 4> variants;
 };
 

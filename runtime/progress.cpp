@@ -23,18 +23,20 @@ Progress::Progress(bool quiet, bool verbose) : start_(std::chrono::steady_clock:
         style_ = Style::kLines;
 }
 
-void Progress::update(double share) {
+void Progress::update(double share, const std::string& detail) {
     if (style_ == Style::kNone || !(share > 0)) return;
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
     if (style_ == Style::kRedrawn && now - start_ >= kPatience && now - drawn_ >= kRedraw) {
-        std::fprintf(stderr, "%srendering %3.0f%%, %.0f s left", kWipe, 100 * share, left);
+        std::fprintf(stderr, "%srendering %3.0f%%, %.0f s left%s%s", kWipe, 100 * share, left,
+                     detail.empty() ? "" : ", ", detail.c_str());
         drawn_ = now;
         on_screen_ = true;
     }
     const int tenths = static_cast<int>(10 * share);
     if (style_ == Style::kLines && tenths > tenths_) {
-        std::fprintf(stderr, "rendering %d%%, %.1f s left\n", 10 * tenths, left);
+        std::fprintf(stderr, "rendering %d%%, %.1f s left%s%s\n", 10 * tenths, left, detail.empty() ? "" : ", ",
+                     detail.c_str());
         tenths_ = tenths;
     }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace pointrt {
 
@@ -10,8 +11,8 @@ namespace pointrt {
 class Progress {
 public:
     Progress(bool quiet, bool verbose);
-    /// share in [0, 1]. Cheap enough for every dispatch.
-    void update(double share);
+    /// share in [0, 1]; detail follows the time left. Cheap enough for every dispatch.
+    void update(double share, const std::string& detail = {});
     /// Wipes the redrawn line.
     void finish();
 

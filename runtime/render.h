@@ -31,10 +31,11 @@ struct RenderSettings {
     std::uint32_t seed = 0;
     CameraRequest camera;
     Integrator integrator = Integrator::kPhong;
-    std::uint32_t bounces = 4; ///< secondary rays in a path, 0 to 64
+    std::uint32_t bounces = 4;           ///< secondary rays in a path, 0 to 64
     std::optional<Room> room;            ///< a box around the scene
     std::optional<std::uint32_t> lights; ///< point lights on the ring, 0 to 16
     bool shadows = true;
+    bool caustics = true;              ///< light bundled by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
     bool first_hits = false;           ///< also fill the Film's depth, normal and position

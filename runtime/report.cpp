@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -51,6 +52,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string number(double value) {
+    if (!std::isfinite(value)) return "null";
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
@@ -89,14 +91,18 @@ std::string reportJson(const Report& report) {
     return object({{"device", quoted(report.device)},
                    {"width", std::to_string(report.width)},
                    {"height", std::to_string(report.height)},
+                   {"integrator", quoted(report.integrator)},
                    {"spp", std::to_string(report.spp)},
+                   {"samples", std::to_string(report.samples)},
+                   {"noise", number(report.noise)},
                    {"splats", std::to_string(report.splats)},
                    {"device_bytes", std::to_string(report.device_bytes)},
                    {"load_seconds", number(report.load_seconds)},
                    {"first_frame_seconds", number(report.first_frame_seconds)},
                    {"frame_ms", times},
+                   {"denoise_ms", number(report.denoise_ms)},
                    {"rays", rays},
-                   {"mrays_per_second", number(static_cast<double>(all_rays) / (1e3 * middle))}});
+                   {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
 }
 
 void writeText(const std::string& path, const std::string& text) {

@@ -12,16 +12,22 @@ namespace pointrt {
 
 struct Report {
     std::string device;
-    std::uint32_t width = 0, height = 0, spp = 0;
+    std::string integrator;
+    std::uint32_t width = 0, height = 0;
+    std::uint32_t spp = 0;     ///< asked for, the most
+    std::uint32_t samples = 0; ///< a pixel has, the fewest, with those of earlier runs
+    double noise = 0;          ///< relativeNoise of the picture before denoising; JSON null where not finite
     std::uint64_t splats = 0;
     std::uint64_t device_bytes = 0;
     double load_seconds = 0;        ///< from opening the file to ready
     double first_frame_seconds = 0; ///< from the start of the process to the first finished frame
     std::vector<double> frame_ms;   ///< of each measured frame, at least one
+    double denoise_ms = 0;          ///< of denoising the picture, with setting the filter up; 0: was not
     RayCounts rays;                 ///< of one frame
 };
 
-/// A JSON object with the report's fields; frame_ms as min, median and max, mrays_per_second of the median frame.
+/// A JSON object with the report's fields; frame_ms as min, median and max, mrays_per_second of the median frame
+/// (0 where no ray was traced).
 std::string reportJson(const Report& report);
 
 /// text to path, or to standard output for "-". Throws Error kCannotWrite "PATH: reason".

@@ -55,9 +55,9 @@ struct Placement {
 };
 
 struct InstanceDescription {
-    std::string path;                      ///< of the .pro, ready to open
+    std::string path; ///< of the .pro, ready to open
     Placement placement;
-    std::optional<std::uint32_t> material; ///< for all its splats, in place of the file's rows
+    std::optional<std::uint32_t> material;   ///< for all its splats, in place of the file's rows
     std::vector<MaterialOverride> overrides; ///< later ones win; at most 8 colour ranges
 };
 
@@ -84,9 +84,9 @@ struct SpotLight {
     Color intensity;
 };
 struct SunLight {
-    Vec3 towards; ///< unit vector to the sun
+    Vec3 towards;               ///< unit vector to the sun
     double radius_deg = 0.2665; ///< angular radius of its disc, 0 to 45; 0 gives hard shadows
-    Color irradiance; ///< on a surface that faces it
+    Color irradiance;           ///< on a surface that faces it
 };
 struct SphereLight {
     Vec3 center;
@@ -104,9 +104,9 @@ using LightDescription = std::variant<PointLight, SpotLight, SunLight, SphereLig
 /// Radiance from all around.
 struct SkyDescription {
     Color zenith{0.46f, 0.52f, 0.62f}, horizon{0.82f, 0.83f, 0.84f}, ground{0.30f, 0.29f, 0.28f};
-    std::string image;     ///< path of an equirectangular .hdr or .exr in place of the colours; empty: none
+    std::string image;       ///< path of an equirectangular .hdr or .exr in place of the colours; empty: none
     double rotation_deg = 0; ///< of the image about the up axis
-    float strength = 1;    ///< multiplies all of it
+    float strength = 1;      ///< multiplies all of it
     /// Share of the sky's light that phong and whitted take as ambient.
     float ambient = 0.16f;
 };

@@ -79,7 +79,7 @@ class Furnisher {
 public:
     Furnisher(const StagedScene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {
         for (const MaterialDescription& material : scene.description.materials) add(material);
-        for (const ShapeDescription& shape : scene.description.shapes) shapes.push_back(packShape(scene.stage, shape));
+        for (const ShapeDescription& shape : scene.description.shapes) addShape(shape);
         for (const LightDescription& light : scene.description.lights) addLight(light);
     }
 
@@ -96,13 +96,43 @@ public:
         instance.params.materials.y = first;
         instance.params.materials.z = 0;
         for (const MaterialOverride& each : description.overrides) applyOverride(each, file, instance.params);
+        instance.params.materials.w = castsCaustics(first, instance.params) ? 1 : 0;
     }
 
     std::vector<gpu::Material> materials;
     std::vector<gpu::Shape> shapes;
     std::vector<gpu::Light> lights;
+    std::vector<bool> casting_shapes; ///< of the description's
 
 private:
+    /// Mirrors and glass do, and are asked to.
+    bool bundlesLight(const gpu::Material& material) const {
+        const auto kind = static_cast<int>(material.gloss.x);
+        const bool mirrors = kind == MATERIAL_MATTE && material.gloss.w > 0;
+        return settings_.caustics && (kind == MATERIAL_MIRROR || kind == MATERIAL_GLASS || mirrors);
+    }
+
+    bool castsCaustics(std::uint32_t first, const gpu::InstanceParams& params) const {
+        bool casts = std::any_of(materials.begin() + first, materials.end(),
+                                 [&](const gpu::Material& material) { return bundlesLight(material); });
+        for (std::uint32_t r = 0; r < params.materials.z; ++r)
+            casts |= bundlesLight(materials[params.color_range[r].z]);
+        return casts;
+    }
+
+    /// Planes are endless, and boxes around the scene (rooms) throw no caustics: photons have to be sent somewhere.
+    void addShape(const ShapeDescription& description) {
+        gpu::Shape shape = packShape(scene_.stage, description);
+        const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
+        const double size = length(description.u) + length(description.v) + length(description.w);
+        const bool room = description.kind == ShapeKind::kBox && size > 2 * length(half);
+        const bool casts =
+            description.kind != ShapeKind::kPlane && !room && bundlesLight(materials.at(description.material));
+        if (casts) shape.kind.z |= SHAPE_CASTS_CAUSTICS;
+        casting_shapes.push_back(casts);
+        shapes.push_back(shape);
+    }
+
     void add(const MaterialDescription& material) { materials.push_back(packMaterial(scene_.stage, material)); }
 
     /// Lamps with an area are shapes as well, with a material that names their light.
@@ -210,9 +240,7 @@ void furnishScene(Device& device, StagedScene& scene, const RenderSettings& sett
         rows.addInstance(scene.description.instances[i], instance);
         uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
     }
-    scene.splits_rays = std::any_of(rows.materials.begin(), rows.materials.end(), [](const gpu::Material& material) {
-        return material.gloss.x == static_cast<float>(MATERIAL_GLASS);
-    });
+    scene.casting_shapes = rows.casting_shapes;
     scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
     furnishSky(device, scene, settings, rows.lights);
     scene.light_rows = rows.lights;
@@ -220,6 +248,13 @@ void furnishScene(Device& device, StagedScene& scene, const RenderSettings& sett
     replaceBuffer(device, scene.shapes, "shape buffer", std::move(rows.shapes));
     replaceBuffer(device, scene.lights, "light buffer", std::move(rows.lights));
     replaceBuffer(device, scene.ggx_albedo, "GGX table", ggxAlbedoTable(), VK_FORMAT_R32G32_SFLOAT);
+}
+
+bool castsCaustics(const StagedScene& scene) {
+    const auto casts = [](const Instance& instance) { return instance.params.materials.w != 0; };
+    const std::vector<bool>& shapes = scene.casting_shapes;
+    return !scene.light_rows.empty() && (std::any_of(scene.instances.begin(), scene.instances.end(), casts) ||
+                                         std::find(shapes.begin(), shapes.end(), true) != shapes.end());
 }
 
 std::vector<BufferBinding> instanceBindings(const StagedScene& scene, const Instance& instance) {

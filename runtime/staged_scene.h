@@ -28,10 +28,10 @@ struct StagedScene {
     Stage stage;
     std::vector<Scene> files; ///< each .pro once, however often it stands in the scene
     std::vector<Instance> instances;
-    Instance blank;           ///< stands for them in the bindings of scenes without any
-    Bounds bounds;            ///< of the instances; without any, of what shapes are bounded
-    bool splits_rays = false; ///< some surface both reflects and refracts
+    Instance blank; ///< stands for them in the bindings of scenes without any
+    Bounds bounds;  ///< of the instances; without any, of what shapes are bounded
     std::vector<gpu::Light> light_rows;
+    std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
     std::uint32_t shape_count = 0;
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
     gpu::EnvironmentFrame environment{}; ///< of that picture
@@ -47,6 +47,9 @@ StagedScene openScene(Device& device, SceneDescription description, bool verbose
 /// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before.
 /// Throws Error kBadInput where the sky's picture cannot be read.
 void furnishScene(Device& device, StagedScene& scene, const RenderSettings& settings);
+
+/// Whether anything throws caustics, and there are lights for it.
+bool castsCaustics(const StagedScene& scene);
 
 /// The buffers of an instance, or of scene.blank, at their places in shaders/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const StagedScene& scene, const Instance& instance);

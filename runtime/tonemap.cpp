@@ -36,11 +36,12 @@ std::uint8_t encodeSrgb(float linear) {
     return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
 }
 
-Image8 developFilm(const Film& film) {
+Image8 developFilm(const Film& film, float stops) {
+    const float gain = std::exp2(stops);
     Image8 image{film.width, film.height, 3, {}};
     image.pixels.reserve(film.rgba.size() / 4 * image.channels);
     for (std::size_t i = 0; i < film.rgba.size(); i += 4)
-        for (const float channel : toneMap({film.rgba[i], film.rgba[i + 1], film.rgba[i + 2]}))
+        for (const float channel : toneMap({gain * film.rgba[i], gain * film.rgba[i + 1], gain * film.rgba[i + 2]}))
             image.pixels.push_back(encodeSrgb(channel));
     return image;
 }

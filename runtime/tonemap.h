@@ -18,7 +18,7 @@ std::array<float, 3> toneMap(std::array<float, 3> linear);
 /// The sRGB transfer function (IEC 61966-2-1), rounded to 8 bits; linear is clamped to [0, 1].
 std::uint8_t encodeSrgb(float linear);
 
-/// The film's colours as RGB: the background is part of the picture; alpha goes to EXR only.
-Image8 developFilm(const Film& film);
+/// The film's colours, times 2^stops, as RGB: the background is part of the picture; alpha goes to EXR only.
+Image8 developFilm(const Film& film, float stops = 0);
 
 } // namespace pointrt

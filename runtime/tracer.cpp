@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "runtime/caustics.h"
 #include "runtime/film_readout.h"
 #include "runtime/frame_buffers.h"
 #include "runtime/frame_params.h"
@@ -19,6 +21,9 @@ namespace {
 /// Pixels in flight: their states take about 500 bytes each, no more than 128 in any buffer, so that none nears the 128
 /// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
+
+/// Photons that set out for a picture: what a core traces in a second or two.
+constexpr std::uint32_t kPhotons = 1u << 20;
 
 /// An instance with what it is traced by.
 struct Target {
@@ -35,6 +40,7 @@ struct TracerState {
     std::uint32_t band_rows = 0;
     Programs programs;
     FrameBuffers buffers;
+    CausticMap caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<Target> targets;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< for what looks at no instance
@@ -52,6 +58,8 @@ void createBindings(Device& device, TracerState& state) {
         std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
         const std::vector<BufferBinding> frame = frameBindings(state.buffers);
         bindings.insert(bindings.end(), frame.begin(), frame.end());
+        const std::vector<BufferBinding> caustics = causticBindings(state.caustics);
+        bindings.insert(bindings.end(), caustics.begin(), caustics.end());
         return createDescriptorSet(device, state.pool, state.programs.shade, bindings);
     };
     for (const Instance& instance : scene.instances)
@@ -102,6 +110,7 @@ private:
         if (state_.settings.shadows)
             for (const Target& target : state_.targets) overLit(target.programs->shadow, target.set, index, bits);
         overLit(state_.programs.light, state_.set, index, bits);
+        if (state_.caustics.frame.count.x > 0) overLit(state_.programs.caustic, state_.set, index, bits);
     }
 
     /// First hits of the camera rays.
@@ -149,6 +158,8 @@ private:
     std::uint32_t lanes_, sample_, center_;
 };
 
+bool showsLight(Integrator integrator) { return integrator != Integrator::kNormal && integrator != Integrator::kDepth; }
+
 gpu::Control readControl(Device& device, const TracerState& state) {
     gpu::Control control{};
     downloadBuffer(device, state.buffers.control, &control, sizeof control);
@@ -177,6 +188,15 @@ void renderSample(Device& device, const TracerState& state, std::uint32_t rows, 
     counts.secondary += control.traced.z;
 }
 
+/// Puts what the film has of a band on the device.
+void openBand(Device& device, TracerState& state, const FrameBand& band) {
+    gpu::FrameParams params =
+        makeFrameParams(*state.scene, state.settings, state.camera, band.band.first_row, band.band.rows);
+    params.caustics = state.caustics.frame;
+    uploadBuffer(device, state.buffers.params, &params, sizeof params);
+    if (band.samples > 0) restoreLight(device, state.buffers, band.band, band.samples, state.result);
+}
+
 } // namespace
 
 Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettings& settings, const Camera& camera) {
@@ -189,6 +209,9 @@ Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettin
     try {
         state.buffers = createFrameBuffers(device, settings.width, state.band_rows);
         state.programs = createPrograms(device, scene);
+        state.caustics = castsCaustics(scene) && showsLight(settings.integrator)
+                             ? buildCaustics(device, scene, state.programs, kPhotons)
+                             : emptyCaustics(device);
         createBindings(device, state);
     } catch (...) {
         destroyTracer(device, tracer);
@@ -197,7 +220,10 @@ Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettin
     return tracer;
 }
 
-std::uint64_t deviceBytes(const Tracer& tracer) { return tracer.state->buffers.device_bytes; }
+std::uint64_t deviceBytes(const Tracer& tracer) {
+    const CausticMap& caustics = tracer.state->caustics;
+    return tracer.state->buffers.device_bytes + caustics.photons.bytes + caustics.buckets.bytes;
+}
 
 void destroyTracer(Device& device, Tracer& tracer) {
     if (!tracer.state) return;
@@ -205,28 +231,39 @@ void destroyTracer(Device& device, Tracer& tracer) {
     destroyPrograms(device, state.programs);
     destroyDescriptorPool(device, state.pool);
     destroyFrameBuffers(device, state.buffers);
+    destroyCaustics(device, state.caustics);
     tracer.state.reset();
 }
 
 RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double)>& progress) {
+    FrameJob job;
+    job.samples = tracer.state->settings.spp;
+    if (progress) job.progress = [&](const FrameState&, double share) { progress(share); };
+    RayCounts counts;
+    renderUntil(device, tracer, job, nullptr, counts);
+    return counts;
+}
+
+FrameState renderUntil(Device& device, Tracer& tracer, const FrameJob& job, const Film* start, RayCounts& counts) {
     TracerState& state = *tracer.state;
     const RenderSettings& settings = state.settings;
-    RayCounts counts;
-    allocateFilm(settings, state.result);
-    for (std::uint32_t row = 0; row < settings.height; row += state.band_rows) {
-        const Band band{row, std::min(state.band_rows, settings.height - row)};
-        const gpu::FrameParams params = makeFrameParams(*state.scene, settings, state.camera, row, band.rows);
-        uploadBuffer(device, state.buffers.params, &params, sizeof params);
-        for (std::uint32_t s = 0; s < settings.spp; ++s) {
-            renderSample(device, state, band.rows, s, counts);
-            const double bands_done = row + static_cast<double>(band.rows) * (s + 1) / settings.spp;
-            if (progress) progress(bands_done / settings.height);
-        }
-        storeLight(device, state.buffers, band, settings.spp, state.result);
-        if (settings.first_hits)
-            storeFirstHits(device, state.buffers, band, *state.scene, settings, state.camera, state.result);
-    }
-    return counts;
+    if (start)
+        state.result = *start;
+    else
+        allocateFilm(settings, state.result);
+    FrameSteps steps;
+    steps.open = [&](const FrameBand& band) { openBand(device, state, band); };
+    steps.trace = [&](const FrameBand& band) { renderSample(device, state, band.band.rows, band.samples, counts); };
+    steps.store = [&](const FrameBand& band, bool was_new) {
+        storeLight(device, state.buffers, band.band, band.samples, state.result);
+        if (was_new && settings.first_hits)
+            storeFirstHits(device, state.buffers, band.band, *state.scene, settings, state.camera, state.result);
+    };
+    steps.noise = [&] { return relativeNoise(state.result); };
+    steps.seconds = [] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    };
+    return runFrame(job, frameBands(state.result, state.band_rows), steps);
 }
 
 const Film& readFilm(const Tracer& tracer) { return tracer.state->result; }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "runtime/device.h"
+#include "runtime/frame_loop.h"
 #include "runtime/render.h"
 #include "runtime/staged_scene.h"
 
@@ -24,6 +25,10 @@ void destroyTracer(Device& device, Tracer& tracer);
 
 /// Renders every sample from scratch and returns the rays it counted. progress gets the share done in [0, 1].
 RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double share)>& progress);
+
+/// Goes on with the film start, or begins one without, until job (of settings.spp samples) is done or interrupted; adds
+/// the rays to counts. start must come from the same scene, settings and camera.
+FrameState renderUntil(Device& device, Tracer& tracer, const FrameJob& job, const Film* start, RayCounts& counts);
 
 /// The picture of the last frame; with settings.first_hits also the first-hit channels, in input units.
 const Film& readFilm(const Tracer& tracer);

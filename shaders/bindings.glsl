@@ -25,6 +25,8 @@ layout(set = 0, binding = 24) uniform usamplerBuffer light_texels;
 layout(set = 0, binding = 28) uniform samplerBuffer ggx_albedo; // runtime/ggx_albedo.h
 layout(set = 0, binding = 29) uniform samplerBuffer environment_texels; // runtime/environment.h
 layout(set = 0, binding = 30) uniform samplerBuffer environment_cdf;
+layout(set = 0, binding = 31) uniform usamplerBuffer photon_texels;
+layout(set = 0, binding = 32) uniform usamplerBuffer photon_buckets;
 
 // The frame's.
 layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams params; };
@@ -44,6 +46,7 @@ layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
 layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
 layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it
 layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // DEFERRED_MOST a pixel
+layout(std430, set = 0, binding = 33) buffer PhotonBuffer { Photon photons[]; }; // being traced
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
@@ -55,6 +58,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
+#define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
+#define loadPhotonBucket(i) texelFetch(photon_buckets, int(i)).x
 #define loadGgxAlbedo(i) texelFetch(ggx_albedo, int(i)).xy
 #define loadEnvironmentTexel(i) texelFetch(environment_texels, int(i))
 #define loadEnvironmentCdf(i) texelFetch(environment_cdf, int(i)).x

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Denoiser, third pass: how much a pixel's light can be trusted. A pixel's own estimate from a few samples is noise
-// itself and is averaged with its neighbours'; where there is none the light's spread among them stands in.
+// itself and is averaged with its neighbours', as deviation, so that a few uncertain pixels (an edge in a mirrored
+// picture) do not count for all around; where there is none the light's spread among the neighbours stands in.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "denoise_grid.glsl"
@@ -30,7 +31,7 @@ void main() {
     DenoiseSurface center = unpackSurface(texelFetch(surface_texels, texel));
     vec2 slope = texelFetch(slope_texels, texel).xy;
     float own = luminance(light.rgb);
-    float total = 1.0, variances = light.a, sum = 0.0, squares = 0.0; // of differences to the pixel's own light
+    float total = 1.0, deviations = sqrt(light.a), sum = 0.0, squares = 0.0; // of differences to the pixel's own light
     ivec2 at = ivec2(-kReach);
     while (at.y <= kReach) {
         ivec2 other = pixel + at;
@@ -41,13 +42,13 @@ void main() {
         float weight = counts ? exp(-surfaceDistance(center, slope, surface, vec2(at), angles.x)) : 0.0;
         float difference = luminance(tap_light.rgb) - own;
         total += weight;
-        variances += weight * tap_light.a;
+        deviations += weight * sqrt(tap_light.a);
         sum += weight * difference;
         squares += weight * difference * difference;
         at.x += 2;
         if (at.x > kReach) at = ivec2(-kReach, at.y + 2);
     }
     float mean = sum / total;
-    float spread = max(0.0, squares / total - mean * mean);
-    lights[texel] = vec4(light.rgb, KNOWS_VARIANCE != 0u ? variances / total : spread);
+    float spread = max(0.0, squares / total - mean * mean), deviation = deviations / total;
+    lights[texel] = vec4(light.rgb, KNOWS_VARIANCE != 0u ? deviation * deviation : spread);
 }

@@ -5,10 +5,12 @@
 
 #ifdef __cplusplus
 #include "shaders/environment_layout.h"
+#include "shaders/photon_layout.h"
 #include "shaders/scene_layout.h"
 namespace pointrt::gpu {
 #else
 #include "environment_layout.h"
+#include "photon_layout.h"
 #include "scene_layout.h"
 #endif
 
@@ -50,6 +52,7 @@ struct FrameParams {
     uvec4 scene;     // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no picture
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, w: seed
     EnvironmentFrame environment;
+    CausticFrame caustics;
 };
 
 // Counters and the group counts of indirect dispatches.
@@ -73,6 +76,7 @@ struct PathState {
 #define PATH_DEFERRED_MASK 0xFu
 #define PATH_DIFFUSED 0x1000u   // it was scattered by more than mirrors and glass
 #define PATH_INSIDE 0x2000u     // in glass whose normals tell no sides
+#define PATH_CAUSTIC 0x4000u    // what it finds of lamps, photons have brought
 #define PATH_OWNER_SHIFT 24u    // whose surface it left, NO_OWNER at the eye
 #define NO_OWNER 254u
 
@@ -84,7 +88,7 @@ struct SurfacePoint {
     vec4 position; // w: mean radius of the splats around, 0 on shapes
     vec4 normal;   // towards the viewer; w: as bits, material and SURFACE_BACK
     vec4 albedo;   // linear; w: distance along the ray
-    uvec4 id;      // x: splat, y: owner
+    uvec4 id;       // x: splat, y: owner, z: 1: casts caustics
 };
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
 #define SURFACE_SIDED 0x40000000u // normals point outwards
@@ -96,7 +100,7 @@ struct LitPoint {
     vec4 normal;     // towards the viewer; w: as bits, material
     vec4 albedo;     // w: as bits, owner
     vec4 throughput; // w: as bits, the path's bounce
-    vec4 view;       // towards the viewer
+    vec4 view;       // towards the viewer; w: -1 where normal is the stored one turned round, else 1
 };
 
 // What is known of a pixel, in vectors of film, layer after layer: sums over the samples.
@@ -112,6 +116,9 @@ struct LitPoint {
 struct PushParams {
     uvec4 step; // x: sample, z: pass (0: camera rays), w: STEP_* bits
 };
+
+// A photon's target, in its direction's w as bits: an owner, with the number of a shape above it.
+#define PHOTON_SHAPE_SHIFT 8u
 
 #define STEP_CENTER 1u     // rays go through pixel centres
 #define STEP_FIRST_HIT 2u  // shading only records the first hit

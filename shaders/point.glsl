@@ -15,10 +15,11 @@ struct Point {
     uint material;
     bool sided;    // whether normals tell inside from outside; scans without oriented normals do not
     bool back;     // seen from the inside
+    bool casts;    // caustics: photons go by way of it
     vec3 albedo;
 };
 
-Point nothing() { return Point(-1.0, vec3(0.0), vec3(0.0), 0.0, NO_OWNER, NO_INDEX, 0u, true, false, vec3(0.0)); }
+Point nothing() { return Point(-1.0, vec3(0.0), vec3(0.0), 0.0, NO_OWNER, NO_INDEX, 0u, true, false, false, vec3(0.0)); }
 
 Point shapePoint(PathState path, uvec4 hit) {
     Shape shape = loadShape(hit.z);
@@ -27,14 +28,14 @@ Point shapePoint(PathState path, uvec4 hit) {
     bool back;
     vec3 normal = shapeNormal(shape, position, path.direction.xyz, back);
     return Point(t, position, normal, 0.0, OWNER_SHAPES, hit.z, shape.kind.y, true, back,
-                 loadMaterial(shape.kind.y).base.rgb);
+                 (shape.kind.z & SHAPE_CASTS_CAUSTICS) != 0u, loadMaterial(shape.kind.y).base.rgb);
 }
 
 Point splatPoint(uint index) {
     SurfacePoint s = surfaces[index];
     uint bits = floatBitsToUint(s.normal.w);
     return Point(s.albedo.w, s.position.xyz, s.normal.xyz, s.position.w, s.id.y, s.id.x, bits & SURFACE_MATERIAL_MASK,
-                 (bits & SURFACE_SIDED) != 0u, (bits & SURFACE_BACK) != 0u, s.albedo.rgb);
+                 (bits & SURFACE_SIDED) != 0u, (bits & SURFACE_BACK) != 0u, s.id.z != 0u, s.albedo.rgb);
 }
 
 Point findPoint(uint index, PathState path, uvec4 hit) {

@@ -47,6 +47,7 @@ struct Shape {
 };
 #define SHAPE_VECTORS 4
 #define SHAPE_UNSEEN_BY_CAMERA 1u // lamps that light without being seen
+#define SHAPE_CASTS_CAUSTICS 4u
 #define SHAPE_BACKDROP 2u         // not of the scene: first hits and coverage pass through it
 
 #define LIGHT_POINT 0
@@ -81,7 +82,7 @@ struct InstanceParams {
     vec4 grid_scale;   // x: entry grid cells in a cube unit, y: words in a row, z: in a layer, w: one position step in cells
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: 1 where normals are oriented
     uvec4 grid_size;   // xyz: cells, w: last word
-    uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges
+    uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };
 

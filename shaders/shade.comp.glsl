@@ -9,23 +9,12 @@
 #include "matter.glsl"
 #include "film.glsl"
 #include "sky.glsl"
-#include "offset.glsl"
-#include "shading.glsl"
+#include "next_path.glsl"
+#include "append.glsl"
 #include "shade_classic.glsl"
 #include "shade_path.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
-
-uint appendSlot(bool wants, bool lit) {
-    uvec4 ballot = subgroupBallot(wants);
-    uint total = subgroupBallotBitCount(ballot);
-    uint start = 0u;
-    if (subgroupElect() && total > 0u) {
-        if (lit) start = atomicAdd(control.queued.z, total);
-        else start = hasStep(STEP_QUEUE_ONE) ? atomicAdd(control.queued.x, total) : atomicAdd(control.queued.y, total);
-    }
-    return subgroupBroadcastFirst(start) + subgroupBallotExclusiveBitCount(ballot);
-}
 
 void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint bounce) {
     uint slot = appendSlot(wants, true);
@@ -34,31 +23,7 @@ void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint
     lit_points[index] =
         LitPoint(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
                  vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
-                 vec4(view, 0.0));
-}
-
-void appendRay(bool wants, uint index, PathState path) {
-    uint slot = appendSlot(wants, false);
-    if (!wants) return;
-    queues[rayQueueStart(!hasStep(STEP_QUEUE_ONE)) + slot] = index;
-    paths[index] = path;
-}
-
-// The path that goes on from a point along ray, with waiting rays behind it.
-PathState pathAfter(Point point, PathState path, NextRay ray, uint waiting) {
-    // light that crosses the surface leaves it on its other side
-    bool crosses = dot(point.normal, ray.direction) < 0.0;
-    float own_t;
-    vec3 origin = leaveSurface(point.position, crosses ? -point.normal : point.normal, point.radius, ray.direction, own_t);
-    uint before = pathBits(path);
-    uint bits = bounceOf(before) + 1u | waiting << PATH_DEFERRED_SHIFT | before & (PATH_DIFFUSED | PATH_INSIDE) |
-                point.owner << PATH_OWNER_SHIFT;
-    bits |= ray.pdf > 0.0 ? PATH_DIFFUSED : 0u;
-    bits ^= crosses && !isThin(loadMaterial(point.material)) ? PATH_INSIDE : 0u;
-    // as stored, so that of two sheets close to each other the other one is met
-    vec3 stored_normal = point.back ? -point.normal : point.normal;
-    return PathState(vec4(origin, own_t), vec4(ray.direction, ray.pdf), vec4(ray.weight, 0.0),
-                     vec4(stored_normal, uintBitsToFloat(bits)));
+                 vec4(view, point.back ? -1.0 : 1.0));
 }
 
 // Of two rays one is followed and the other waits; where no more can wait, chance takes one of them for both.
@@ -95,7 +60,8 @@ void recordCoverage(uint index, Point point) {
 Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matter, uint index) {
     if (params.mode.x == INTEGRATOR_NORMAL || params.mode.x == INTEGRATOR_DEPTH) return shadeView(point);
     if (params.mode.x == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
-    return shadeClassic(path, point, row, matter);
+    uint pair = dimensionPair(bounceOf(pathBits(path)), PAIR_DIRECTION);
+    return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.step.x, pair, params.mode.w));
 }
 
 void main() {

@@ -4,23 +4,25 @@
 #ifndef POINTRT_SHADERS_SHADE_CLASSIC_GLSL
 #define POINTRT_SHADERS_SHADE_CLASSIC_GLSL
 
-// Rays weaker than a display's last step are not worth their cost.
+// Of rays weaker than half a display's last step only some are followed, with this weight: chance keeps their sum.
 const float kLeastWeight = 1.0 / 512.0;
 
 // Nothing goes on past the last bounce: the sky's ambient light is shown in place of black.
-NextRay lastOrNext(vec3 direction, vec3 weight, bool last, inout vec3 added) {
+NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 added) {
     if (last) added += weight * ambientLight(direction);
-    return NextRay(direction, !last && largest(weight) > kLeastWeight ? weight : vec3(0.0), 0.0);
+    float chance = min(largest(weight) / kLeastWeight, 1.0);
+    return NextRay(direction, !last && u < chance ? weight / chance : vec3(0.0), 0.0);
 }
 
-Shading shadeClassic(PathState path, Point point, Material row, SurfaceMaterial matter) {
+// u: two numbers in [0, 1).
+Shading shadeClassic(PathState path, Point point, Material row, SurfaceMaterial matter, vec2 u) {
     vec3 throughput = path.throughput.rgb, view = -path.direction.xyz;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     SpecularPair pair = specularPair(matter, point.normal, view);
     vec3 added = throughput * (row.emission.rgb + smoothAlbedo(matter) * ambientLight(point.normal));
     bool last = bounceOf(pathBits(path)) >= params.mode.y;
-    NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, added);
-    NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, added);
+    NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
+    NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
     return Shading(added, hasSmoothLobe(matter) ? throughput : vec3(0.0), reflected, refracted);
 }
 

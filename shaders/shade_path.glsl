@@ -13,6 +13,7 @@ const uint kFirstRoulette = 3u;
 vec3 emissionSeen(PathState path, Material row) {
     uint light = floatBitsToUint(row.emission.w);
     float scatter_pdf = path.direction.w;
+    if (light != NO_LIGHT && (pathBits(path) & PATH_CAUSTIC) != 0u) return vec3(0.0);
     if (light == NO_LIGHT || scatter_pdf == 0.0) return row.emission.rgb;
     float light_pdf = lightPdf(loadLight(light), path.origin.xyz, path.direction.xyz) / float(params.scene.x);
     return row.emission.rgb * (scatter_pdf / (scatter_pdf + light_pdf));

@@ -15,7 +15,8 @@ bool isShadowed(LitPoint point, LightSample to, bool asks) {
     vec3 origin = leaveSurface(point.position.xyz, point.normal.xyz, point.position.w, to.direction, own_t);
     bool own = floatBitsToUint(point.albedo.w) == instance.materials.x;
     float t_max = asks ? to.distance * kBeforeLamp * cubeScale() : -1.0;
-    return trace(TraceRay(cubePoint(origin), cubeDirection(to.direction), 0.0, t_max, cubeDirection(point.normal.xyz),
+    vec3 stored_normal = point.normal.xyz * point.view.w;
+    return trace(TraceRay(cubePoint(origin), cubeDirection(to.direction), 0.0, t_max, cubeDirection(stored_normal),
                           own ? own_t * cubeScale() : 0.0)).near != NO_INDEX;
 }
 

@@ -40,7 +40,9 @@ LightSample sampleSky(vec2 u) {
 vec3 skySeen(PathState path) {
     vec3 direction = path.direction.xyz;
     float scatter_pdf = path.direction.w, share = 1.0;
-    if (scatter_pdf == 0.0) return skyColor(direction) + sunsSeen(direction);
+    bool sees_suns = scatter_pdf == 0.0 && (pathBits(path) & PATH_CAUSTIC) == 0u;
+    if (sees_suns) return skyColor(direction) + sunsSeen(direction);
+    if (scatter_pdf == 0.0) return skyColor(direction);
     if (kSkyPicture) {
         float light_pdf = environmentPdf(params.environment, direction) / float(params.scene.x);
         share = scatter_pdf / (scatter_pdf + light_pdf);

@@ -42,5 +42,5 @@ void main() {
     surfaces[index] = SurfacePoint(
         vec4(path.origin.xyz + t * path.direction.xyz, surface.radius / cubeScale()),
         vec4(stageDirection(surface.normal), uintBitsToFloat(material | sides)),
-        vec4(albedo, t), uvec4(surface.splat, hit.w, 0u, 0u));
+        vec4(albedo, t), uvec4(surface.splat, hit.w, instance.materials.w, 0u));
 }

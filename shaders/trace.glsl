@@ -30,7 +30,8 @@ float reachOf(uint path) {
 }
 
 // A ray in cube units and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored,
-// and where normals are not oriented on those facing the other way as well.
+// and where normals are not oriented on those facing the other way as well. Only discs that the ray crosses the way it
+// left its surface are its own: from hollows it comes back to the same surface, sooner than own_t at grazing angles.
 struct TraceRay {
     vec3 origin;
     vec3 direction;
@@ -64,6 +65,7 @@ struct Visit {
 struct CellRay {
     vec3 origin;
     vec3 direction;
+    float own_slope; // against the normal of its own surface
 };
 
 // Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
@@ -137,10 +139,12 @@ float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     uint radius_code = (words.x & NEAR_RADIUS_HIGH_MASK) << NEAR_RADIUS_LOW_BITS | (words.y & NEAR_RADIUS_LOW_MASK);
     float radius_squared = uintBitsToFloat((radius_code << NEAR_RADIUS_SHIFT) + NEAR_RADIUS_BIAS);
     vec3 to_center = center - cell_ray.origin;
-    float t = dot(normal, to_center) / dot(normal, cell_ray.direction);
+    float slope = dot(normal, cell_ray.direction);
+    float t = dot(normal, to_center) / slope;
     vec3 offset = cell_ray.direction * t - to_center;
     float facing = dot(normal, ray.own_normal);
-    bool own = t < ray.own_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal);
+    bool own = t < ray.own_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal) &&
+               slope * facing * cell_ray.own_slope > 0.0;
     return dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !own ? t : t_limit;
 }
 
@@ -176,7 +180,8 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
     bool visits = visit.cell != NO_INDEX;
     uvec2 cell = loadCell(visits ? visit.cell : 0u);
     float codes = unpackHalf2x16(cell[CELL_COUNT] >> CELL_CODES_SHIFT).x / visit.edge;
-    CellRay cell_ray = CellRay((walk.origin - visit.middle) * codes, walk.direction * codes);
+    CellRay cell_ray = CellRay((walk.origin - visit.middle) * codes, walk.direction * codes,
+                               dot(walk.direction, ray.own_normal));
     uint k = cell[CELL_FIRST], end = visits ? k + (cell[CELL_COUNT] & CELL_COUNT_MASK) : k;
     float t_before = hit.t;
     do {

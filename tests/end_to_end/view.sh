@@ -18,7 +18,7 @@ case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
     for option in -o --output --size --spp --seed --eye --target --up --fov --integrator --bounces --room --lights \
-        --shadows --device --bench --stats -q -v; do
+        --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
 }
@@ -35,6 +35,11 @@ case_wrong_usage() {
     expectError 2 "" pointrt-view scene.pro -o out/a.png --fov 180
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
+    expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0
+    expectError 2 "--noise" pointrt-view scene.pro -o out/a.png --noise -0.1
+    expectError 2 "--denoise" pointrt-view scene.pro -o out/a.png --denoise perhaps
+    expectError 2 "--resume" pointrt-view scene.pro -o out/a.png --resume
+    expectError 2 "--exposure" pointrt-view scene.pro -o out/a.exr --exposure 1
 }
 
 case_wrong_suffix() {
@@ -89,7 +94,8 @@ case_exr_channels() {
     expectDone pointrt-view scene.pro -q --size 32x32 --spp 1 -o out/a.exr
     [ "$(head -c 4 out/a.exr | od -An -t x1 | tr -d ' \n')" = 762f3101 ] || fail "not an EXR"
     head -c 2000 out/a.exr | tr '\0' '\n' >header.txt
-    for channel in R G B A Z N.X N.Y N.Z P.X P.Y P.Z; do
+    for channel in R G B A Z N.X N.Y N.Z P.X P.Y P.Z direct.R indirect.G caustic.B albedo.R id.splat id.instance \
+        samples variance; do
         grep -aqxF "$channel" header.txt || fail "no channel $channel"
     done
 }
@@ -97,7 +103,7 @@ case_exr_channels() {
 case_bench() {
     bakeSphere
     expectDone pointrt-view scene.pro --size 64x64 --spp 2 --room mirror --lights 2 --bounces 3 --bench 2
-    expectKeys stdout device width height spp splats device_bytes load_seconds first_frame_seconds frame_ms.min \
+    expectKeys stdout device width height integrator spp samples noise denoise_ms splats device_bytes load_seconds first_frame_seconds frame_ms.min \
         frame_ms.median frame_ms.max rays.primary rays.shadow rays.secondary mrays_per_second
     [ "$(jsonValue stdout rays.primary)" = $((64 * 64 * 2)) ] || fail "one primary ray for each sample was expected"
     [ "$(jsonValue stdout rays.secondary)" -gt 0 ] || fail "a mirror room without secondary rays"
@@ -109,6 +115,28 @@ case_same_seed_same_picture() {
     expectDone pointrt-view scene.pro -q --size 48x48 --spp 2 --seed 7 -o out/a.png
     expectDone pointrt-view scene.pro -q --size 48x48 --spp 2 --seed 7 -o out/b.png
     cmp out/a.png out/b.png
+}
+
+# What the denoiser and the exposure do is tested elsewhere: here, that the options reach them.
+case_denoise_and_exposure() {
+    local options="-q --size 48x48 --spp 2"
+    bakeSphere
+    # shellcheck disable=SC2086 # words
+    {
+        expectDone pointrt-view scene.pro $options -o out/auto.png --stats auto.json
+        expectDone pointrt-view scene.pro $options --denoise on -o out/on.png
+        expectDone pointrt-view scene.pro $options --denoise off -o out/off.png --stats off.json
+        expectDone pointrt-view scene.pro $options --denoise off --exposure 0 -o out/same.png
+        expectDone pointrt-view scene.pro $options --denoise off --exposure -1 -o out/dark.png
+        expectDone pointrt-view scene.pro $options -o out/data.exr --stats data.json
+    }
+    cmp out/auto.png out/on.png || fail "soft shadows are not denoised by default"
+    ! cmp -s out/auto.png out/off.png || fail "the denoiser changes nothing"
+    cmp out/off.png out/same.png
+    ! cmp -s out/off.png out/dark.png || fail "--exposure changes nothing"
+    awk -v ms="$(jsonValue auto.json denoise_ms)" 'BEGIN { exit !(ms > 0) }' || fail "denoise_ms is not above 0"
+    [ "$(jsonValue off.json denoise_ms)" = 0 ] || fail "denoise_ms is not 0"
+    [ "$(jsonValue data.json denoise_ms)" = 0 ] || fail "data are denoised unasked"
 }
 
 # The viewer goes to machines that have a driver and little else.

@@ -43,10 +43,13 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_EQ(options.render.width, 512u);
     EXPECT_EQ(options.render.height, 512u);
     EXPECT_EQ(options.render.spp, 4u);
+    EXPECT_EQ(options.render.integrator, Integrator::kPhong);
     EXPECT_EQ(options.render.camera.fov_deg, 40);
     EXPECT_FALSE(options.render.camera.eye || options.render.camera.target || options.render.camera.up);
-    EXPECT_EQ(options.render.room, Room::kNone);
-    EXPECT_TRUE(options.render.shadows && options.render.blend);
+    EXPECT_FALSE(options.choices.spp || options.choices.width || options.choices.fov_deg || options.render.room);
+    EXPECT_TRUE(options.render.shadows && options.render.blend && options.render.caustics);
+    EXPECT_FALSE(options.limits.seconds || options.limits.noise || options.exposure || options.resume);
+    EXPECT_EQ(options.denoise, DenoiseChoice::kAuto);
     EXPECT_FALSE(options.render.reflectivity || options.render.first_hits);
     EXPECT_EQ(options.bench_frames, 0u);
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
@@ -82,19 +85,30 @@ TEST(Options, TakesEveryOption) {
                                    "3",
                                    "--stats",
                                    "-",
+                                   "--caustics",
+                                   "off",
+                                   "--time-limit",
+                                   "2.5",
+                                   "--noise",
+                                   "0.02",
+                                   "--denoise",
+                                   "on",
                                    "-v",
                                    "-o",
                                    "out.exr"});
-    EXPECT_EQ(options.render.width, 64u);
-    EXPECT_EQ(options.render.height, 48u);
-    EXPECT_EQ(options.render.spp, 9u);
+    EXPECT_EQ(options.choices.width, 64u);
+    EXPECT_EQ(options.choices.height, 48u);
+    EXPECT_EQ(options.choices.spp, 9u);
     EXPECT_EQ(options.render.seed, 4294967295u);
-    EXPECT_EQ(options.render.camera.fov_deg, 12.5);
-    EXPECT_EQ(options.render.integrator, Integrator::kPath);
-    EXPECT_EQ(options.render.bounces, 7u);
+    EXPECT_EQ(options.choices.fov_deg, 12.5);
+    EXPECT_EQ(options.choices.integrator, Integrator::kPath);
+    EXPECT_EQ(options.choices.bounces, 7u);
     EXPECT_EQ(options.render.room, Room::kMirror);
     EXPECT_EQ(options.render.lights, 0u);
-    EXPECT_FALSE(options.render.shadows || options.render.blend);
+    EXPECT_FALSE(options.render.shadows || options.render.blend || options.render.caustics);
+    EXPECT_EQ(options.limits.seconds, 2.5);
+    EXPECT_EQ(options.limits.noise, 0.02);
+    EXPECT_EQ(options.denoise, DenoiseChoice::kOn);
     EXPECT_EQ(options.render.reflectivity, 0.25f);
     EXPECT_EQ(options.device, "H100");
     EXPECT_EQ(options.bench_frames, 3u);
@@ -113,7 +127,15 @@ TEST(Options, TakesNegativeCoordinates) {
 }
 
 TEST(Options, TakesTheLastOfARepeatedOption) {
-    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).render.spp, 8u);
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).choices.spp, 8u);
+}
+
+TEST(Options, TakesWhatGoesWithOneKindOfImage) {
+    EXPECT_TRUE(parse({"a.pro", "-o", "a.exr", "--resume"}).resume);
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).exposure, -1.5f);
+    EXPECT_EQ(refusal({"--resume"}), "--resume: goes with -o FILE.exr");
+    EXPECT_EQ(refusal({"-o", "a.exr", "--exposure", "1"}), "--exposure: goes with -o FILE.png");
+    EXPECT_NE(refusal({"-o", "a.exr", "--resume", "--bench", "1"}), "");
 }
 
 TEST(Options, ListsDevicesWithoutAScene) { EXPECT_TRUE(parse({"--device", "list"}).list_devices); }
@@ -129,6 +151,13 @@ TEST(Options, RefusesBadValuesByName) {
         EXPECT_TRUE(contains(refusal({"--eye", text}), "--eye: ")) << text;
     for (const char* text : {"-0.1", "1.1", "x"})
         EXPECT_TRUE(contains(refusal({"--reflectivity", text}), "--reflectivity: ")) << text;
+    for (const char* text : {"0", "-1", "nan", "inf", "soon"})
+        EXPECT_TRUE(contains(refusal({"--time-limit", text}), "--time-limit: ")) << text;
+    for (const char* text : {"0", "1.01", "nan", "2%"})
+        EXPECT_TRUE(contains(refusal({"--noise", text}), "--noise: ")) << text;
+    for (const char* text : {"-21", "21", "nan", "+1EV"})
+        EXPECT_TRUE(contains(refusal({"--exposure", text}), "--exposure: ")) << text;
+    EXPECT_EQ(refusal({"--denoise", "maybe"}), "--denoise: \"maybe\" is none of on, off, auto");
     EXPECT_EQ(refusal({"--room", "cellar"}), "--room: \"cellar\" is none of none, mirror, matte");
     EXPECT_TRUE(contains(refusal({"--integrator", "bidirectional"}), "whitted"));
     EXPECT_TRUE(contains(refusal({"--shadows", "yes"}), "--shadows: "));
@@ -166,9 +195,10 @@ TEST(Options, HelpNamesEveryOptionWithItsDefault) {
     EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
     const std::string help = testing::internal::GetCapturedStdout();
     for (const char* part :
-         {"512x512", "--spp",     "--seed",  "--eye",     "--target",  "--up",    "--fov",          "default 40",
-          "phong",   "--bounces", "--room",  "--lights",  "--shadows", "--blend", "--reflectivity", "--device",
-          "--bench", "--stats",   "--quiet", "--verbose", "--version", "Camera"})
+         {"512x512",    "--spp",        "--seed",  "--eye",     "--target",  "--up",    "--fov",          "default 40",
+          "phong",      "--bounces",    "--room",  "--lights",  "--shadows", "--blend", "--reflectivity", "--device",
+          "--bench",    "--stats",      "--quiet", "--verbose", "--version", "Camera",  "--caustics",     "--denoise",
+          "--exposure", "--time-limit", "--noise", "--resume",  ".toml"})
         EXPECT_TRUE(contains(help, part)) << part;
 }
 

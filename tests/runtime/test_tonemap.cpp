@@ -63,5 +63,12 @@ TEST(Develop, KeepsTheBackground) {
     EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{encodeSrgb(0.25f), 0, 0}));
 }
 
+TEST(Develop, ExposesInStops) {
+    Film film{1, 1, {0.25f, 0.125f, 0, 1}, {}, {}, {}};
+    EXPECT_EQ(developFilm(film, 1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.5f), encodeSrgb(0.25f), 0}));
+    EXPECT_EQ(developFilm(film, -1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.125f), encodeSrgb(0.0625f), 0}));
+    EXPECT_EQ(developFilm(film, 0).pixels, developFilm(film).pixels);
+}
+
 } // namespace
 } // namespace pointrt

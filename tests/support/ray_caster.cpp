@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "runtime/camera.h"
+#include "runtime/caustics.h"
 #include "runtime/frame_buffers.h"
 #include "runtime/frame_params.h"
 #include "runtime/program.h"
@@ -44,6 +45,7 @@ struct RayCaster::State {
         for (Program* program : {&trace, &trace_primary, &any_hit, &beam, &camera_rays, &resolve, &surface})
             destroyProgram(device, *program);
         destroyFrameBuffers(device, buffers);
+        destroyCaustics(device, no_caustics);
         destroyStagedScene(device, scene);
         destroyDevice(device);
     }
@@ -54,6 +56,7 @@ struct RayCaster::State {
     std::uint32_t loaded = 0; ///< rays on the device
     Program trace, trace_primary, any_hit, beam, camera_rays, resolve, surface;
     FrameBuffers buffers;
+    CausticMap no_caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
     double trace_seconds = 0;
@@ -86,6 +89,7 @@ struct RayCaster::State {
         buffers.lit = storage("lit point buffer", sizeof(gpu::LitPoint));
         buffers.light_masks = storage("light mask buffer", sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
+        no_caustics = emptyCaustics(device);
         queueInOrder();
     }
 
@@ -108,6 +112,8 @@ struct RayCaster::State {
         std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
         const std::vector<BufferBinding> frame = frameBindings(buffers);
         bindings.insert(bindings.end(), frame.begin(), frame.end());
+        const std::vector<BufferBinding> caustics = causticBindings(no_caustics);
+        bindings.insert(bindings.end(), caustics.begin(), caustics.end());
         set = createDescriptorSet(device, pool, trace, bindings);
     }
 

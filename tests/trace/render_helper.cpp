@@ -3,9 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+
 #include "runtime/camera.h"
+#include "runtime/image_exr.h"
 #include "runtime/staging.h"
 #include "shaders/brick_layout.h"
+#include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
 /// leak checker has no name to suppress them by.
@@ -62,6 +71,74 @@ Rendered renderFile(const std::string& path, RenderSettings settings) {
     SceneDescription scene;
     scene.instances.push_back({path, {}, {}, {}});
     return renderScene(std::move(scene), settings);
+}
+
+SphereFile::SphereFile(std::size_t splats) : path(temporaryPath("sphere.pro")) {
+    writeScene(path, sphereSplats(splats, Vec3f(0, 0, 0), 1.0f), {});
+}
+
+SphereFile::~SphereFile() { std::remove(path.c_str()); }
+
+SkyDescription evenSky(float radiance, float ambient) {
+    SkyDescription sky;
+    sky.zenith = sky.horizon = sky.ground = {radiance, radiance, radiance};
+    sky.ambient = ambient;
+    return sky;
+}
+
+SceneDescription splatBody(const std::string& path, const MaterialDescription& material) {
+    SceneDescription scene;
+    scene.materials = {material};
+    scene.instances.push_back({path, {}, 0u, {}});
+    scene.sky = evenSky(0);
+    return scene;
+}
+
+SceneDescription analyticSphere(const MaterialDescription& material) {
+    SceneDescription scene;
+    scene.materials = {material};
+    scene.shapes.push_back({ShapeKind::kSphere, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    scene.sky = evenSky(0);
+    return scene;
+}
+
+std::string writeSky(const std::string& name, std::uint32_t height, const std::function<Color(Vec3)>& radiance) {
+    const std::uint32_t width = 2 * height;
+    std::vector<float> texels;
+    for (std::uint32_t y = 0; y < height; ++y)
+        for (std::uint32_t x = 0; x < width; ++x) { // shaders/environment_layout.h
+            const double theta = std::numbers::pi * (y + 0.5) / height,
+                         phi = 2 * std::numbers::pi * ((x + 0.5) / width - 0.5);
+            const Color c =
+                radiance({std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)});
+            texels.insert(texels.end(), c.begin(), c.end());
+        }
+    const std::string path = temporaryPath(name);
+    const std::array<ExrChannel, 3> channels{ExrChannel{"R", texels.data(), 3}, ExrChannel{"G", texels.data() + 1, 3},
+                                             ExrChannel{"B", texels.data() + 2, 3}};
+    writeExr(path, ExrSize{width, height}, channels);
+    return path;
+}
+
+Color directionColor(Vec3 direction) {
+    const auto half = [](double v) { return static_cast<float>(0.5 + 0.5 * v); };
+    return {half(direction.x), half(direction.y), half(direction.z)};
+}
+
+Vec3 colorDirection(const Film& film, std::size_t i) {
+    const float* c = film.rgba.data() + 4 * i;
+    return {2.0 * c[0] - 1, 2.0 * c[1] - 1, 2.0 * c[2] - 1};
+}
+
+double angleBetween(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi; }
+
+Spread spreadOf(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double share) {
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    };
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    return {sum / static_cast<double>(values.size()), at(0.5), at(0.99), values.back()};
 }
 
 float pixel(const Film& film, std::uint32_t x, std::uint32_t y, int channel) {

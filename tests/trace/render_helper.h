@@ -2,7 +2,10 @@
 // Renders a .pro in this process, with the validation layer on where it is installed.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "runtime/frame_params.h"
 #include "runtime/render.h"
@@ -28,6 +31,38 @@ RenderSettings square(std::uint32_t size);
 Rendered renderScene(SceneDescription scene, RenderSettings settings);
 /// The same of a .pro alone.
 Rendered renderFile(const std::string& path, RenderSettings settings);
+
+/// A unit sphere of splats around the origin, normals outwards, as a .pro for as long as this lives.
+struct SphereFile {
+    explicit SphereFile(std::size_t splats);
+    ~SphereFile();
+    SphereFile(const SphereFile&) = delete;
+    SphereFile& operator=(const SphereFile&) = delete;
+    std::string path;
+};
+
+/// The splats of a file, all of one material, in darkness.
+SceneDescription splatBody(const std::string& path, const MaterialDescription& material);
+/// The same of the analytic unit sphere around the origin.
+SceneDescription analyticSphere(const MaterialDescription& material);
+/// radiance from everywhere, of which phong and whitted take that share as ambient.
+SkyDescription evenSky(float radiance, float ambient = 0);
+
+/// Writes an equirectangular picture for SkyDescription::image, height rows and twice as many columns, and returns its
+/// path; radiance(direction) is asked for the direction of each texel's centre.
+std::string writeSky(const std::string& name, std::uint32_t height, const std::function<Color(Vec3)>& radiance);
+/// Radiance (1 + direction) / 2 from each direction.
+Color directionColor(Vec3 direction);
+/// The direction whose directionColor is in pixel i, not normalized: unit length only where one direction was seen.
+Vec3 colorDirection(const Film& film, std::size_t i);
+
+/// Degrees between two directions.
+double angleBetween(Vec3 a, Vec3 b);
+struct Spread {
+    double mean = 0, median = 0, p99 = 0, largest = 0;
+};
+/// values must not be empty.
+Spread spreadOf(std::vector<double> values);
 
 /// Luminance-free access: channel c of pixel (x, y).
 float pixel(const Film& film, std::uint32_t x, std::uint32_t y, int channel);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
 
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/reference.h"
@@ -219,6 +220,163 @@ TEST(Light, WhiteSphereGivesBackTheWholeSky) {
     const double middle = 0.25 * (pixel(rendered.film, 15, 15, 1) + pixel(rendered.film, 16, 15, 1) +
                                   pixel(rendered.film, 15, 16, 1) + pixel(rendered.film, 16, 16, 1));
     EXPECT_NEAR(middle, skyOverHemisphere(), 0.02 * skyOverHemisphere());
+}
+
+/// A white square floor, y = 0, of splats, alone.
+struct WhiteFloor {
+    WhiteFloor() : path(temporaryPath("floor.pro")) {
+        // rays start a quarter of a radius above it, nearer to the lamps: fine splats keep that below what is asked
+        writeScene(path, squareSplats(300, Vec3f(0, 0, 0), Vec3f(0, 0, 2), Vec3f(2, 0, 0), 1.2f), {});
+        MaterialDescription grey;
+        grey.color = {0.6f, 0.6f, 0.6f};
+        scene = splatBody(path, grey);
+    }
+    ~WhiteFloor() { std::remove(path.c_str()); }
+    WhiteFloor(const WhiteFloor&) = delete;
+    WhiteFloor& operator=(const WhiteFloor&) = delete;
+    std::string path;
+    SceneDescription scene;
+};
+
+RenderSettings aboveFloor(std::uint32_t spp) {
+    RenderSettings settings = square(32);
+    settings.camera.eye = Vec3{0, 3, 5};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.fov_deg = 20;
+    settings.integrator = Integrator::kPath;
+    settings.bounces = 6;
+    settings.spp = spp;
+    return settings;
+}
+
+/// Mean red over all pixels, in doubles.
+double meanLight(const Film& film) {
+    double sum = 0;
+    for (std::size_t i = 0; i < film.samples.size(); ++i) sum += film.rgba[4 * i];
+    return sum / static_cast<double>(film.samples.size());
+}
+
+TEST(Light, LampsGiveWhatTheirShapesGiveByChance) {
+    // the same shapes as lamps that are asked for, and as surfaces that shine and that scattered rays meet by chance;
+    // a gloss on the floor gives weight to both ways of finding them
+    WhiteFloor floor;
+    floor.scene.materials[0].kind = MaterialKind::kPlastic;
+    floor.scene.materials[0].roughness = 0.3f;
+    MaterialDescription shining;
+    shining.color = {0, 0, 0};
+    shining.emission = {3, 3, 3};
+    floor.scene.materials.push_back(shining);
+    const Color radiance{3, 3, 3};
+    SceneDescription asked = floor.scene, met = floor.scene;
+    asked.lights = {SphereLight{{-0.8, 1.2, 0}, 0.5, radiance},
+                    QuadLight{{1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, radiance}};
+    met.shapes = {{ShapeKind::kSphere, {-0.8, 1.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, 1},
+                  {ShapeKind::kQuad, {1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, normalize({0.18, -0.24, 0}), 1}};
+    const double by_lamps = meanLight(renderScene(asked, aboveFloor(256)).film),
+                 by_chance = meanLight(renderScene(met, aboveFloor(1024)).film);
+    std::printf("asked for %.5f, met by chance %.5f\n", by_lamps, by_chance);
+    EXPECT_GT(by_lamps, 0.1);
+    EXPECT_NEAR(by_lamps, by_chance, 0.004 * by_chance);
+}
+
+TEST(Light, SkyPictureGivesWhatTheEvenSkyGives) {
+    // a picture is asked for beside the scattered rays, an even sky is only met by them
+    WhiteFloor floor;
+    floor.scene.materials[0].kind = MaterialKind::kPlastic;
+    floor.scene.shapes = {{ShapeKind::kSphere, {0, 0.6, 0}, {0.6, 0, 0}, {0, 0.6, 0}, {0, 0, 0.6}, 0}};
+    SceneDescription even = floor.scene, picture = floor.scene;
+    even.sky = evenSky(0.8f);
+    picture.sky->image = writeSky("even.exr", 16, [](Vec3) { return Color{0.8f, 0.8f, 0.8f}; });
+    const double by_even = meanLight(renderScene(even, aboveFloor(256)).film),
+                 by_picture = meanLight(renderScene(picture, aboveFloor(256)).film);
+    std::remove(picture.sky->image.c_str());
+    std::printf("even %.5f, picture %.5f\n", by_even, by_picture);
+    EXPECT_NEAR(by_picture, by_even, 0.005 * by_even);
+}
+
+TEST(Light, LayersAddUpToThePicture) {
+    // a lamp over a matte floor with a glass ball: direct, indirect and focused light
+    WhiteFloor floor;
+    MaterialDescription glass;
+    glass.kind = MaterialKind::kGlass;
+    glass.color = {1, 1, 1};
+    floor.scene.materials.push_back(glass);
+    floor.scene.shapes = {{ShapeKind::kSphere, {0, 0.5, 0}, {0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}, 1}};
+    floor.scene.lights = {SphereLight{{0.5, 2.5, 0}, 0.3, {9, 9, 9}}};
+    for (const Integrator integrator : {Integrator::kPath, Integrator::kWhitted}) {
+        RenderSettings settings = aboveFloor(16);
+        settings.integrator = integrator;
+        const Film film = renderScene(floor.scene, settings).film;
+        double direct = 0, indirect = 0;
+        for (std::size_t i = 0; i < film.samples.size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float sum = film.direct[3 * i + c] + film.indirect[3 * i + c] + film.caustic[3 * i + c];
+                ASSERT_NEAR(film.rgba[4 * i + c], sum, 1e-5f * (1 + sum));
+                direct += film.direct[3 * i + c];
+                indirect += film.indirect[3 * i + c];
+            }
+        EXPECT_GT(direct, 1);
+        EXPECT_GT(indirect, 1);
+    }
+}
+
+TEST(Light, GrazingLampShadesNoneOfAHollow) {
+    // a sphere seen from within, lit from near its wall: all of it sees the lamp
+    const SphereFile file(20000);
+    MaterialDescription white;
+    white.color = {1, 1, 1};
+    SceneDescription scene = splatBody(file.path, white);
+    const Vec3 lamp{0, 0, -0.8};
+    scene.lights = {PointLight{lamp, {1, 1, 1}}};
+    RenderSettings settings = square(128);
+    settings.camera.eye = Vec3{0, 0, 0.5};
+    settings.camera.target = lamp;
+    settings.camera.fov_deg = 100;
+    const Rendered rendered = renderScene(scene, settings);
+    std::size_t dark = 0;
+    double worst = 0;
+    for (std::uint32_t y = 0; y < 128; ++y)
+        for (std::uint32_t x = 0; x < 128; ++x) {
+            const Vec3 at = hitPosition(rendered, x, y), to = lamp - at;
+            const double expected = -dot(to, normalize(at)) / length(to) / std::numbers::pi / dot(to, to),
+                         seen = pixel(rendered.film, x, y, 0);
+            dark += seen < 0.5 * expected;
+            worst = std::max(worst, std::abs(seen - expected) / expected);
+        }
+    std::printf("%zu pixels in shadow, worst difference %.2f%%\n", dark, 100 * worst);
+    EXPECT_EQ(dark, 0u);
+    EXPECT_LT(worst, 0.05);
+}
+
+/// Pixels that shadows darken on a level sheet whose splats lie up to a radius off it, seen from above.
+std::size_t darkenedOnNoisySheet(const Vec3f& u, const Vec3f& v) {
+    Splats sheet = squareSplats(100, Vec3f(0, 0, 0), u, v, 1.2f);
+    for (std::size_t i = 0; i < sheet.positions.size(); ++i) // an even spread of heights without any order
+        sheet.positions[i].y() += sheet.radii[i] * static_cast<float>(std::fmod(0.618034 * double(i * i % 9973), 1.0));
+    const std::string path = temporaryPath("sheet.pro");
+    writeScene(path, sheet, {});
+    MaterialDescription white;
+    SceneDescription scene = splatBody(path, white);
+    scene.lights = {PointLight{{1.5, 2, 0}, {4, 4, 4}}};
+    RenderSettings settings = square(128);
+    settings.camera.eye = Vec3{0, 3, 2};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.fov_deg = 20;
+    const Film with = renderScene(scene, settings).film;
+    settings.shadows = false;
+    const Film without = renderScene(scene, settings).film;
+    std::remove(path.c_str());
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < with.samples.size(); ++i) dark += with.rgba[4 * i] < 0.99f * without.rgba[4 * i];
+    return dark;
+}
+
+TEST(Light, NoisySheetShadesNoneOfItselfOnEitherSide) {
+    const std::size_t front = darkenedOnNoisySheet(Vec3f(0, 0, 1), Vec3f(1, 0, 0)),
+                      back = darkenedOnNoisySheet(Vec3f(1, 0, 0), Vec3f(0, 0, 1));
+    std::printf("in shadow: %zu pixels seen from the front, %zu from behind\n", front, back);
+    EXPECT_LE(front, 16u); // a thousandth
+    EXPECT_LE(back, 16u);
 }
 
 TEST(Light, WholeCloudInOneLeaf) {

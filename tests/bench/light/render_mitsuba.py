@@ -33,7 +33,7 @@ def bsdf(material):
         return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": color}}
     if kind == "mirror":
         return {"type": "conductor", "material": "none", "specular_reflectance": color}
-    if kind == "metal":  # GGX with alpha = roughness^2 and Schlick's Fresnel term
+    if kind == "metal":  # GGX with alpha = roughness^2 and Schlick's Fresnel term, scattered once
         return {"type": "principled", "base_color": color, "metallic": 1.0, "roughness": material["roughness"]}
     if kind == "glass":
         return {"type": "dielectric", "int_ior": material["index"], "ext_ior": 1.0, "specular_transmittance": color}

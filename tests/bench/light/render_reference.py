@@ -22,9 +22,10 @@ LAMP_LEVELS = 5  # 20480 facets: 0.03% of a sphere's area missing
 
 
 def principled(nodes, material):
-    """GGX with alpha = roughness^2, reflecting color head on and all of it at grazing angles."""
+    """GGX with alpha = roughness^2, light scattered many times included (a random walk over the facets, Heitz 2016),
+    reflecting color head on and all of it at grazing angles."""
     node = nodes.new("ShaderNodeBsdfPrincipled")
-    node.distribution = "GGX"
+    node.distribution = "MULTI_GGX"
     node.inputs["Metallic"].default_value = 1
     node.inputs["Base Color"].default_value = (*material["color"], 1)
     node.inputs["Roughness"].default_value = material["roughness"]

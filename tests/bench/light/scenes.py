@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The scenes, said once. World is y up; colours are linear. Quad lamps shine to the side of u x v; their other side may
-shine too, as nothing in these scenes sees it.
+shine too, as nothing in these scenes sees it: walls end below the lamps.
 
 A scene is a dict:
   camera     eye, target, up, fov (vertical, degrees)
@@ -30,9 +30,9 @@ def quad(center, u, v, material):
 FLOOR = quad([0, 0, 0], [6, 0, 0], [0, 0, -8], "white")
 ROOM = [
     FLOOR,
-    quad([0, 3, -3], [6, 0, 0], [0, 3, 0], "white"),
-    quad([-3.2, 3, 0], [0, 0, -8], [0, 3, 0], "red"),
-    quad([3.2, 3, 0], [0, 0, -8], [0, 3, 0], "green"),
+    quad([0, 2.4, -3], [6, 0, 0], [0, 2.4, 0], "white"),
+    quad([-3.2, 2.4, 0], [0, 0, -8], [0, 2.4, 0], "red"),
+    quad([3.2, 2.4, 0], [0, 0, -8], [0, 2.4, 0], "green"),
 ]
 
 QUAD_LAMP = {"type": "quad", "center": [0.5, 5.2, 1], "u": [1.2, 0, 0], "v": [0, 0, 1.2], "radiance": [14, 13, 11.5]}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/caustics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "runtime/frame_buffers.h"
+#include "runtime/photon_emission.h"
+#include "runtime/photon_map.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Photons in flight, as a band of pixels.
+constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
+constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
+/// Mirrors and glass in a photon's way, at most: more than light keeps much of itself through.
+constexpr std::uint32_t kPhotonBounces = 16;
+
+template <typename Row>
+Buffer texelRows(Device& device, const char* what, std::vector<Row> rows, VkFormat format) {
+    if (rows.empty()) rows.resize(4); // a texel buffer has at least one texel
+    Buffer buffer = createFilledBuffer(device, what, rows.data(), rows.size() * sizeof(Row),
+                                       VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, what, buffer, format);
+    return buffer;
+}
+
+void storeMap(Device& device, CausticMap& map, PhotonMap sorted) {
+    map.frame = sorted.frame;
+    map.photons = texelRows(device, "photon buffer", std::move(sorted.photons), VK_FORMAT_R32G32B32A32_UINT);
+    map.buckets = texelRows(device, "photon buckets", std::move(sorted.buckets), VK_FORMAT_R32_UINT);
+}
+
+StageSphere sphereAround(const StagedScene& scene) {
+    const Vec3 lo = stagePoint(scene.stage, scene.bounds.lo), hi = stagePoint(scene.stage, scene.bounds.hi);
+    return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
+}
+
+/// Around the shape's unit form, by the inverse of its rows: a similarity but for unequal edges.
+PhotonTarget shapeTarget(const StagedScene& scene, std::size_t number) {
+    const ShapeDescription& shape = scene.description.shapes[number];
+    const bool round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kDisc;
+    const bool flat = shape.kind == ShapeKind::kQuad;
+    const double uu = dot(shape.u, shape.u), vv = dot(shape.v, shape.v), ww = dot(shape.w, shape.w);
+    const double squared = round ? std::max(uu, vv) : uu + vv + (flat ? 0 : ww);
+    return {stagePoint(scene.stage, shape.center), std::sqrt(squared) / scene.stage.scale,
+            OWNER_SHAPES | static_cast<std::uint32_t>(number) << PHOTON_SHAPE_SHIFT};
+}
+
+std::vector<PhotonTarget> findTargets(const StagedScene& scene) {
+    std::vector<PhotonTarget> targets;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        if (!scene.instances[i].params.materials.w) continue;
+        const pro_info& info = scene.files[scene.instances[i].file].info;
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
+        const Vec3 lo = stagePoint(scene.stage, bounds.lo), hi = stagePoint(scene.stage, bounds.hi);
+        targets.push_back({0.5 * (lo + hi), 0.5 * length(hi - lo), static_cast<std::uint32_t>(i)});
+    }
+    for (std::size_t i = 0; i < scene.description.shapes.size(); ++i)
+        if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, i));
+    return targets;
+}
+
+/// The tracer's programs over a batch of photons.
+class PhotonTracer {
+public:
+    PhotonTracer(Device& device, const StagedScene& scene, const Programs& programs, CausticMap& map)
+        : device_(device), scene_(scene), programs_(programs), map_(map),
+          buffers_(createFrameBuffers(device, kBatchWidth, kBatchRows)) {
+        pool_ =
+            createDescriptorPool(device, static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1)));
+        for (const Instance& instance : scene.instances) sets_.push_back(bind(instance));
+        if (sets_.empty()) sets_.push_back(bind(scene.blank));
+        gpu::FrameParams params{};
+        params.image = {kBatchWidth, kBatchRows, 0, kBatchRows};
+        params.scene = {0, OPTION_BLEND, scene.shape_count, NO_LIGHT};
+        params.mode = {INTEGRATOR_PATH, kPhotonBounces, 0, 0};
+        uploadBuffer(device, buffers_.params, &params, sizeof params);
+    }
+    PhotonTracer(const PhotonTracer&) = delete;
+    PhotonTracer& operator=(const PhotonTracer&) = delete;
+    ~PhotonTracer() {
+        destroyDescriptorPool(device_, pool_);
+        destroyFrameBuffers(device_, buffers_);
+    }
+
+    /// Appends what is left of count photons (at most kBatch) to kept.
+    void trace(const gpu::PathState* paths, std::size_t count, std::uint32_t batch, std::vector<gpu::Photon>& kept) {
+        std::vector<gpu::Photon> traced(kBatch);
+        uploadBuffer(device_, map_.traced, traced.data(), map_.traced.bytes);
+        uploadBuffer(device_, buffers_.paths, paths, count * sizeof *paths);
+        std::vector<std::uint32_t> queue(count);
+        std::iota(queue.begin(), queue.end(), 0u);
+        // pass 1 reads queue 1
+        uploadBuffer(device_, buffers_.queues, queue.data(), count * sizeof queue[0], kBatch * sizeof queue[0]);
+        gpu::Control control{};
+        control.queued.y = static_cast<std::uint32_t>(count);
+        control.ray_groups = {static_cast<std::uint32_t>((count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE), 1, 1, 0};
+        uploadBuffer(device_, buffers_.control, &control, sizeof control);
+        const VkCommandBuffer commands = beginCommands(device_);
+        for (std::uint32_t pass = 1; pass <= kPhotonBounces + 1; ++pass) record(commands, pass, batch);
+        submitAndWait(device_, commands);
+        downloadBuffer(device_, map_.traced, traced.data(), map_.traced.bytes);
+        std::copy_if(traced.begin(), traced.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(kept),
+                     [](const gpu::Photon& photon) { return photon.flux.w > 0; });
+    }
+
+private:
+    VkDescriptorSet bind(const Instance& instance) {
+        std::vector<BufferBinding> bindings = instanceBindings(scene_, instance);
+        for (const BufferBinding& each : frameBindings(buffers_)) bindings.push_back(each);
+        for (const BufferBinding& each : causticBindings(map_)) bindings.push_back(each);
+        return createDescriptorSet(device_, pool_, programs_.shade, bindings);
+    }
+
+    void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
+        const gpu::PushParams push{{batch, 0, pass, pass % 2 ? STEP_QUEUE_ONE : 0u}};
+        const auto run = [&](const Program& program, VkDescriptorSet set) {
+            recordDispatchIndirect(commands, program, set, pushBytes(push), buffers_.control,
+                                   offsetof(gpu::Control, ray_groups));
+            recordBarrier(commands);
+        };
+        const auto each = [&](Program InstancePrograms::*program) {
+            for (std::size_t i = 0; i < scene_.instances.size(); ++i)
+                run(programsFor(programs_, scene_, scene_.instances[i]).*program, sets_[i]);
+        };
+        run(programs_.trace_shapes, sets_[0]);
+        each(&InstancePrograms::trace);
+        each(&InstancePrograms::surface);
+        run(programs_.photon, sets_[0]);
+        recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
+        recordBarrier(commands);
+    }
+
+    Device& device_;
+    const StagedScene& scene_;
+    const Programs& programs_;
+    CausticMap& map_;
+    FrameBuffers buffers_;
+    VkDescriptorPool pool_ = VK_NULL_HANDLE;
+    std::vector<VkDescriptorSet> sets_;
+};
+
+} // namespace
+
+CausticMap emptyCaustics(Device& device) {
+    CausticMap map;
+    storeMap(device, map, sortPhotons({}, 1));
+    map.traced = createBuffer(device, "traced photon buffer", sizeof(gpu::Photon), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    return map;
+}
+
+CausticMap buildCaustics(Device& device, const StagedScene& scene, const Programs& programs, std::uint32_t count) {
+    const StageSphere around = sphereAround(scene);
+    const std::vector<gpu::PathState> paths = emitPhotons(scene.light_rows, findTargets(scene), around, count);
+    CausticMap map = emptyCaustics(device);
+    if (paths.empty()) return map;
+    std::vector<gpu::Photon> kept;
+    try {
+        destroyBuffer(device, map.traced);
+        map.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
+                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        PhotonTracer tracer(device, scene, programs, map);
+        for (std::size_t first = 0; first < paths.size(); first += kBatch)
+            tracer.trace(paths.data() + first, std::min<std::size_t>(kBatch, paths.size() - first),
+                         static_cast<std::uint32_t>(first / kBatch), kept);
+    } catch (...) {
+        destroyCaustics(device, map);
+        throw;
+    }
+    destroyCaustics(device, map);
+    map = emptyCaustics(device);
+    for (Buffer* buffer : {&map.photons, &map.buckets}) destroyBuffer(device, *buffer);
+    storeMap(device, map, sortPhotons(std::move(kept), around.radius));
+    map.emitted = paths.size();
+    return map;
+}
+
+std::vector<BufferBinding> causticBindings(const CausticMap& map) {
+    return {{31, &map.photons}, {32, &map.buckets}, {33, &map.traced}};
+}
+
+void destroyCaustics(Device& device, CausticMap& map) {
+    for (Buffer* buffer : {&map.photons, &map.buckets, &map.traced}) destroyBuffer(device, *buffer);
+}
+
+} // namespace pointrt

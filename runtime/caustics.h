@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Caustics: photons traced from the lights by way of mirrors and glass, kept where they meet what scatters light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/program.h"
+#include "runtime/programs.h"
+#include "runtime/staged_scene.h"
+
+namespace pointrt {
+
+/// A photon map on the device.
+struct CausticMap {
+    Buffer photons, buckets;
+    Buffer traced; ///< where photons in flight are kept; as small as can be outside of buildCaustics
+    gpu::CausticFrame frame{};
+    std::uint64_t emitted = 0; ///< photons that set out
+};
+
+/// A map without photons.
+CausticMap emptyCaustics(Device& device);
+
+/// Traces about count photons. It depends on the scene alone: camera and image do not matter.
+CausticMap buildCaustics(Device& device, const StagedScene& scene, const Programs& programs, std::uint32_t count);
+
+/// At their places in shaders/bindings.glsl.
+std::vector<BufferBinding> causticBindings(const CausticMap& map);
+void destroyCaustics(Device& device, CausticMap& map);
+
+} // namespace pointrt

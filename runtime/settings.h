@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the command line and a scene file meet.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/options.h"
+#include "runtime/render.h"
+#include "runtime/scene_description.h"
+
+namespace pointrt {
+
+/// The scene that options.scene names: a scene file, or a .pro that stands alone. Throws Error as readSceneFile does.
+SceneDescription describeScene(const Options& options);
+
+/// The command line's word, else the scene file's, else the default; of the camera's parts, each by itself. Samples are
+/// as many as can be where limits are given and --spp is not.
+RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
+
+/// True where the denoiser is to run on a picture with this many samples a pixel. scene: with its surroundings.
+bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
+                    std::uint32_t samples);
+
+} // namespace pointrt

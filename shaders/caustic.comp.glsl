@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Caustics on the lit points.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "direct_light.glsl"
+#include "matter.glsl"
+#include "film.glsl"
+#include "caustic.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint path;
+    LitPoint point = litPoint(path);
+    if (path == NO_INDEX) return;
+    vec3 normal = point.normal.xyz;
+    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(point.normal.w)), point.albedo.rgb, false,
+                                      dot(normal, point.view.xyz));
+    vec3 irradiance = causticIrradiance(point.position.xyz, normal);
+    vec3 light = point.throughput.rgb * smoothAlbedo(matter) * irradiance * (1.0 / kLightPi);
+    film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
+    film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a hit to the path that goes on from there.
+#ifndef POINTRT_SHADERS_NEXT_PATH_GLSL
+#define POINTRT_SHADERS_NEXT_PATH_GLSL
+#include "point.glsl"
+#include "offset.glsl"
+#include "shading.glsl"
+
+// With waiting rays of the pixel behind it.
+PathState pathAfter(Point point, PathState path, NextRay ray, uint waiting) {
+    // light that crosses the surface leaves it on its other side
+    bool crosses = dot(point.normal, ray.direction) < 0.0;
+    float own_t;
+    vec3 origin = leaveSurface(point.position, crosses ? -point.normal : point.normal, point.radius, ray.direction, own_t);
+    uint before = pathBits(path);
+    uint bits = bounceOf(before) + 1u | waiting << PATH_DEFERRED_SHIFT | before & (PATH_DIFFUSED | PATH_INSIDE) |
+                point.owner << PATH_OWNER_SHIFT;
+    bits |= ray.pdf > 0.0 ? PATH_DIFFUSED : 0u;
+    bits |= ray.pdf == 0.0 && point.casts && (before & PATH_DIFFUSED) != 0u ? PATH_CAUSTIC : 0u;
+    bits ^= crosses && !isThin(loadMaterial(point.material)) ? PATH_INSIDE : 0u;
+    // as stored, so that of two sheets close to each other the other one is met
+    vec3 stored_normal = point.back ? -point.normal : point.normal;
+    return PathState(vec4(origin, own_t), vec4(ray.direction, ray.pdf), vec4(ray.weight, 0.0),
+                     vec4(stored_normal, uintBitsToFloat(bits)));
+}
+
+#endif

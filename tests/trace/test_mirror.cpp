@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mirror ball of splats shows each direction where the analytic one does: the sky's colours tell directions.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+
+namespace {
+
+constexpr std::uint32_t kSize = 384;
+
+/// Where the unit sphere around the origin mirrors the ray of a pixel's centre to.
+std::optional<Vec3> exactReflection(const RenderSettings& settings, const Camera& camera, std::uint32_t x,
+                                    std::uint32_t y) {
+    const Vec3 d = centerRayDirection(settings, camera, x, y);
+    const double along = -dot(camera.eye, d), squared = along * along - dot(camera.eye, camera.eye) + 1;
+    if (squared < 0) return std::nullopt;
+    const Vec3 n = camera.eye + (along - std::sqrt(squared)) * d;
+    return d - 2 * dot(d, n) * n;
+}
+
+/// Degrees between the directions seen and the exact ones, over all of the ball's pixels.
+Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
+    scene.sky->image = sky;
+    RenderSettings settings = square(kSize);
+    settings.camera.eye = Vec3{0.5, 1, 4};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.fov_deg = 30;
+    settings.integrator = Integrator::kWhitted;
+    settings.bounces = 4;
+    const Rendered rendered = renderScene(std::move(scene), settings);
+    std::vector<double> errors;
+    for (std::uint32_t y = 0; y < kSize; ++y)
+        for (std::uint32_t x = 0; x < kSize; ++x) {
+            const std::size_t i = std::size_t{y} * kSize + x;
+            const auto exact = exactReflection(settings, rendered.camera, x, y);
+            if (!exact || !std::isfinite(rendered.film.depth[i])) continue;
+            errors.push_back(angleBetween(colorDirection(rendered.film, i), *exact));
+        }
+    EXPECT_GT(errors.size(), kSize * kSize / 3);
+    return spreadOf(std::move(errors));
+}
+
+TEST(Mirror, ReflectsWhereTheAnalyticBallDoes) {
+    MaterialDescription mirror;
+    mirror.kind = MaterialKind::kMirror;
+    mirror.color = {1, 1, 1};
+    const std::string sky = writeSky("directions.exr", 512, directionColor);
+    const Spread shape = reflectionErrors(analyticSphere(mirror), sky);
+    std::printf("shape: mean %.5f, p99 %.5f, largest %.4f degrees\n", shape.mean, shape.p99, shape.largest);
+    EXPECT_LT(shape.p99, 0.01);
+    // degrees, half as much again as measured; a splat's own radius is 1.7, 0.77 and 0.34 degrees of arc
+    struct Case {
+        std::size_t splats;
+        double mean, p99;
+    };
+    for (const Case& each : {Case{20000, 0.14, 0.37}, Case{100000, 0.065, 0.17}, Case{500000, 0.04, 0.1}}) {
+        const SphereFile file(each.splats);
+        const Spread spread = reflectionErrors(splatBody(file.path, mirror), sky);
+        std::printf("%zu splats: mean %.4f, median %.4f, p99 %.4f, largest %.3f degrees\n", each.splats, spread.mean,
+                    spread.median, spread.p99, spread.largest);
+        EXPECT_LT(spread.mean, each.mean);
+        EXPECT_LT(spread.p99, each.p99);
+    }
+    std::remove(sky.c_str());
+}
+
+} // namespace
+
+} // namespace pointrt::test
