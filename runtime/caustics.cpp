@@ -35,9 +35,17 @@ void storeMap(Device& device, CausticMap& map, PhotonMap sorted) {
     map.buckets = texelRows(device, "photon buckets", std::move(sorted.buckets), VK_FORMAT_R32_UINT);
 }
 
-StageSphere sphereAround(const StagedScene& scene) {
-    const Vec3 lo = stagePoint(scene.stage, scene.bounds.lo), hi = stagePoint(scene.stage, scene.bounds.hi);
+StageSphere sphereAround(const Stage& stage, const Bounds& bounds) {
+    const Vec3 lo = stagePoint(stage, bounds.lo), hi = stagePoint(stage, bounds.hi);
     return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
+}
+
+/// With all that may stand in the sun's way, but endless planes.
+Bounds boundsWithShapes(const StagedScene& scene) {
+    Bounds all = scene.bounds;
+    for (const ShapeDescription& shape : scene.description.shapes)
+        if (const auto bounds = shapeBounds(shape)) all = joined(all, *bounds);
+    return all;
 }
 
 /// Around the shape's unit form, by the inverse of its rows: a similarity but for unequal edges.
@@ -57,8 +65,8 @@ std::vector<PhotonTarget> findTargets(const StagedScene& scene) {
         if (!scene.instances[i].params.materials.w) continue;
         const pro_info& info = scene.files[scene.instances[i].file].info;
         const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
-        const Vec3 lo = stagePoint(scene.stage, bounds.lo), hi = stagePoint(scene.stage, bounds.hi);
-        targets.push_back({0.5 * (lo + hi), 0.5 * length(hi - lo), static_cast<std::uint32_t>(i)});
+        const StageSphere around = sphereAround(scene.stage, bounds);
+        targets.push_back({around.center, around.radius, static_cast<std::uint32_t>(i)});
     }
     for (std::size_t i = 0; i < scene.description.shapes.size(); ++i)
         if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, i));
@@ -155,8 +163,8 @@ CausticMap emptyCaustics(Device& device) {
 }
 
 CausticMap buildCaustics(Device& device, const StagedScene& scene, const Programs& programs, std::uint32_t count) {
-    const StageSphere around = sphereAround(scene);
-    const std::vector<gpu::PathState> paths = emitPhotons(scene.light_rows, findTargets(scene), around, count);
+    const std::vector<gpu::PathState> paths = emitPhotons(
+        scene.light_rows, findTargets(scene), sphereAround(scene.stage, boundsWithShapes(scene)), count);
     CausticMap map = emptyCaustics(device);
     if (paths.empty()) return map;
     std::vector<gpu::Photon> kept;
@@ -175,7 +183,7 @@ CausticMap buildCaustics(Device& device, const StagedScene& scene, const Program
     destroyCaustics(device, map);
     map = emptyCaustics(device);
     for (Buffer* buffer : {&map.photons, &map.buckets}) destroyBuffer(device, *buffer);
-    storeMap(device, map, sortPhotons(std::move(kept), around.radius));
+    storeMap(device, map, sortPhotons(std::move(kept), sphereAround(scene.stage, scene.bounds).radius));
     map.emitted = paths.size();
     return map;
 }

@@ -62,33 +62,47 @@ struct Emitted {
     double share = 0;
 };
 
+Emitted within(const Cone& cone, Vec3 origin, double u, double v) {
+    return {origin, Frame(cone.axis).at(1 - cone.cap * u, v), cone.solidAngle()};
+}
+
 Emitted fromPoint(const gpu::Light& light, const PhotonTarget& target, const std::array<double, 4>& u) {
     const Vec3 origin = vec(light.position);
-    const Cone cone = coneTo(target, origin);
-    Emitted photon{origin, Frame(cone.axis).at(1 - cone.cap * u[0], u[1]), cone.solidAngle()};
-    if (light.position.w == LIGHT_SPOT) { // dimmed as shaders/lights.glsl does
-        const double inside = dot(photon.direction, vec(light.axis)) - double{light.axis.w};
-        const double x = std::clamp(inside / std::max(double{light.edge_u.x} - double{light.axis.w}, 1e-7), 0.0, 1.0);
-        photon.share *= x * x * (3 - 2 * x);
-    }
+    return within(coneTo(target, origin), origin, u[0], u[1]);
+}
+
+Emitted fromSpot(const gpu::Light& light, const PhotonTarget& target, const std::array<double, 4>& u) {
+    const Vec3 origin = vec(light.position), axis = vec(light.axis);
+    const Cone lit{axis, 1 - double{light.axis.w}}, wanted = coneTo(target, origin);
+    // either cone may be a small part of the other
+    Emitted photon = within(lit.cap < wanted.cap ? lit : wanted, origin, u[0], u[1]);
+    if (1 - dot(photon.direction, wanted.axis) > wanted.cap * (1 + 1e-9)) photon.share = 0;
+    // dimmed as shaders/lights.glsl does
+    const double inside = dot(photon.direction, axis) - double{light.axis.w};
+    const double x = std::clamp(inside / std::max(double{light.edge_u.x} - double{light.axis.w}, 1e-7), 0.0, 1.0);
+    photon.share *= x * x * (3 - 2 * x);
     return photon;
 }
 
 /// From a point of a lamp's surface with a unit normal and the area that it stands for.
 Emitted fromSurface(Vec3 origin, Vec3 normal, double area, bool both_sides, const PhotonTarget& target, double u,
                     double v) {
-    const Cone cone = coneTo(target, origin);
-    const Vec3 direction = Frame(cone.axis).at(1 - cone.cap * u, v);
-    const double cosine = dot(direction, normal);
-    return {origin, direction, area * cone.solidAngle() * (both_sides ? std::abs(cosine) : std::max(cosine, 0.0))};
+    Emitted photon = within(coneTo(target, origin), origin, u, v);
+    const double cosine = dot(photon.direction, normal);
+    photon.share *= area * (both_sides ? std::abs(cosine) : std::max(cosine, 0.0));
+    return photon;
 }
 
 Emitted fromSphere(const gpu::Light& light, const PhotonTarget& target, const std::array<double, 4>& u) {
     const double radius = light.axis.w;
-    const Vec3 normal = Frame({0, 0, 1}).at(1 - 2 * u[2], u[3]);
+    const Vec3 way = target.center - vec(light.position);
+    const double distance = std::max(length(way), 1e-300);
+    // the cap of the lamp whose points have some of the target over their horizon
+    const double cap = 1 - std::clamp((radius - target.radius) / distance, -1.0, 1.0);
+    const Vec3 normal = Frame(distance > 1e-300 ? normalize(way) : Vec3{0, 0, 1}).at(1 - cap * u[2], u[3]);
     // a little outside: the lamp is a shape
     constexpr double kOutside = 1 + 1e-4;
-    return fromSurface(vec(light.position) + radius * kOutside * normal, normal, 4 * pi * radius * radius, false,
+    return fromSurface(vec(light.position) + radius * kOutside * normal, normal, 2 * pi * cap * radius * radius, false,
                        target, u[0], u[1]);
 }
 
@@ -105,19 +119,22 @@ Emitted fromQuad(const gpu::Light& light, const PhotonTarget& target, const std:
 /// From a disc as wide as the target, outside of the scene, in the direction of a point of the sun.
 Emitted fromSun(const gpu::Light& light, const PhotonTarget& target, StageSphere scene,
                 const std::array<double, 4>& u) {
-    const Vec3 towards = Frame(vec(light.axis)).at(1 - (1 - double{light.axis.w}) * u[2], u[3]);
+    const double cap = 1 - double{light.axis.w};
+    const Vec3 towards = Frame(vec(light.axis)).at(1 - cap * u[2], u[3]);
     const Frame across(towards);
     const double ring = target.radius * std::sqrt(u[0]), angle = 2 * pi * u[1];
     const double distance = length(target.center - scene.center) + 1.01 * scene.radius;
     const Vec3 origin =
         target.center + distance * towards + ring * std::cos(angle) * across.s + ring * std::sin(angle) * across.t;
-    return {origin, -1.0 * towards, pi * target.radius * target.radius};
+    // points at the rim of a wide sun shine on its middle's plane askew (shaders/lights.glsl)
+    return {origin, -1.0 * towards, pi * target.radius * target.radius * 2 / (2 - cap)};
 }
 
 Emitted emit(const gpu::Light& light, const PhotonTarget& target, StageSphere scene, const std::array<double, 4>& u) {
     if (light.position.w == LIGHT_SPHERE) return fromSphere(light, target, u);
     if (light.position.w == LIGHT_QUAD) return fromQuad(light, target, u);
     if (light.position.w == LIGHT_SUN) return fromSun(light, target, scene, u);
+    if (light.position.w == LIGHT_SPOT) return fromSpot(light, target, u);
     if (light.position.w == LIGHT_SKY) return {};
     return fromPoint(light, target, u);
 }
@@ -125,7 +142,7 @@ Emitted emit(const gpu::Light& light, const PhotonTarget& target, StageSphere sc
 double brightness(const gpu::Light& light) { return (light.power.x + light.power.y + light.power.z) / 3.0; }
 
 /// Photons that find out how much light a pair carries.
-constexpr std::uint32_t kTrialPhotons = 64;
+constexpr std::uint32_t kTrialPhotons = 256;
 
 double pairFlux(const gpu::Light& light, const PhotonTarget& target, StageSphere scene) {
     double sum = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/programs.h"
 
+#include <span>
+
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/light.spv.h"
@@ -18,43 +20,51 @@ namespace pointrt {
 
 namespace {
 
-struct Kind {
-    std::uint32_t uneven, oriented, picture; ///< the shaders' specialization constants 0, 1, 2
+/// Values of the shaders' specialization constants, by number.
+struct Constants {
+    std::uint32_t uneven = 0, oriented = 0, sky_picture = 0, integrator = 0, features = 0;
 };
 
-Kind kindOf(const StagedScene& scene, const Instance& instance) {
-    return {scene.files[instance.file].grid_frame.uneven ? 1u : 0u, instance.oriented ? 1u : 0u,
-            scene.sky_light != NO_LIGHT ? 1u : 0u};
+Program build(Device& device, const char* name, std::span<const std::uint32_t> spirv, const Constants& c) {
+    return createProgram(device, name, spirv, {c.uneven, c.oriented, c.sky_picture, c.integrator, c.features});
 }
 
-std::size_t slotOf(Kind kind) { return kind.uneven + 2 * kind.oriented; }
+Constants constantsFor(const StagedScene& scene, const RenderSettings& settings) {
+    return {0, 0, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
+}
 
-InstancePrograms createVariant(Device& device, Kind kind) {
-    return {createProgram(device, "trace", trace_spv, {kind.uneven, kind.oriented}),
-            createProgram(device, "trace_primary", trace_primary_spv, {kind.uneven, kind.oriented}),
-            createProgram(device, "surface", surface_spv, {kind.uneven, kind.oriented}),
-            createProgram(device, "shadow", shadow_spv, {kind.uneven, kind.oriented, kind.picture})};
+Constants constantsFor(const StagedScene& scene, const Instance& instance, Constants constants) {
+    constants.uneven = scene.files[instance.file].grid_frame.uneven;
+    constants.oriented = instance.oriented;
+    return constants;
+}
+
+std::size_t slotOf(const Constants& constants) { return constants.uneven + 2 * constants.oriented; }
+
+InstancePrograms buildVariant(Device& device, const Constants& constants) {
+    return {build(device, "trace", trace_spv, constants), build(device, "trace_primary", trace_primary_spv, constants),
+            build(device, "surface", surface_spv, constants), build(device, "shadow", shadow_spv, constants)};
 }
 
 } // namespace
 
-Programs createPrograms(Device& device, const StagedScene& scene) {
+Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
+    const Constants constants = constantsFor(scene, settings);
     Programs programs;
-    programs.prepare = createProgram(device, "prepare", prepare_spv);
-    programs.trace_shapes = createProgram(device, "trace_shapes", trace_shapes_spv);
-    programs.beam = createProgram(device, "beam", beam_spv);
-    const std::uint32_t picture = scene.sky_light != NO_LIGHT;
-    programs.shade = createProgram(device, "shade", shade_spv, {0, 0, picture});
-    programs.shadow_shapes = createProgram(device, "shadow_shapes", shadow_shapes_spv, {0, 0, picture});
-    programs.light = createProgram(device, "light", light_spv, {0, 0, picture});
+    programs.prepare = build(device, "prepare", prepare_spv, constants);
+    programs.trace_shapes = build(device, "trace_shapes", trace_shapes_spv, constants);
+    programs.beam = build(device, "beam", beam_spv, constants);
+    programs.shade = build(device, "shade", shade_spv, constants);
+    programs.shadow_shapes = build(device, "shadow_shapes", shadow_shapes_spv, constants);
+    programs.light = build(device, "light", light_spv, constants);
     if (castsCaustics(scene)) {
-        programs.photon = createProgram(device, "photon", photon_spv, {0, 0, picture});
-        programs.caustic = createProgram(device, "caustic", caustic_spv, {0, 0, picture});
+        programs.photon = build(device, "photon", photon_spv, constants);
+        programs.caustic = build(device, "caustic", caustic_spv, constants);
     }
     for (const Instance& instance : scene.instances) {
-        const Kind kind = kindOf(scene, instance);
-        auto& variant = programs.variants[slotOf(kind)];
-        if (!variant) variant = createVariant(device, kind);
+        const Constants of_instance = constantsFor(scene, instance, constants);
+        auto& variant = programs.variants[slotOf(of_instance)];
+        if (!variant) variant = buildVariant(device, of_instance);
     }
     return programs;
 }
@@ -71,7 +81,7 @@ void destroyPrograms(Device& device, Programs& programs) {
 }
 
 const InstancePrograms& programsFor(const Programs& programs, const StagedScene& scene, const Instance& instance) {
-    return *programs.variants[slotOf(kindOf(scene, instance))];
+    return *programs.variants[slotOf(constantsFor(scene, instance, {}))];
 }
 
 } // namespace pointrt

@@ -21,8 +21,8 @@ struct Programs {
     std::array<std::optional<InstancePrograms>, 4> variants;
 };
 
-/// Builds what the scene's instances need.
-Programs createPrograms(Device& device, const StagedScene& scene);
+/// Builds what the scene needs for the settings' integrator.
+Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const StagedScene& scene, const Instance& instance);

@@ -99,6 +99,14 @@ public:
         instance.params.materials.w = castsCaustics(first, instance.params) ? 1 : 0;
     }
 
+    std::uint32_t features() const {
+        std::uint32_t bits = 0;
+        for (const gpu::Light& light : lights) bits |= FEATURE_LIGHT(light.position.w);
+        for (const gpu::Material& material : materials) bits |= FEATURE_MATERIAL(material.gloss.x);
+        for (const gpu::Shape& shape : shapes) bits |= FEATURE_SHAPE(shape.kind.x);
+        return bits;
+    }
+
     std::vector<gpu::Material> materials;
     std::vector<gpu::Shape> shapes;
     std::vector<gpu::Light> lights;
@@ -241,6 +249,7 @@ void furnishScene(Device& device, StagedScene& scene, const RenderSettings& sett
         uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
     }
     scene.casting_shapes = rows.casting_shapes;
+    scene.features = rows.features();
     scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
     furnishSky(device, scene, settings, rows.lights);
     scene.light_rows = rows.lights;

@@ -208,7 +208,7 @@ Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettin
     state.band_rows = std::clamp(kBandPixels / settings.width, 1u, settings.height);
     try {
         state.buffers = createFrameBuffers(device, settings.width, state.band_rows);
-        state.programs = createPrograms(device, scene);
+        state.programs = createPrograms(device, scene, settings);
         state.caustics = castsCaustics(scene) && showsLight(settings.integrator)
                              ? buildCaustics(device, scene, state.programs, kPhotons)
                              : emptyCaustics(device);

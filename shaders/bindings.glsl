@@ -4,6 +4,7 @@
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "params.h"
+#include "features.glsl"
 #include "brick_layout.h"
 #include "pointrt/pro_layout.h"
 

@@ -16,12 +16,12 @@ LitPoint litPoint(out uint path) {
 }
 
 // path asks one light by chance, the others each in turn.
-uint lightTurns() { return params.mode.x == INTEGRATOR_PATH ? min(params.scene.x, 1u) : params.scene.x; }
+uint lightTurns() { return kIntegrator == INTEGRATOR_PATH ? min(params.scene.x, 1u) : params.scene.x; }
 
-float lightChance() { return params.mode.x == INTEGRATOR_PATH ? 1.0 / float(params.scene.x) : 1.0; }
+float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.scene.x) : 1.0; }
 
 uint lightOfTurn(uint turn, uint path, uint bounce) {
-    if (params.mode.x != INTEGRATOR_PATH) return turn;
+    if (kIntegrator != INTEGRATOR_PATH) return turn;
     float u = sample1(imagePixel(path), push.step.x, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.mode.w);
     return min(uint(u * float(params.scene.x)), params.scene.x - 1u);
 }
@@ -33,7 +33,7 @@ LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
     uint bounce = floatBitsToUint(point.throughput.w);
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
     // each light has its own numbers
-    if (params.mode.x != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
+    if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
     light = loadLight(lightOfTurn(turn, path, bounce));
     vec2 u = sample2(imagePixel(path), push.step.x, pair, params.mode.w);
     if (kSkyPicture && lightKind(light) == LIGHT_SKY) return sampleSky(u);
@@ -43,7 +43,8 @@ LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
 // The shape of a lamp with an area, NO_INDEX of other lights.
 uint lampOf(Light light) {
     uint kind = lightKind(light);
-    return kind == LIGHT_SPHERE || kind == LIGHT_QUAD ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
+    bool has_area = mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE || mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD;
+    return has_area ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
 }
 
 bool facesLight(LitPoint point, LightSample to) { return dot(point.normal.xyz, to.direction) > 0.0; }

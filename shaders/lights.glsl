@@ -7,6 +7,11 @@
 
 #include "scene_layout.h"
 
+// A program may say which kinds there are.
+#ifndef mayHaveLight
+#define mayHaveLight(kind) true
+#endif
+
 const float kLightPi = 3.14159265358979;
 // To what is not at a distance: the sun.
 const float kLightAfar = 1e30;
@@ -223,11 +228,11 @@ float quadPdf(Light light, vec3 point, vec3 direction) {
 // A direction from point to the light, for u in [0, 1)^2. What is behind the surface is for the caller to leave out.
 LightSample sampleLight(Light light, vec3 point, vec2 u) {
     uint kind = lightKind(light);
-    if (kind == LIGHT_POINT) return samplePoint(light, point);
-    if (kind == LIGHT_SPOT) return sampleSpot(light, point);
-    if (kind == LIGHT_SUN) return sampleSun(light, u);
-    if (kind == LIGHT_SPHERE) return sampleSphere(light, point, u);
-    if (kind == LIGHT_QUAD) return sampleQuad(light, point, u);
+    if (mayHaveLight(LIGHT_POINT) && kind == LIGHT_POINT) return samplePoint(light, point);
+    if (mayHaveLight(LIGHT_SPOT) && kind == LIGHT_SPOT) return sampleSpot(light, point);
+    if (mayHaveLight(LIGHT_SUN) && kind == LIGHT_SUN) return sampleSun(light, u);
+    if (mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE) return sampleSphere(light, point, u);
+    if (mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD) return sampleQuad(light, point, u);
     return LightSample(vec3(0.0, 0.0, 1.0), kLightAfar, vec3(0.0), 0.0);
 }
 
@@ -235,18 +240,18 @@ LightSample sampleLight(Light light, vec3 point, vec2 u) {
 // without extent. Whether it does meet it is not looked at here.
 float lightPdf(Light light, vec3 point, vec3 direction) {
     uint kind = lightKind(light);
-    if (kind == LIGHT_SUN) return sunPdf(light);
-    if (kind == LIGHT_SPHERE) {
+    if (mayHaveLight(LIGHT_SUN) && kind == LIGHT_SUN) return sunPdf(light);
+    if (mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE) {
         vec3 way = light.position.xyz - point;
         return 1.0 / (2.0 * kLightPi * sphereCap(dot(way, way), light.axis.w));
     }
-    return kind == LIGHT_QUAD ? quadPdf(light, point, direction) : 0.0;
+    return mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD ? quadPdf(light, point, direction) : 0.0;
 }
 
 // What a ray sees that meets the lamp.
 vec3 lightRadiance(Light light) {
     uint kind = lightKind(light);
-    if (kind == LIGHT_SUN) return sunRadiance(light);
+    if (mayHaveLight(LIGHT_SUN) && kind == LIGHT_SUN) return sunRadiance(light);
     return kind == LIGHT_SPHERE || kind == LIGHT_QUAD ? light.power.xyz : vec3(0.0);
 }
 

@@ -11,6 +11,13 @@
 #define POINTRT_SHADERS_MATERIAL_GLSL
 
 #include "scene_layout.h"
+
+// A program may say which kinds there are.
+#ifndef mayHaveMaterial
+#define mayHaveMaterial(kind) true
+#endif
+
+bool isKind(int kind, int wanted) { return mayHaveMaterial(wanted) && kind == wanted; }
 #include "frame.glsl"
 #include "fresnel.glsl"
 #include "ggx.glsl"
@@ -63,7 +70,7 @@ vec3 metalUnderside(vec3 facing, float lost) {
 
 // The lobes of rough kinds, none for others; share is the part of light that is not reflected as by a mirror.
 void setRoughLobes(inout SurfaceMaterial s, int kind, float roughness, float index, float share, float cosine) {
-    bool metal = kind == MATERIAL_METAL, plastic = kind == MATERIAL_PLASTIC;
+    bool metal = isKind(kind, MATERIAL_METAL), plastic = isKind(kind, MATERIAL_PLASTIC);
     float rough = max(roughness, GGX_LEAST_ROUGHNESS), dielectric = facingReflectance(index);
     s.alpha = rough * rough;
     s.table_row = ggxRow(rough);
@@ -96,7 +103,7 @@ void setGlass(inout SurfaceMaterial s, float index, bool back, float cosine) {
 SurfaceMaterial surfaceMaterial(Material material, vec3 albedo, bool back, float cosine) {
     int kind = int(material.gloss.x);
     float index = max(material.gloss.z, 1.0), facing = clamp(cosine, 1e-6, 1.0);
-    bool mirror = kind == MATERIAL_MIRROR, glass = kind == MATERIAL_GLASS, matte = kind == MATERIAL_MATTE;
+    bool mirror = isKind(kind, MATERIAL_MIRROR), glass = isKind(kind, MATERIAL_GLASS), matte = isKind(kind, MATERIAL_MATTE);
     SurfaceMaterial s;
     s.albedo = albedo;
     s.thin = (floatBitsToUint(material.base.w) & MATERIAL_THIN) != 0u;

@@ -5,11 +5,11 @@
 #include "bindings.glsl"
 #include "material.glsl"
 
-bool isClassic() { return params.mode.x != INTEGRATOR_PATH; }
+bool isClassic() { return kIntegrator != INTEGRATOR_PATH; }
 
 // cosine: of the angle between normal and view.
 SurfaceMaterial matterOf(Material row, vec3 albedo, bool back, float cosine) {
-    if (params.mode.x == INTEGRATOR_WHITTED) row.gloss.w = glossedMirrorShare(row, cosine);
+    if (kIntegrator == INTEGRATOR_WHITTED) row.gloss.w = glossedMirrorShare(row, cosine);
     return surfaceMaterial(row, albedo, back, cosine);
 }
 

@@ -29,6 +29,11 @@ namespace pointrt::gpu {
 #define INTEGRATOR_NORMAL 3
 #define INTEGRATOR_DEPTH 4
 
+// Kinds that a scene has (shaders/features.glsl).
+#define FEATURE_LIGHT(kind) (1u << uint(kind))
+#define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
+#define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
+
 #define OPTION_BLEND 1u
 #define OPTION_SHADOWS 2u
 

@@ -58,8 +58,8 @@ void recordCoverage(uint index, Point point) {
 }
 
 Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matter, uint index) {
-    if (params.mode.x == INTEGRATOR_NORMAL || params.mode.x == INTEGRATOR_DEPTH) return shadeView(point);
-    if (params.mode.x == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
+    if (kIntegrator == INTEGRATOR_NORMAL || kIntegrator == INTEGRATOR_DEPTH) return shadeView(point);
+    if (kIntegrator == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
     uint pair = dimensionPair(bounceOf(pathBits(path)), PAIR_DIRECTION);
     return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.step.x, pair, params.mode.w));
 }

@@ -24,7 +24,7 @@ Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay(
 Shading shadeView(Point point) {
     vec3 color = vec3(0.0);
     if (point.t >= 0.0)
-        color = params.mode.x == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
+        color = kIntegrator == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
                                                    : vec3(max(0.0, 1.0 - point.t / params.sky_up.w));
     return onlyLight(color);
 }

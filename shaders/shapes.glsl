@@ -9,6 +9,11 @@
 
 #include "scene_layout.h"
 
+// A program may say which kinds there are.
+#ifndef mayHaveShape
+#define mayHaveShape(kind) true
+#endif
+
 // The distance where nothing is hit.
 const float kNoShapeHit = 1e30;
 
@@ -70,7 +75,8 @@ vec2 hitSphere(LocalRay ray) {
 float hitShape(Shape shape, vec3 origin, vec3 direction, float t_min) {
     LocalRay ray = LocalRay(localPoint(shape, origin), localVector(shape, direction));
     uint kind = shape.kind.x;
-    vec2 solid = kind == SHAPE_BOX ? hitBox(ray) : hitSphere(ray);
+    bool box = mayHaveShape(SHAPE_BOX) && kind == SHAPE_BOX, sphere = mayHaveShape(SHAPE_SPHERE) && kind == SHAPE_SPHERE;
+    vec2 solid = box ? hitBox(ray) : (sphere ? hitSphere(ray) : vec2(kNoShapeHit));
     vec2 t = kind >= SHAPE_BOX ? solid : vec2(hitFlat(kind, ray));
     float nearest = t.x >= t_min ? t.x : t.y;
     return nearest >= t_min && nearest < kNoShapeHit ? nearest : kNoShapeHit;

@@ -21,6 +21,7 @@ vec3 ambientLight(vec3 normal) { return skyColor(normal) * params.sky_zenith.w; 
 // Suns are seen in mirrors and through glass; matte surfaces have asked for them.
 vec3 sunsSeen(vec3 direction) {
     vec3 seen = vec3(0.0);
+    if (!mayHaveLight(LIGHT_SUN)) return seen;
     for (uint l = 0u; l < params.scene.x; l++) {
         Light light = loadLight(l);
         bool meets = lightKind(light) == LIGHT_SUN && meetsSun(light, direction);
