@@ -41,16 +41,14 @@ Constants constantsFor(const StagedScene& scene, const Instance& instance, Const
 
 std::size_t slotOf(const Constants& constants) { return constants.uneven + 2 * constants.oriented; }
 
-InstancePrograms buildVariant(Device& device, const Constants& constants) {
-    return {build(device, "trace", trace_spv, constants), build(device, "trace_primary", trace_primary_spv, constants),
-            build(device, "surface", surface_spv, constants), build(device, "shadow", shadow_spv, constants)};
+void buildVariant(Device& device, const Constants& constants, InstancePrograms& programs) {
+    programs.trace = build(device, "trace", trace_spv, constants);
+    programs.trace_primary = build(device, "trace_primary", trace_primary_spv, constants);
+    programs.surface = build(device, "surface", surface_spv, constants);
+    programs.shadow = build(device, "shadow", shadow_spv, constants);
 }
 
-} // namespace
-
-Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
-    const Constants constants = constantsFor(scene, settings);
-    Programs programs;
+void buildAll(Device& device, const StagedScene& scene, const Constants& constants, Programs& programs) {
     programs.prepare = build(device, "prepare", prepare_spv, constants);
     programs.trace_shapes = build(device, "trace_shapes", trace_shapes_spv, constants);
     programs.beam = build(device, "beam", beam_spv, constants);
@@ -64,7 +62,19 @@ Programs createPrograms(Device& device, const StagedScene& scene, const RenderSe
     for (const Instance& instance : scene.instances) {
         const Constants of_instance = constantsFor(scene, instance, constants);
         auto& variant = programs.variants[slotOf(of_instance)];
-        if (!variant) variant = buildVariant(device, of_instance);
+        if (!variant) buildVariant(device, of_instance, variant.emplace());
+    }
+}
+
+} // namespace
+
+Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
+    Programs programs;
+    try {
+        buildAll(device, scene, constantsFor(scene, settings), programs);
+    } catch (...) {
+        destroyPrograms(device, programs);
+        throw;
     }
     return programs;
 }

@@ -13,7 +13,7 @@ namespace pointrt {
 constexpr std::size_t kMostMaterials = 256;
 
 struct SceneReading {
-    SceneDescription scene; ///< path and up are set before the sections are read, materials before what uses them
+    SceneDescription scene; ///< path and up come before the sections, materials and lights before what asks for them
     std::map<std::string, std::uint32_t, std::less<>> material_of_name;
     std::set<std::uint32_t> uncolored_materials; ///< which have splats' colours only
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/scene_file_parts.h"
+#include "shaders/scene_layout.h"
 
 namespace pointrt {
 namespace {
@@ -7,6 +8,7 @@ namespace {
 void readImage(const SceneValue& table, const SceneReading& reading, SkyDescription& sky) {
     forbid(table, {"color", "zenith", "horizon", "ground"}, "excludes \"image\"");
     const SceneValue image = require(table, "image");
+    if (reading.scene.lights.size() == MAX_LIGHTS) refuse(image, "is a light, and there are 32 already");
     sky.image = fileOf(image, reading);
     if (!sky.image.ends_with(".hdr") && !sky.image.ends_with(".exr")) refuse(image, "must end in .hdr or .exr");
     takeNumber(table, "rotation", {-360, 360}, sky.rotation_deg);

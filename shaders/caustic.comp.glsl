@@ -14,10 +14,12 @@ void main() {
     LitPoint point = litPoint(path);
     if (path == NO_INDEX) return;
     vec3 normal = point.normal.xyz;
-    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(point.normal.w)), point.albedo.rgb, false,
-                                      dot(normal, point.view.xyz));
-    vec3 irradiance = causticIrradiance(point.position.xyz, normal);
-    vec3 light = point.throughput.rgb * smoothAlbedo(matter) * irradiance * (1.0 / kLightPi);
+    Material row = loadMaterial(floatBitsToUint(point.normal.w));
+    SurfaceMaterial matter = matterOf(row, point.albedo.rgb, false, dot(normal, point.view.xyz));
+    if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
+    vec3 irradiance = causticIrradiance(params.caustics, point.position.xyz, normal);
+    vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
+    vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kLightPi);
     film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }

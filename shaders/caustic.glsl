@@ -2,9 +2,11 @@
 // Light that mirrors and glass have bundled, gathered from photons around a point (Jensen, Global Illumination Using
 // Photon Maps, 1996). The kernel is the weight that splats blend with: (1 - d^2/r^2)^2, over its integral pi r^2 / 3, so
 // that a photon's light is spread around it and none is lost.
+//
+// The program defines loadPhoton(photon, member), a vec4 of it, and loadPhotonBucket(i), a word of the buckets.
 #ifndef POINTRT_SHADERS_CAUSTIC_GLSL
 #define POINTRT_SHADERS_CAUSTIC_GLSL
-#include "bindings.glsl"
+#include "photon_layout.h"
 
 uint bucketOf(ivec3 cell, uint level) {
     uvec3 c = uvec3(cell);
@@ -38,11 +40,11 @@ const float kSameSurface = 0.5;
 vec3 photonShare(uint photon, ivec3 cell, PhotonLevel level, vec3 position, vec3 normal) {
     vec4 place = loadPhoton(photon, 0), flux = loadPhoton(photon, 1);
     vec3 offset = position - place.xyz;
-    float height = dot(normal, offset), squared = level.radius * level.radius;
-    float inside = 1.0 - (dot(offset, offset) - height * height) / squared;
+    float height = dot(normal, offset), distance = dot(offset, offset), squared = level.radius * level.radius;
+    float inside = 1.0 - (distance - height * height) / squared;
     // buckets hold other cells' photons too, which come up with their own
     bool own = flux.w == level.number && ivec3(floor(place.xyz * level.cells)) == cell;
-    bool counts = own && inside > 0.0 && abs(height) < level.radius &&
+    bool counts = own && distance < squared &&
                   dot(normal, photonNormal(floatBitsToUint(place.w))) > kSameSurface;
     return counts ? flux.rgb * (inside * inside * level.scale) : vec3(0.0);
 }
@@ -76,8 +78,8 @@ bool searches(PhotonSearch search) {
 }
 
 // Irradiance at a point whose unit normal is on the lit side.
-vec3 causticIrradiance(vec3 position, vec3 normal) {
-    vec4 kernel = params.caustics.kernel;
+vec3 causticIrradiance(CausticFrame map, vec3 position, vec3 normal) {
+    vec4 kernel = map.kernel;
     PhotonSearch search =
         PhotonSearch(PhotonLevel(0.0, kernel.x, kernel.y, kernel.z), ivec3(0), ivec3(0), 0u, 0u, 0u);
     vec3 sum = vec3(0.0);

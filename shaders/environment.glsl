@@ -16,7 +16,8 @@ vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
     const vec3 d =
         vec3(dot(frame.row_x.xyz, direction), dot(frame.row_y.xyz, direction), dot(frame.row_z.xyz, direction));
     const float sine = length(d.xz);
-    return vec3(0.5 + atan(d.x, -d.z) / (2.0 * ENVIRONMENT_PI), atan(sine, d.y) / ENVIRONMENT_PI, sine);
+    const float turn = sine > 0.0 ? atan(d.x, -d.z) : 0.0; // of (0, 0) GLSL leaves it undefined
+    return vec3(0.5 + turn / (2.0 * ENVIRONMENT_PI), atan(sine, d.y) / ENVIRONMENT_PI, sine);
 }
 
 // Bilinear between the centres of texels, around the horizon and up to the poles.

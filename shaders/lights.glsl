@@ -5,6 +5,7 @@
 #ifndef POINTRT_SHADERS_LIGHTS_GLSL
 #define POINTRT_SHADERS_LIGHTS_GLSL
 
+#include "frame.glsl"
 #include "scene_layout.h"
 
 // A program may say which kinds there are.
@@ -40,21 +41,10 @@ float arcOf(float x, float y) {
     return x < 0.0 ? kLightPi - arc : arc;
 }
 
-// Unit vectors at right angles to the unit vector n and each other, without a jump but at z = 0 (Duff et al., Building
-// an Orthonormal Basis, Revisited, JCGT 6(1), 2017).
-void tangentsOf(vec3 n, out vec3 s, out vec3 t) {
-    float side = n.z < 0.0 ? -1.0 : 1.0;
-    float a = -1.0 / (side + n.z), b = n.x * n.y * a;
-    s = vec3(1.0 + side * n.x * n.x * a, side * b, -side * n.x);
-    t = vec3(b, side + n.y * n.y * a, -n.y);
-}
-
 // The direction whose angle with axis has a cosine of 1 - from_axis, at turn u (of 1) around it.
 vec3 coneDirection(vec3 axis, float from_axis, float u) {
-    vec3 s, t;
-    tangentsOf(axis, s, t);
     float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), turn = 2.0 * kLightPi * u;
-    return normalize(axis * (1.0 - from_axis) + sine * (cos(turn) * s + sin(turn) * t));
+    return normalize(frameAround(axis) * vec3(sine * cos(turn), sine * sin(turn), 1.0 - from_axis));
 }
 
 // 1 minus the cosine of its angular radius: exact, as cosines near 1 are.

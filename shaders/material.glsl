@@ -90,7 +90,7 @@ void setRoughLobes(inout SurfaceMaterial s, int kind, float roughness, float ind
 
 // Glass reflects by Fresnel and lets the rest through, coloured by its albedo; back: wo is inside. Radiance grows with
 // the square of the index inside and shrinks by the same on the way out. Camera and lights being outside, both factors
-// are left away. Photons carry power, which no boundary changes: for them there is nothing to leave away.
+// are left away, for light that ends or starts in glass as well; photons are weighed alike (photon.comp.glsl).
 void setGlass(inout SurfaceMaterial s, float index, bool back, float cosine) {
     s.eta = back && !s.thin ? index : 1.0 / index;
     float behind, side = dielectricReflectance(cosine, s.eta, behind);

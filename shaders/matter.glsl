@@ -7,6 +7,10 @@
 
 bool isClassic() { return kIntegrator != INTEGRATOR_PATH; }
 
+// Whether photons bring it the light of caustics. They tell how much arrives but not from where, which is what metals
+// show: path leaves those to rays that find lamps by chance.
+bool gathersPhotons(Material row) { return isClassic() || int(row.gloss.x) != MATERIAL_METAL; }
+
 // cosine: of the angle between normal and view.
 SurfaceMaterial matterOf(Material row, vec3 albedo, bool back, float cosine) {
     if (kIntegrator == INTEGRATOR_WHITTED) row.gloss.w = glossedMirrorShare(row, cosine);

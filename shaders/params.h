@@ -79,7 +79,7 @@ struct PathState {
 #define PATH_BOUNCE_MASK 0xFFu
 #define PATH_DEFERRED_SHIFT 8u  // rays of the pixel that wait in deferred, 0 to DEFERRED_MOST
 #define PATH_DEFERRED_MASK 0xFu
-#define PATH_DIFFUSED 0x1000u   // it was scattered by more than mirrors and glass
+#define PATH_DIFFUSED 0x1000u   // but for mirrors and glass, what scattered it last gathers photons
 #define PATH_INSIDE 0x2000u     // in glass whose normals tell no sides
 #define PATH_CAUSTIC 0x4000u    // what it finds of lamps, photons have brought
 #define PATH_OWNER_SHIFT 24u    // whose surface it left, NO_OWNER at the eye

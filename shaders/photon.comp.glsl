@@ -49,8 +49,10 @@ void main() {
         float chance = 1.0 - matter.reflect_chance - matter.refract_chance;
         photons[index] = Photon(vec4(point.position, uintBitsToFloat(packNormal(normal))), vec4(flux / chance, 1.0));
     }
+    // as radiance is carried over boundaries without its factor, so is light that ends or starts in glass
+    float boundary = matter.thin ? 1.0 : matter.eta * matter.eta;
     NextRay ray = NextRay(refracts ? refractedWay(matter, normal, way_back) : reflect(-way_back, normal),
-                          flux * (refracts ? matter.albedo : matter.reflect_tint), 0.0);
+                          flux * (refracts ? matter.albedo * boundary : matter.reflect_tint), 0.0);
     bool goes_on = met && (reflects || refracts) && bounce < params.mode.y && largest(ray.weight) > 0.0;
     appendRay(goes_on, index, pathAfter(point, path, ray, 0u));
 }

@@ -43,12 +43,12 @@ struct Shape {
     vec4 row_x; // rows of local_from_stage: xyz linear part, w translation
     vec4 row_y;
     vec4 row_z;
-    uvec4 kind; // x: SHAPE_*, y: material, z: SHAPE_* bits below
+    uvec4 kind; // x: SHAPE_*, y: material, z: bits, see below
 };
 #define SHAPE_VECTORS 4
 #define SHAPE_UNSEEN_BY_CAMERA 1u // lamps that light without being seen
-#define SHAPE_CASTS_CAUSTICS 4u
 #define SHAPE_BACKDROP 2u         // not of the scene: first hits and coverage pass through it
+#define SHAPE_CASTS_CAUSTICS 4u
 
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
@@ -80,7 +80,7 @@ struct InstanceParams {
     vec4 row_z;
     vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units in a stage unit
     vec4 grid_scale;   // x: entry grid cells in a cube unit, y: words in a row, z: in a layer, w: one position step in cells
-    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: 1 where normals are oriented
+    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
     uvec4 grid_size;   // xyz: cells, w: last word
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
