@@ -19,7 +19,8 @@ constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
 constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
 /// Mirrors and glass in a photon's way, at most: more than light keeps much of itself through.
 constexpr std::uint32_t kPhotonBounces = 16;
-/// Each photon asks each instance: with more of them than this there are fewer photons, so that the time stays the same.
+/// Each photon asks each instance: with more of them than this there are fewer photons, so that the time stays the
+/// same.
 constexpr std::size_t kInstancesForAll = 8;
 
 template <typename Row>
@@ -166,8 +167,8 @@ CausticMap emptyCaustics(Device& device) {
 
 CausticMap buildCaustics(Device& device, const StagedScene& scene, const Programs& programs, std::uint32_t count) {
     count /= static_cast<std::uint32_t>(1 + scene.instances.size() / kInstancesForAll);
-    const std::vector<gpu::PathState> paths = emitPhotons(
-        scene.light_rows, findTargets(scene), sphereAround(scene.stage, boundsWithShapes(scene)), count);
+    const std::vector<gpu::PathState> paths =
+        emitPhotons(scene.light_rows, findTargets(scene), sphereAround(scene.stage, boundsWithShapes(scene)), count);
     CausticMap map = emptyCaustics(device);
     if (paths.empty()) return map;
     std::vector<gpu::Photon> kept;

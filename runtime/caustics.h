@@ -22,7 +22,8 @@ struct CausticMap {
 /// A map without photons.
 CausticMap emptyCaustics(Device& device);
 
-/// Traces about count photons, fewer in scenes of many instances. It depends on the scene alone: camera and image do not matter.
+/// Traces about count photons, fewer in scenes of many instances. It depends on the scene alone: camera and image do
+/// not matter.
 CausticMap buildCaustics(Device& device, const StagedScene& scene, const Programs& programs, std::uint32_t count);
 
 /// At their places in shaders/bindings.glsl.

@@ -145,9 +145,14 @@ Denoiser createDenoiser(Device& device, std::uint32_t width, std::uint32_t heigh
     Denoiser denoiser;
     denoiser.width = width;
     denoiser.height = height;
-    createBuffers(device, denoiser);
-    createPrograms(device, denoiser, inputs.has_variance);
-    createSets(device, denoiser, inputs);
+    try {
+        createBuffers(device, denoiser);
+        createPrograms(device, denoiser, inputs.has_variance);
+        createSets(device, denoiser, inputs);
+    } catch (...) {
+        destroyDenoiser(device, denoiser);
+        throw;
+    }
     return denoiser;
 }
 

@@ -155,7 +155,7 @@ void renderPicture(Session& session, const Options& options, Report& report) {
     report.noise = relativeNoise(film);
     denoise(session, options, film, report);
     if (options.output.empty()) return;
-    if (state.traced > 0 || options.denoise == DenoiseChoice::kOn)
+    if (state.traced > 0 || (start && options.denoise == DenoiseChoice::kOn))
         writeImage(session, options, signature, std::move(film));
     tellEnd(options, session, state, report);
 }

@@ -10,13 +10,13 @@
 namespace pointrt {
 
 struct PhotonMap {
-    std::vector<gpu::Photon> photons;   ///< by bucket
-    std::vector<std::uint32_t> buckets; ///< PHOTON_BUCKETS + 1 words: where each one starts
+    std::vector<gpu::Photon> photons;   ///< by the bucket of the cell that each is in
+    std::vector<std::uint32_t> buckets; ///< PHOTON_BUCKETS + 1 words and the lists that they point to
     gpu::CausticFrame frame{};
 };
 
-/// Gives each photon a level and sorts them. The finest discs are as wide as the typical photon, most of which lie
-/// where light is bundled tightly, has kKernelPhotons around it, at most kMostRadius of scene_radius. No photons: an
+/// Gives each photon a level, sorts and lists them. The finest discs are as wide as where
+/// light is bundled tightly kKernelPhotons lie around a photon, at most kMostRadius of scene_radius. No photons: an
 /// empty map.
 PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius);
 

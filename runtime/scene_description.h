@@ -45,6 +45,7 @@ struct MaterialOverride {
     };
     std::variant<Row, ColorRange> splats;
     std::uint32_t material = 0; ///< in SceneDescription::materials
+    std::string place;          ///< where it was said, to begin messages with: whether rows are there, only files tell
 };
 
 /// A similarity: world = translation + scale * rotation * input. rotation has orthonormal rows.

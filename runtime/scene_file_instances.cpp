@@ -66,6 +66,7 @@ MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading
     else
         over.splats = colorRangeOf(*find(table, "colors"));
     over.material = materialOf(require(table, "material"), reading);
+    over.place = placeOf(find(table, "row").value_or(table));
     return over;
 }
 

@@ -83,9 +83,13 @@ std::string suggestion(std::string_view text, const std::vector<std::string_view
     return nearest.empty() ? "" : ", did you mean \"" + printable(nearest) + "\"?";
 }
 
-void refuse(const SceneValue& value, const std::string& reason) {
+std::string placeOf(const SceneValue& value) {
     const std::string key = value.name.empty() ? "" : "key \"" + value.name + "\": ";
-    throw Error{ExitCode::kBadInput, place(*value.file, value.node->source()) + key + reason};
+    return place(*value.file, value.node->source()) + key;
+}
+
+void refuse(const SceneValue& value, const std::string& reason) {
+    throw Error{ExitCode::kBadInput, placeOf(value) + reason};
 }
 
 toml::table parseToml(std::string_view text, const std::string& file) {

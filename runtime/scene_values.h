@@ -42,6 +42,8 @@ constexpr Range kLengths{kSmallest, kLargest};
 constexpr Range kLight{0, kLargest};
 constexpr Range kShare{0, 1};
 
+/// "FILE:LINE: key "NAME": "
+std::string placeOf(const SceneValue& value);
 [[noreturn]] void refuse(const SceneValue& value, const std::string& reason);
 /// "a, b, c"
 std::string joined(const std::vector<std::string_view>& words);

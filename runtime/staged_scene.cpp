@@ -157,8 +157,8 @@ private:
     void applyOverride(const MaterialOverride& each, const Scene& file, gpu::InstanceParams& params) {
         if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
             if (row->row >= file.info.material_count)
-                throw Error{ExitCode::kBadInput, scene_.description.path + ": " + file.path + " has no material row " +
-                                                     std::to_string(row->row)};
+                throw Error{ExitCode::kBadInput,
+                            each.place + file.path + " has no material row " + std::to_string(row->row)};
             materials[params.materials.y + row->row] = materials.at(each.material);
             return;
         }

@@ -60,7 +60,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
-#define loadPhotonBucket(i) texelFetch(photon_buckets, int(i)).x
+#define loadPhotonWord(i) texelFetch(photon_buckets, int(i)).x
+#define loadPhotonLevel(i) params.caustics.levels[i]
 #define loadGgxAlbedo(i) texelFetch(ggx_albedo, int(i)).xy
 #define loadEnvironmentTexel(i) texelFetch(environment_texels, int(i))
 #define loadEnvironmentCdf(i) texelFetch(environment_cdf, int(i)).x

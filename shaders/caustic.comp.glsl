@@ -17,7 +17,7 @@ void main() {
     Material row = loadMaterial(floatBitsToUint(point.normal.w));
     SurfaceMaterial matter = matterOf(row, point.albedo.rgb, false, dot(normal, point.view.xyz));
     if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
-    vec3 irradiance = causticIrradiance(params.caustics, point.position.xyz, normal);
+    vec3 irradiance = causticIrradiance(point.position.xyz, normal);
     vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
     vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kLightPi);
     film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;

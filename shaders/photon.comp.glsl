@@ -14,13 +14,6 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// Octahedral, as photonNormal reads it.
-uint packNormal(vec3 n) {
-    n /= abs(n.x) + abs(n.y) + abs(n.z);
-    vec2 folded = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-    return packSnorm2x16(n.z >= 0.0 ? n.xy : folded);
-}
-
 // Photons are sent to one thing each. What else they meet on the way they are sent to as well, apart.
 bool meetsTarget(PathState path, Point point) {
     uint target = point.owner | (point.owner == OWNER_SHAPES ? point.splat << PHOTON_SHAPE_SHIFT : 0u);
@@ -47,7 +40,7 @@ void main() {
     bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(matter);
     if (stays) {
         float chance = 1.0 - matter.reflect_chance - matter.refract_chance;
-        photons[index] = Photon(vec4(point.position, uintBitsToFloat(packNormal(normal))), vec4(flux / chance, 1.0));
+        photons[index] = Photon(vec4(point.position, uintBitsToFloat(packSnorm4x8(vec4(normal, 0.0)))), vec4(flux / chance, 1.0));
     }
     // as radiance is carried over boundaries without its factor, so is light that ends or starts in glass
     float boundary = matter.thin ? 1.0 : matter.eta * matter.eta;

@@ -10,18 +10,22 @@ namespace pointrt::gpu {
 
 // Two texels of the map; in the buffer that photons are traced into, one for each path.
 struct Photon {
-    vec4 position; // stage units; w: as bits, the surface's unit normal, octahedral in two signed halves
+    vec4 position; // stage units; w: as bits, the surface's unit normal in three signed bytes
     vec4 flux;     // w: in the buffer, 1 where the path has left a photon; in the map, its level
 };
 #define PHOTON_VECTORS 2
 
-// The map: photons sorted by bucket, and where each bucket starts (PHOTON_BUCKETS + 1 words). A photon's light is spread
-// over a disc, small where photons are dense: its radius is that of its level, PHOTON_LEVEL_RATIO times that of the level
-// below. Each level has a grid of its own, whose cells are as wide as its discs, so that those around a point lie in no
-// more than 8. Enough buckets that hardly any two cells with photons share one.
+// The map: photons, and buckets that list them. A photon's light is spread over a disc, small where photons are dense:
+// its radius is that of its level, PHOTON_LEVEL_RATIO times that of the level below. Each level has a grid of its own,
+// whose cells are as wide as its discs, and each of the cells that a disc meets, 8 at most, lists its photon: all around
+// a point are then listed by the cell that it is in. Cells share buckets by a hash; there are enough of them that hardly
+// any two cells with photons do. The buckets' words: where each bucket's list starts among them and the last one ends
+// (PHOTON_BUCKETS + 1), then the lists, numbers of photons, none twice in a bucket.
 #define PHOTON_BUCKETS 1048576u
-#define PHOTON_LEVELS 4
-#define PHOTON_LEVEL_RATIO 2.5f
+#define PHOTON_LEVELS 6
+#define PHOTON_LEVEL_RATIO 1.7f
+// A disc lights what is within its radius, and no farther from its plane than this share of it.
+#define PHOTON_REACH 0.5f
 
 // Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects (2003); the last is for levels.
 #define PHOTON_HASH_X 73856093u
@@ -29,8 +33,13 @@ struct Photon {
 #define PHOTON_HASH_Z 83492791u
 #define PHOTON_HASH_LEVEL 2654435761u
 
+struct PhotonLevel {
+    vec4 low;  // corners of the box around its discs, low above high where it has none; w: cells in a stage unit
+    vec4 high; // w: radius
+};
+
 struct CausticFrame {
-    vec4 kernel; // of level 0: x: radius, y: cells in a stage unit, z: inverse of the kernel's integral, 3 / (pi radius^2)
+    PhotonLevel levels[PHOTON_LEVELS];
     uvec4 count; // x: photons
 };
 

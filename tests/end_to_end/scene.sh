@@ -90,6 +90,9 @@ case_errors_name_file_line_and_key() {
     : >empty.pro
     sed 's/file = "sphere.pro"/file = "empty.pro"/' scene.toml >bad.toml
     expectError 1 'empty.pro: ' pointrt-view bad.toml -q -o out/a.png
+    { cat scene.toml && printf '[[instance.override]]\nrow = 9\nmaterial = "glass"\n'; } >bad.toml
+    expectError 1 'bad.toml:[0-9]*: key "instance\[1\].override\[0\].row": sphere.pro has no material row 9' \
+        pointrt-view bad.toml -q -o out/a.png
 }
 
 runCase "$@"

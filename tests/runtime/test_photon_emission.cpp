@@ -132,8 +132,7 @@ double linesBetween(double r, double s, double distance) {
 TEST(PhotonEmission, OfASphere) {
     for (const SphereLight& light : {SphereLight{{4, 0, 1}, 0.5, kColor}, SphereLight{{2, -2, 3.8}, 0.5, kColor},
                                      SphereLight{{31, -2, 3}, 29, kColor}, SphereLight{{500, 0, 0}, 3, kColor}})
-        expectFlux(light, kBall,
-                   2 * linesBetween(light.radius, kBall.radius, length(light.center - kBall.center)));
+        expectFlux(light, kBall, 2 * linesBetween(light.radius, kBall.radius, length(light.center - kBall.center)));
     // a lamp in the target sends all it has; a target in a lamp gets nothing, lamps shine outwards
     expectFlux(SphereLight{{1.1, -2, 3.1}, 0.2, kColor}, kBall, 2 * pi * 4 * pi * 0.2 * 0.2);
     EXPECT_EQ(emittedFlux(SphereLight{{1, -2, 3.5}, 2, kColor}, kBall), 0);
@@ -147,17 +146,19 @@ TEST(PhotonEmission, OfAQuad) {
     const auto area = [](const QuadLight& light) { return 4 * length(light.u) * length(light.v); };
     // a ball over the horizon: its projected solid angle is pi sin^2 times the cosine to its middle
     expectFlux(above, kBall, 2 * area(above) * integral(400, [&](double u, double v) {
-                   const Vec3 way = kBall.center - pointOf(above, u, v);
-                   const double squared = dot(way, way);
-                   return pi * kBall.radius * kBall.radius / squared * std::abs(way.y) / std::sqrt(squared);
-               }));
+                                 const Vec3 way = kBall.center - pointOf(above, u, v);
+                                 const double squared = dot(way, way);
+                                 return pi * kBall.radius * kBall.radius / squared * std::abs(way.y) /
+                                        std::sqrt(squared);
+                             }));
     // one that the lamp's plane cuts: both sides shine
     const QuadLight level{{3, -2.2, 3}, {0, 0, 0.5}, {0.5, 0, 0}, kColor};
     expectFlux(level, kBall, 2 * area(level) * integral(12, [&](double u, double v) {
-                   const Vec3 from = pointOf(level, u, v), axis = normalize(kBall.center - from);
-                   const double cosine = 1 - capOf(kBall, from);
-                   return overSphere(500, [&](Vec3 d) { return dot(d, axis) > cosine ? std::abs(d.y) : 0.0; });
-               }));
+                                 const Vec3 from = pointOf(level, u, v), axis = normalize(kBall.center - from);
+                                 const double cosine = 1 - capOf(kBall, from);
+                                 return overSphere(500,
+                                                   [&](Vec3 d) { return dot(d, axis) > cosine ? std::abs(d.y) : 0.0; });
+                             }));
     // a lamp in the target
     const QuadLight inside{kBall.center, {0.3, 0, 0}, {0, 0.1, 0}, kColor};
     expectFlux(inside, kBall, 2 * area(inside) * 2 * pi);
@@ -185,7 +186,8 @@ TEST(PhotonEmission, ReachesTheTargetEvenly) {
     const Vec3 axis = normalize(kBall.center - light.position), side = normalize(cross(axis, {0, 1, 0})),
                up = cross(side, axis);
     double left = 0, low = 0, all = 0;
-    for (const gpu::PathState& path : emitPhotons(std::vector{packLight({}, light)}, std::vector{kBall}, kScene, kCount)) {
+    for (const gpu::PathState& path :
+         emitPhotons(std::vector{packLight({}, light)}, std::vector{kBall}, kScene, kCount)) {
         const Vec3 d = vecOf(path.direction);
         left += dot(d, side) < 0 ? path.throughput.x : 0;
         low += dot(d, up) < 0 ? path.throughput.x : 0;
@@ -235,9 +237,9 @@ TEST(PhotonEmission, OfNothing) {
     EXPECT_TRUE(emitPhotons({}, std::vector{kBall}, kScene, kCount).empty());
     EXPECT_TRUE(emitPhotons(std::vector{lamp}, {}, kScene, kCount).empty());
     EXPECT_TRUE(emitPhotons(std::vector{sky}, std::vector{kBall}, kScene, kCount).empty());
-    EXPECT_TRUE(emitPhotons(std::vector{packLight({}, PointLight{{4, 0, 1}, {0, 0, 0}})}, std::vector{kBall}, kScene,
-                            kCount)
-                    .empty());
+    EXPECT_TRUE(
+        emitPhotons(std::vector{packLight({}, PointLight{{4, 0, 1}, {0, 0, 0}})}, std::vector{kBall}, kScene, kCount)
+            .empty());
     EXPECT_TRUE(emitPhotons(std::vector{lamp}, std::vector{PhotonTarget{{0, 0, 0}, 0, 0}}, kScene, kCount).empty());
 }
 

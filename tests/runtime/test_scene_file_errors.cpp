@@ -187,6 +187,8 @@ TEST_F(SceneFile, HoldsItsLimits) {
               "scene.toml:288: key \"light[31]\": there are at most 64 shapes, sphere and quad lights counted");
     EXPECT_EQ(refusal(repeated(shape, 1) + repeated(lamp, 33)),
               "scene.toml:165: key \"light[32]\": there are at most 32 lights");
+    EXPECT_EQ(refusal(repeated(lamp, 32) + shape + "[sky]\nimage = 'sky.hdr'\n"),
+              "scene.toml:166: key \"sky.image\": is a light, and there are 32 already");
     std::string materials;
     for (int i = 100; i < 357; ++i) materials += "[material.m" + std::to_string(i) + "]\n";
     EXPECT_EQ(refusal(materials), "scene.toml:257: key \"material.m356\": there are at most 256 materials");

