@@ -125,7 +125,7 @@ void addSceneOptions(CLI::App& app, Options& options) {
         "scene, a studio of three lamps over a floor)",
         [&](const std::string& text) { render.room = parseName(kRoomNames, text); });
     add(app, "--lights", "N",
-        "Point lights on a ring above the scene (default 3 with --room, 0 to " + std::to_string(kMaxLights) + ")",
+        "Point lights on a ring above a scene that has no light of its own (default 3 with --room, 0 to " + std::to_string(kMaxLights) + ")",
         [&](const std::string& text) { render.lights = parseCount(text, 0, kMaxLights); });
     add(app, "--shadows", "on|off", "Shadow rays" + defaultText(nameOf(kSwitchNames, render.shadows)),
         [&](const std::string& text) { render.shadows = parseName(kSwitchNames, text); });
