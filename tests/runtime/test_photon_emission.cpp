@@ -106,6 +106,9 @@ TEST(PhotonEmission, OfASpot) {
          {SpotLight{from, aim, 30, 25, kColor}, SpotLight{from, aim, 5, 3, kColor},
           SpotLight{from, normalize(aim + Vec3{0, 0.2, 0}), 10, 4, kColor}, SpotLight{{1.2, -2, 3}, aim, 8, 4, kColor}})
         expectFlux(light, kBall, flux(light, kBall));
+    // a ray of light in the ball: directions all around would hardly meet it
+    const double middle = std::cos(1.99 / 2 * pi / 180);
+    expectFlux(SpotLight{{1.2, -2, 3}, aim, 1, 0.99, kColor}, kBall, 2 * 2 * pi * (1 - middle));
     EXPECT_EQ(emittedFlux(SpotLight{from, -1 * aim, 30, 25, kColor}, kBall), 0) << "turned away";
 }
 
