@@ -27,7 +27,6 @@ namespace pointrt::test {
 
 namespace {
 
-Vec3 vec(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 gpu::vec4 pack(Vec3 v, double w) {
