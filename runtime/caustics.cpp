@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 
 #include "runtime/frame_buffers.h"
 #include "runtime/photon_emission.h"
@@ -23,19 +24,10 @@ constexpr std::uint32_t kPhotonBounces = 16;
 /// same.
 constexpr std::size_t kInstancesForAll = 8;
 
-template <typename Row>
-Buffer texelRows(Device& device, const char* what, std::vector<Row> rows, VkFormat format) {
-    if (rows.empty()) rows.resize(4); // a texel buffer has at least one texel
-    Buffer buffer = createFilledBuffer(device, what, rows.data(), rows.size() * sizeof(Row),
-                                       VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    createTexelView(device, what, buffer, format);
-    return buffer;
-}
-
 void storeMap(Device& device, CausticMap& map, PhotonMap sorted) {
     map.frame = sorted.frame;
-    map.photons = texelRows(device, "photon buffer", std::move(sorted.photons), VK_FORMAT_R32G32B32A32_UINT);
-    map.buckets = texelRows(device, "photon buckets", std::move(sorted.buckets), VK_FORMAT_R32_UINT);
+    map.photons = createTexelRows(device, "photon buffer", std::move(sorted.photons), VK_FORMAT_R32G32B32A32_UINT);
+    map.buckets = createTexelRows(device, "photon buckets", std::move(sorted.buckets), VK_FORMAT_R32_UINT);
 }
 
 StageSphere sphereAround(const Stage& stage, const Bounds& bounds) {
@@ -45,10 +37,8 @@ StageSphere sphereAround(const Stage& stage, const Bounds& bounds) {
 
 /// With all that may stand in the sun's way, but endless planes.
 Bounds boundsWithShapes(const StagedScene& scene) {
-    Bounds all = scene.bounds;
-    for (const ShapeDescription& shape : scene.description.shapes)
-        if (const auto bounds = shapeBounds(shape)) all = joined(all, *bounds);
-    return all;
+    const std::optional<Bounds> shapes = boundsOfShapes(scene.description);
+    return shapes ? joined(scene.bounds, *shapes) : scene.bounds;
 }
 
 /// Around the shape's unit form, by the inverse of its rows: a similarity but for unequal edges.
@@ -82,22 +72,16 @@ public:
     PhotonTracer(Device& device, const StagedScene& scene, const Programs& programs, CausticMap& map)
         : device_(device), scene_(scene), programs_(programs), map_(map),
           buffers_(createFrameBuffers(device, kBatchWidth, kBatchRows)) {
-        pool_ =
-            createDescriptorPool(device, static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1)));
-        for (const Instance& instance : scene.instances) sets_.push_back(bind(instance));
-        if (sets_.empty()) sets_.push_back(bind(scene.blank));
-        gpu::FrameParams params{};
-        params.image = {kBatchWidth, kBatchRows, 0, kBatchRows};
-        params.scene = {0, OPTION_BLEND, scene.shape_count, NO_LIGHT};
-        params.mode = {INTEGRATOR_PATH, kPhotonBounces, 0, 0};
-        uploadBuffer(device, buffers_.params, &params, sizeof params);
+        try {
+            bindAll();
+        } catch (...) {
+            release();
+            throw;
+        }
     }
     PhotonTracer(const PhotonTracer&) = delete;
     PhotonTracer& operator=(const PhotonTracer&) = delete;
-    ~PhotonTracer() {
-        destroyDescriptorPool(device_, pool_);
-        destroyFrameBuffers(device_, buffers_);
-    }
+    ~PhotonTracer() { release(); }
 
     /// Appends what is left of count photons (at most kBatch) to kept.
     void trace(const gpu::PathState* paths, std::size_t count, std::uint32_t batch, std::vector<gpu::Photon>& kept) {
@@ -121,6 +105,23 @@ public:
     }
 
 private:
+    void release() {
+        destroyDescriptorPool(device_, pool_);
+        destroyFrameBuffers(device_, buffers_);
+    }
+
+    void bindAll() {
+        const std::size_t sets = std::max<std::size_t>(scene_.instances.size(), 1);
+        pool_ = createDescriptorPool(device_, static_cast<std::uint32_t>(sets));
+        for (const Instance& instance : scene_.instances) sets_.push_back(bind(instance));
+        if (sets_.empty()) sets_.push_back(bind(scene_.blank));
+        gpu::FrameParams params{};
+        params.image = {kBatchWidth, kBatchRows, 0, kBatchRows};
+        params.scene = {0, OPTION_BLEND, scene_.shape_count, NO_LIGHT};
+        params.mode = {INTEGRATOR_PATH, kPhotonBounces, 0, 0};
+        uploadBuffer(device_, buffers_.params, &params, sizeof params);
+    }
+
     VkDescriptorSet bind(const Instance& instance) {
         std::vector<BufferBinding> bindings = instanceBindings(scene_, instance);
         for (const BufferBinding& each : frameBindings(buffers_)) bindings.push_back(each);
@@ -160,7 +161,7 @@ private:
 
 CausticMap emptyCaustics(Device& device) {
     CausticMap map;
-    storeMap(device, map, sortPhotons({}, 1));
+    storeMap(device, map, {});
     map.traced = createBuffer(device, "traced photon buffer", sizeof(gpu::Photon), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     return map;
 }
@@ -188,7 +189,6 @@ CausticMap buildCaustics(Device& device, const StagedScene& scene, const Program
     map = emptyCaustics(device);
     for (Buffer* buffer : {&map.photons, &map.buckets}) destroyBuffer(device, *buffer);
     storeMap(device, map, sortPhotons(std::move(kept), sphereAround(scene.stage, scene.bounds).radius));
-    map.emitted = paths.size();
     return map;
 }
 

@@ -16,7 +16,6 @@ struct CausticMap {
     Buffer photons, buckets;
     Buffer traced; ///< where photons in flight are kept; as small as can be outside of buildCaustics
     gpu::CausticFrame frame{};
-    std::uint64_t emitted = 0; ///< photons that set out
 };
 
 /// A map without photons.

@@ -117,12 +117,6 @@ std::vector<float> interleave(const std::vector<float>& xyz, float missing_xyz, 
     return texels;
 }
 
-Buffer createFilledTexels(Device& device, const char* what, const std::vector<float>& values) {
-    Buffer buffer = createFilledBuffer(device, what, values.data(), values.size() * sizeof(float), kTexels);
-    createTexelView(device, what, buffer, kFourFloats);
-    return buffer;
-}
-
 bool hasVariance(const Film& film) {
     return !film.variance.empty() &&
            std::all_of(film.samples.begin(), film.samples.end(), [](float samples) { return samples >= 2; });
@@ -183,9 +177,10 @@ void denoiseFilm(Device& device, Film& film) {
     const std::size_t pixels = std::size_t{film.width} * film.height;
     requireSizes(film, pixels);
     if (pixels == 0) return;
-    Buffer color = createFilledTexels(device, "picture", film.rgba);
-    Buffer surface = createFilledTexels(device, "normals and depths", interleave(film.normal, 0, film.depth, pixels));
-    Buffer albedo = createFilledTexels(device, "albedo", interleave(film.albedo, 1, film.variance, pixels));
+    Buffer color = createTexelRows(device, "picture", film.rgba, kFourFloats);
+    Buffer surface =
+        createTexelRows(device, "normals and depths", interleave(film.normal, 0, film.depth, pixels), kFourFloats);
+    Buffer albedo = createTexelRows(device, "albedo", interleave(film.albedo, 1, film.variance, pixels), kFourFloats);
     const std::vector<float> filtered =
         filter(device, film.width, film.height, {&color, &surface, &albedo, hasVariance(film)});
     for (std::size_t i = 0; i < filtered.size(); ++i)

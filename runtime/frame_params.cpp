@@ -10,10 +10,6 @@ namespace pointrt {
 
 namespace {
 
-gpu::vec4 pack(Vec3 v, double w = 0) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
-}
-
 gpu::vec4 pack(Color color, float strength, float w = 0) {
     return {color[0] * strength, color[1] * strength, color[2] * strength, w};
 }

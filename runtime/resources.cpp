@@ -132,6 +132,21 @@ void forEachChunk(Device& device, std::uint64_t bytes, Copy&& copy) {
     destroyBuffer(device, staging);
 }
 
+void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
+    const std::uint64_t size = texelBytes(format);
+    const std::uint64_t texels = std::max(buffer.bytes, kMinBufferBytes) / size;
+    if (texels > device.limits.maxTexelBufferElements)
+        throw Error{ExitCode::kCannotRun, std::string(what) + " has " + std::to_string(texels) +
+                                              " elements, the device reads at most " +
+                                              std::to_string(device.limits.maxTexelBufferElements)};
+    VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+    info.buffer = buffer.handle;
+    info.format = format;
+    info.range = texels * size;
+    check(vkCreateBufferView(device.handle, &info, nullptr, &buffer.view),
+          (std::string("create a view of ") + what).c_str());
+}
+
 } // namespace
 
 Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage, MemoryHome home) {
@@ -192,18 +207,12 @@ Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, V
 }
 
 void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
-    const std::uint64_t size = texelBytes(format);
-    const std::uint64_t texels = std::max(buffer.bytes, kMinBufferBytes) / size;
-    if (texels > device.limits.maxTexelBufferElements)
-        throw Error{ExitCode::kCannotRun, std::string(what) + " has " + std::to_string(texels) +
-                                              " elements, the device reads at most " +
-                                              std::to_string(device.limits.maxTexelBufferElements)};
-    VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
-    info.buffer = buffer.handle;
-    info.format = format;
-    info.range = texels * size;
-    check(vkCreateBufferView(device.handle, &info, nullptr, &buffer.view),
-          (std::string("create a view of ") + what).c_str());
+    try {
+        addView(device, what, buffer, format);
+    } catch (...) {
+        destroyBuffer(device, buffer);
+        throw;
+    }
 }
 
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "runtime/device.h"
 
@@ -39,8 +40,21 @@ Buffer createFilledBuffer(Device& device, const char* what, const void* data, st
 Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, VkBufferUsageFlags usage);
 
 /// Adds a view of the whole buffer for texel fetches in format. The buffer needs the uniform or storage texel usage.
-/// Throws Error kCannotRun when there are more texels than the device can address or it cannot read the format.
+/// Throws Error kCannotRun when there are more texels than the device can address or it cannot read the format; the
+/// buffer is destroyed then.
 void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format);
+
+/// A device buffer of rows for texel fetches in format. Without rows it holds a few blank ones: there must be texels,
+/// and lanes without work read the first row.
+template <typename Row>
+Buffer createTexelRows(Device& device, const char* what, std::vector<Row> rows, VkFormat format) {
+    constexpr std::size_t kBlankRows = 4;
+    if (rows.empty()) rows.resize(kBlankRows);
+    Buffer buffer = createFilledBuffer(device, what, rows.data(), rows.size() * sizeof(Row),
+                                       VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
+    createTexelView(device, what, buffer, format);
+    return buffer;
+}
 
 /// Copies bytes from data to buffer at offset; returns when they are there. Offset and bytes are multiples of 4.
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset = 0);

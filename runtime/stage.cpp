@@ -24,10 +24,6 @@ Vec3 placed(const Placement& placement, Vec3 input) {
     return placement.translation + placement.scale * applied(placement.rotation, input);
 }
 
-gpu::vec4 pack(Vec3 v, double w = 0) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
-}
-
 gpu::vec4 packColor(const Color& color, float w = 0) { return {color[0], color[1], color[2], w}; }
 
 gpu::vec4 packColor(const Color& color, double factor, float w) {
@@ -36,18 +32,9 @@ gpu::vec4 packColor(const Color& color, double factor, float w) {
                      w);
 }
 
-Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
 /// Half edges of the box around the ellipsoid (or ellipse) that u, v and w span.
 Vec3 roundHalf(Vec3 u, Vec3 v, Vec3 w) {
     return {std::hypot(u.x, v.x, w.x), std::hypot(u.y, v.y, w.y), std::hypot(u.z, v.z, w.z)};
-}
-
-std::optional<Bounds> boundedShapes(const SceneDescription& scene) {
-    std::optional<Bounds> all;
-    for (const ShapeDescription& shape : scene.shapes)
-        if (const auto bounds = shapeBounds(shape)) all = all ? joined(*all, *bounds) : *bounds;
-    return all;
 }
 
 double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
@@ -103,11 +90,15 @@ Stage chooseStage(const SceneDescription& scene, std::span<const pro_info> infos
         // the corner that is lowest in the cube's own frame, so that the unmoved stage is that frame
         return {placed(placement, vecOf(infos.front().origin)), placement.scale * infos.front().scale};
     }
-    const std::optional<Bounds> bounds = boundedShapes(scene);
+    const std::optional<Bounds> bounds = boundsOfShapes(scene);
     if (!bounds) return {};
     const Vec3 size = bounds->hi - bounds->lo;
     const double longest = std::max({size.x, size.y, size.z});
     return longest > 0 ? Stage{bounds->lo, longest} : Stage{};
+}
+
+gpu::vec4 pack(Vec3 v, double w) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
 Vec3 stagePoint(const Stage& stage, Vec3 world) { return (world - stage.origin) * (1.0 / stage.scale); }
@@ -157,6 +148,13 @@ std::optional<Bounds> shapeBounds(const ShapeDescription& shape) {
 Bounds joined(const Bounds& a, const Bounds& b) {
     return {{std::min(a.lo.x, b.lo.x), std::min(a.lo.y, b.lo.y), std::min(a.lo.z, b.lo.z)},
             {std::max(a.hi.x, b.hi.x), std::max(a.hi.y, b.hi.y), std::max(a.hi.z, b.hi.z)}};
+}
+
+std::optional<Bounds> boundsOfShapes(const SceneDescription& scene) {
+    std::optional<Bounds> all;
+    for (const ShapeDescription& shape : scene.shapes)
+        if (const auto bounds = shapeBounds(shape)) all = all ? joined(*all, *bounds) : *bounds;
+    return all;
 }
 
 gpu::Shape packShape(const Stage& stage, const ShapeDescription& shape) {

@@ -44,7 +44,11 @@ Bounds placedBounds(const Placement& placement, const pro_info& info);
 /// None for planes.
 std::optional<Bounds> shapeBounds(const ShapeDescription& shape);
 Bounds joined(const Bounds& a, const Bounds& b);
+/// Around all shapes that are not planes; none without such.
+std::optional<Bounds> boundsOfShapes(const SceneDescription& scene);
 
+/// The device's vector of v and w, rounded to float.
+gpu::vec4 pack(Vec3 v, double w = 0);
 /// u, v and w of the description span space, whatever the kind.
 gpu::Shape packShape(const Stage& stage, const ShapeDescription& shape);
 /// The light in the stage's units: lengths and radiant intensities change, radiance and the sun's irradiance do not.

@@ -11,6 +11,7 @@
 #include "runtime/environment.h"
 #include "runtime/ggx_albedo.h"
 #include "runtime/staging.h"
+#include "shaders/ggx_table.h"
 
 namespace pointrt {
 
@@ -52,13 +53,19 @@ gpu::InstanceParams placeInstance(const Stage& stage, const Scene& file, const P
 /// Of the instances; without any, of the bounded shapes.
 Bounds findBounds(const StagedScene& scene) {
     std::optional<Bounds> all;
-    const auto grow = [&](const Bounds& more) { all = all ? joined(*all, more) : more; };
-    for (std::size_t i = 0; i < scene.instances.size(); ++i)
-        grow(placedBounds(scene.description.instances[i].placement, scene.files[scene.instances[i].file].info));
-    if (scene.instances.empty())
-        for (const ShapeDescription& shape : scene.description.shapes)
-            if (const auto bounds = shapeBounds(shape)) grow(*bounds);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const pro_info& info = scene.files[scene.instances[i].file].info;
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
+        all = all ? joined(*all, bounds) : bounds;
+    }
+    if (!all) all = boundsOfShapes(scene.description);
     return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
+}
+
+/// What rough metal and plastic read; others only where it makes no difference, which zeros tell sooner.
+std::vector<GgxAlbedo> ggxAlbedoFor(std::uint32_t features) {
+    const bool rough = (features & (FEATURE_MATERIAL(MATERIAL_METAL) | FEATURE_MATERIAL(MATERIAL_PLASTIC))) != 0;
+    return rough ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES);
 }
 
 /// A row of a .pro as a material.
@@ -173,11 +180,8 @@ private:
 template <typename Row>
 void replaceBuffer(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows,
                    VkFormat format = VK_FORMAT_R32G32B32A32_UINT) {
-    if (rows.empty()) rows.resize(4); // a texel buffer has at least one texel
     destroyBuffer(device, buffer);
-    buffer = createFilledBuffer(device, what, rows.data(), rows.size() * sizeof(Row),
-                                VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    createTexelView(device, what, buffer, format);
+    buffer = createTexelRows(device, what, std::move(rows), format);
 }
 
 /// The sky's picture, if it has one, with a light that stands for it.
@@ -256,7 +260,7 @@ void furnishScene(Device& device, StagedScene& scene, const RenderSettings& sett
     replaceBuffer(device, scene.materials, "material buffer", std::move(rows.materials));
     replaceBuffer(device, scene.shapes, "shape buffer", std::move(rows.shapes));
     replaceBuffer(device, scene.lights, "light buffer", std::move(rows.lights));
-    replaceBuffer(device, scene.ggx_albedo, "GGX table", ggxAlbedoTable(), VK_FORMAT_R32G32_SFLOAT);
+    replaceBuffer(device, scene.ggx_albedo, "GGX table", ggxAlbedoFor(scene.features), VK_FORMAT_R32G32_SFLOAT);
 }
 
 bool castsCaustics(const StagedScene& scene) {

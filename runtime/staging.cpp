@@ -47,8 +47,6 @@ Vec3 nearestAxis(Vec3 v) {
     return z >= x ? Vec3{0, 0, std::copysign(1.0, v.z)} : Vec3{std::copysign(1.0, v.x), 0, 0};
 }
 
-Vec3 absolute(Vec3 v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
-
 Staging stageBounds(Vec3 up, const Camera& camera, Vec3 low, Vec3 high) {
     Staging staging;
     staging.center = 0.5 * (low + high);

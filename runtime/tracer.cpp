@@ -2,10 +2,8 @@
 #include "runtime/tracer.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "runtime/caustics.h"

@@ -9,10 +9,10 @@
 #include "octree.glsl"
 #include "camera_ray.glsl"
 #include "instance.glsl"
+#include "math.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
 float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
 
 // Cells by which an empty one may be extended to all sides, itself included: the least of its skips.

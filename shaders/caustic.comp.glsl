@@ -19,7 +19,7 @@ void main() {
     if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
     vec3 irradiance = causticIrradiance(point.position.xyz, normal);
     vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
-    vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kLightPi);
+    vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kPi);
     film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }

@@ -8,8 +8,7 @@
 #define POINTRT_SHADERS_ENVIRONMENT_GLSL
 
 #include "environment_layout.h"
-
-const float ENVIRONMENT_PI = 3.14159265358979;
+#include "math.glsl"
 
 // Unit direction in the world to u, v in the picture and the sine of the angle to the zenith.
 vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
@@ -17,7 +16,7 @@ vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
         vec3(dot(frame.row_x.xyz, direction), dot(frame.row_y.xyz, direction), dot(frame.row_z.xyz, direction));
     const float sine = length(d.xz);
     const float turn = sine > 0.0 ? atan(d.x, -d.z) : 0.0; // of (0, 0) GLSL leaves it undefined
-    return vec3(0.5 + turn / (2.0 * ENVIRONMENT_PI), atan(sine, d.y) / ENVIRONMENT_PI, sine);
+    return vec3(0.5 + turn / (2.0 * kPi), atan(sine, d.y) / kPi, sine);
 }
 
 // Bilinear between the centres of texels, around the horizon and up to the poles.
@@ -44,7 +43,7 @@ vec3 environmentRadiance(EnvironmentFrame frame, vec3 direction) {
 // From shares of the row and of the column in it to a density over solid angle.
 float environmentDensity(EnvironmentFrame frame, float row_share, float column_share, float sine) {
     const float cells = float(frame.size.z * frame.size.w);
-    return sine > 0.0 ? row_share * column_share * cells / (2.0 * ENVIRONMENT_PI * ENVIRONMENT_PI * sine) : 0.0;
+    return sine > 0.0 ? row_share * column_share * cells / (2.0 * kPi * kPi * sine) : 0.0;
 }
 
 // Density per solid angle with which sampleEnvironment draws a unit direction.
@@ -77,7 +76,7 @@ vec3 sampleEnvironment(EnvironmentFrame frame, vec2 u, out vec3 direction, out f
     const int cell_y = min(int(row.x), grid.y - 1);
     const vec2 column = invertEnvironmentCdf(grid.y + 1 + cell_y * (grid.x + 1), grid.x, u.x);
     const vec2 uv = vec2(column.x, row.x) / vec2(grid);
-    const float theta = uv.y * ENVIRONMENT_PI, phi = (uv.x - 0.5) * 2.0 * ENVIRONMENT_PI, sine = sin(theta);
+    const float theta = uv.y * kPi, phi = (uv.x - 0.5) * 2.0 * kPi, sine = sin(theta);
     const vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
     direction = frame.row_x.xyz * d.x + frame.row_y.xyz * d.y + frame.row_z.xyz * d.z;
     pdf_solid_angle = environmentDensity(frame, row.y, column.y, sine);

@@ -6,8 +6,7 @@
 #define POINTRT_SHADERS_GGX_GLSL
 
 #include "ggx_table.h"
-
-const float kGgxPi = 3.14159265359;
+#include "math.glsl"
 
 // Where a surface of that roughness reads the table. alpha is the square of the roughness here too.
 float ggxRow(float roughness) {
@@ -46,7 +45,7 @@ GgxLobe ggxLobe(float alpha, vec3 n, vec3 wo, vec3 wi, float cosine_o, float cos
     float alpha2 = alpha * alpha;
     // at least alpha2, but where wi = -wo leaves no half vector
     float spread = max((dot(across, across) + alpha2 * along * along) / length2, alpha2);
-    float distribution = alpha2 / (kGgxPi * spread * spread);
+    float distribution = alpha2 / (kPi * spread * spread);
     float smith_o = sqrt(alpha2 + (1.0 - alpha2) * cosine_o * cosine_o);
     float smith_i = sqrt(alpha2 + (1.0 - alpha2) * cosine_i * cosine_i);
     float value = distribution * 0.5 * cosine_i / (cosine_o * smith_i + cosine_i * smith_o);
@@ -58,7 +57,7 @@ GgxLobe ggxLobe(float alpha, vec3 n, vec3 wo, vec3 wi, float cosine_o, float cos
 // seen from straight above and themselves are the answer. Glossy directions may lie below the surface.
 vec3 ggxOrCosineSample(bool glossy, float alpha, vec3 wo, vec2 u) {
     vec3 axis = glossy ? normalize(vec3(alpha * wo.xy, max(wo.z, 1e-6))) : vec3(0.0, 0.0, 1.0);
-    float height = 1.0 - u.y * (1.0 + axis.z), ring = sqrt(max(0.0, 1.0 - height * height)), angle = 2.0 * kGgxPi * u.x;
+    float height = 1.0 - u.y * (1.0 + axis.z), ring = sqrt(max(0.0, 1.0 - height * height)), angle = 2.0 * kPi * u.x;
     vec3 facet = axis + vec3(ring * cos(angle), ring * sin(angle), height);
     facet = normalize(vec3((glossy ? alpha : 1.0) * facet.xy, max(facet.z, 1e-7)));
     return glossy ? 2.0 * dot(wo, facet) * facet - wo : facet;

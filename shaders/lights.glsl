@@ -6,6 +6,7 @@
 #define POINTRT_SHADERS_LIGHTS_GLSL
 
 #include "frame.glsl"
+#include "math.glsl"
 #include "scene_layout.h"
 
 // A program may say which kinds there are.
@@ -13,7 +14,6 @@
 #define mayHaveLight(kind) true
 #endif
 
-const float kLightPi = 3.14159265358979;
 // To what is not at a distance: the sun.
 const float kLightAfar = 1e30;
 // Densities end here, where their squares are still finite: a quad seen from its own plane has no solid angle.
@@ -37,13 +37,13 @@ float arcOf(float x, float y) {
     float above = steep ? -width : (middle ? y - width : y), below = steep ? y : (middle ? y + width : width);
     float q = below > 0.0 ? above / below : 0.0, s = q * q;
     float series = (((0.0805374449538 * s - 0.138776856032) * s + 0.199777106478) * s - 0.333329491539) * s * q + q;
-    float arc = series + (steep ? 0.5 * kLightPi : (middle ? 0.25 * kLightPi : 0.0));
-    return x < 0.0 ? kLightPi - arc : arc;
+    float arc = series + (steep ? 0.5 * kPi : (middle ? 0.25 * kPi : 0.0));
+    return x < 0.0 ? kPi - arc : arc;
 }
 
 // The direction whose angle with axis has a cosine of 1 - from_axis, at turn u (of 1) around it.
 vec3 coneDirection(vec3 axis, float from_axis, float u) {
-    float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), turn = 2.0 * kLightPi * u;
+    float sine = sqrt(max(from_axis * (2.0 - from_axis), 0.0)), turn = 2.0 * kPi * u;
     return normalize(frameAround(axis) * vec3(sine * cos(turn), sine * sin(turn), 1.0 - from_axis));
 }
 
@@ -52,13 +52,13 @@ float sunCap(Light light) { return 1.0 - light.axis.w; }
 
 float sunPdf(Light light) {
     float cap = sunCap(light);
-    return cap > 0.0 ? 1.0 / (2.0 * kLightPi * cap) : 0.0;
+    return cap > 0.0 ? 1.0 / (2.0 * kPi * cap) : 0.0;
 }
 
 // A disc of constant radiance L gives L pi sin^2 to a surface that faces its middle.
 vec3 sunRadiance(Light light) {
     float cap = sunCap(light);
-    return cap > 0.0 ? light.power.xyz / (kLightPi * cap * (2.0 - cap)) : vec3(0.0);
+    return cap > 0.0 ? light.power.xyz / (kPi * cap * (2.0 - cap)) : vec3(0.0);
 }
 
 // Whether a ray that leaves the scene ends in the sun's disc: by the sine, which has digits where the cosine has none.
@@ -108,7 +108,7 @@ LightSample sampleSphere(Light light, vec3 point, vec2 u) {
     float squared_height = squared * from_axis * (2.0 - from_axis);
     float half_chord = sqrt(max(radius * radius - squared_height, 0.0));
     float distance = max(squared > radius * radius ? middle - half_chord : middle + half_chord, 0.0);
-    return LightSample(direction, distance, light.power.xyz * (2.0 * kLightPi * cap), 1.0 / (2.0 * kLightPi * cap));
+    return LightSample(direction, distance, light.power.xyz * (2.0 * kPi * cap), 1.0 / (2.0 * kPi * cap));
 }
 
 // The rectangle as seen from a point at the origin: [lo, hi] in the plane at depth.
@@ -233,7 +233,7 @@ float lightPdf(Light light, vec3 point, vec3 direction) {
     if (mayHaveLight(LIGHT_SUN) && kind == LIGHT_SUN) return sunPdf(light);
     if (mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE) {
         vec3 way = light.position.xyz - point;
-        return 1.0 / (2.0 * kLightPi * sphereCap(dot(way, way), light.axis.w));
+        return 1.0 / (2.0 * kPi * sphereCap(dot(way, way), light.axis.w));
     }
     return mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD ? quadPdf(light, point, direction) : 0.0;
 }

@@ -58,8 +58,6 @@ struct SpecularPair {
     vec3 refracted_weight;
 };
 
-float largestOf(vec3 v) { return max(v.x, max(v.y, v.z)); }
-
 float coatLeaves(vec3 coat, vec2 table) { return dot(coat, vec3(1.0 - table.y, table.x, 1.0)); }
 
 // What a metal's facets pass on among themselves is coloured at each turn. facing is averaged over Schlick's term.
@@ -82,7 +80,7 @@ void setRoughLobes(inout SurfaceMaterial s, int kind, float roughness, float ind
     vec3 below = metal ? metalUnderside(s.facing, mean.x) : s.albedo * share;
     s.glossy_albedo = s.facing * (1.0 - seen.x - seen.y) + s.grazing * seen.y;
     s.matte_albedo = below * coatLeaves(s.coat, seen);
-    float glossy = largestOf(s.glossy_albedo), matte = largestOf(s.matte_albedo);
+    float glossy = largest(s.glossy_albedo), matte = largest(s.matte_albedo);
     s.glossy_chance = share * glossy / max(glossy + matte, 1e-9);
     s.matte_chance = share - s.glossy_chance;
     s.mirrored = s.grazing * (1.0 - rough) * (1.0 - rough);
@@ -130,7 +128,7 @@ void smoothLobes(SurfaceMaterial s, vec3 n, vec3 wo, vec3 wi, out vec3 glossy, o
     bool above = cosine_i > 0.0;
     cosine_i = max(cosine_i, 1e-6);
     GgxLobe lobe = ggxLobe(s.alpha, n, wo, wi, max(dot(n, wo), 1e-6), cosine_i);
-    float grazing = schlickWeight(lobe.facing), by_cosine = cosine_i / kGgxPi;
+    float grazing = schlickWeight(lobe.facing), by_cosine = cosine_i / kPi;
     vec3 fresnel = s.facing + (s.grazing - s.facing) * grazing;
     float leaves = coatLeaves(s.coat, ggxAlbedo(s.table_row, cosine_i));
     glossy = above ? fresnel * lobe.value : vec3(0.0);
@@ -191,7 +189,7 @@ vec3 smoothAlbedo(SurfaceMaterial s) { return (1.0 - s.mirrored) * s.glossy_albe
 // Phong's highlight of matte surfaces, in evaluateBsdf's unit; it conserves no energy.
 float phongHighlight(SurfaceMaterial s, vec3 n, vec3 wo, vec3 wi) {
     float aligned = max(dot(reflect(-wi, n), wo), 0.0);
-    return dot(n, wi) > 0.0 ? s.phong.x / kGgxPi * pow(aligned, s.phong.y) : 0.0;
+    return dot(n, wi) > 0.0 ? s.phong.x / kPi * pow(aligned, s.phong.y) : 0.0;
 }
 
 // evaluateBsdf and phongHighlight for integrators that follow specularPair's rays. Of a lamp that those rays can meet,

@@ -29,10 +29,6 @@ namespace {
 
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
-gpu::vec4 pack(Vec3 v, double w) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
-}
-
 } // namespace
 
 struct RayCaster::State {
