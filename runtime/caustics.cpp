@@ -71,7 +71,7 @@ class PhotonTracer {
 public:
     PhotonTracer(Device& device, const StagedScene& scene, const Programs& programs, CausticMap& map)
         : device_(device), scene_(scene), programs_(programs), map_(map),
-          buffers_(createFrameBuffers(device, kBatchWidth, kBatchRows)) {
+          buffers_(createFrameBuffers(device, kBatch, kBatch)) {
         try {
             bindAll();
         } catch (...) {

@@ -10,11 +10,6 @@
 
 namespace pointrt {
 
-/// Rows of the image that are on the device.
-struct Band {
-    std::uint32_t first_row = 0, rows = 0;
-};
-
 /// Sizes the film's arrays for settings; what no ray hits stays as this leaves it.
 void allocateFilm(const RenderSettings& settings, Film& film);
 

@@ -11,8 +11,8 @@ std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
 
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t width, std::uint32_t rows) {
-    const std::uint64_t pixels = std::uint64_t{width} * rows, lanes = lanesOf(width, rows);
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels) {
+    const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
         buffers.device_bytes += bytes;
@@ -28,16 +28,16 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t width, std::uint32
         buffers.params = storage("frame parameters", sizeof(gpu::FrameParams));
         buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
         buffers.queues = texels("queue buffer", 3 * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
-        buffers.paths = texels("path buffer", pixels * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
-        buffers.hits = texels("hit buffer", pixels * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+        buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                               VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
         buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
-        buffers.surfaces = storage("surface buffer", pixels * sizeof(gpu::SurfacePoint));
-        buffers.lit = storage("lit point buffer", pixels * sizeof(gpu::LitPoint));
-        buffers.light_masks = storage("light mask buffer", pixels * sizeof(std::uint32_t));
-        buffers.deferred = storage("deferred ray buffer", pixels * DEFERRED_MOST * sizeof(gpu::PathState));
-        buffers.film = storage("film buffer", pixels * FILM_LAYERS * sizeof(gpu::vec4));
-        buffers.first_hits = storage("first hit buffer", pixels * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
+        buffers.surfaces = storage("surface buffer", lanes * sizeof(gpu::SurfacePoint));
+        buffers.lit = storage("lit point buffer", lanes * sizeof(gpu::LitPoint));
+        buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
+        buffers.deferred = storage("deferred ray buffer", lanes * DEFERRED_MOST * sizeof(gpu::PathState));
+        buffers.film = storage("film buffer", film_pixels * FILM_LAYERS * sizeof(gpu::vec4));
+        buffers.first_hits = storage("first hit buffer", film_pixels * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
     } catch (...) {
         destroyFrameBuffers(device, buffers);
         throw;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the device keeps for each pixel of a band while it is traced.
+// What the device keeps for each pixel of a band while it is traced, and of a film.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,19 @@ struct FrameBuffers {
 std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows);
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows);
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t width, std::uint32_t rows);
+/// Rows of the image that are on the device.
+struct Band {
+    std::uint32_t first_row = 0, rows = 0;
+};
+
+/// A band's pixels in the film on the device, which may hold more than the band.
+struct FilmPlace {
+    std::uint32_t pixels = 0;      ///< of the film
+    std::uint32_t first_pixel = 0; ///< of the band
+};
+
+/// For bands of up to so many lanes, in films of up to so many pixels.
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);
 /// At their places in shaders/bindings.glsl.
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers);

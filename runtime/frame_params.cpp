@@ -43,6 +43,7 @@ gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings&
     params.scene = {static_cast<std::uint32_t>(scene.light_rows.size()), optionBits(settings), scene.shape_count,
                     scene.sky_light};
     params.environment = scene.environment;
+    params.film = {settings.width * rows, 0, 0, 0};
     params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces, 0, settings.seed};
     return params;
 }

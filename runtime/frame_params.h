@@ -8,7 +8,8 @@
 
 namespace pointrt {
 
-/// Camera, sky, caustics and options for one band of rows (first_row, rows) of the image.
+/// Camera, sky, caustics and options for one band of rows (first_row, rows) of the image, which is all the
+/// film holds.
 gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront ray tracing: a few dispatches for each bounce of a sample.
+// Pictures, sample by sample: bands of rows (band_tracer.h) one after the other.
 #pragma once
 
 #include <functional>
@@ -22,6 +22,9 @@ struct Tracer {
 /// scene must be furnished, and outlive the tracer.
 Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettings& settings, const Camera& camera);
 void destroyTracer(Device& device, Tracer& tracer);
+
+/// For the frames to come.
+void setCamera(Tracer& tracer, const Camera& camera);
 
 /// Renders every sample from scratch and returns the rays it counted. progress gets the share done in [0, 1].
 RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(double share)>& progress);

@@ -39,7 +39,7 @@ layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
 layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
-layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel
+layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel of the film
 layout(set = 0, binding = 17) uniform usamplerBuffer path_texels; // of paths
 layout(set = 0, binding = 18) uniform usamplerBuffer queue_words; // of queues
 layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // of each tile: free distance from the eye
@@ -102,7 +102,6 @@ bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
 uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }
 uint bandTiles() { return tilesAcross() * ((params.image.w + TILE_SIDE - 1u) / TILE_SIDE); }
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
-uint bandPixels() { return params.image.x * params.image.w; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint litQueueStart() { return 2u * bandLanes(); }
 

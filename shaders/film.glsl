@@ -5,7 +5,7 @@
 #include "bindings.glsl"
 #include "color.glsl"
 
-uint filmIndex(uint index, uint layer) { return layer * bandPixels() + index; }
+uint filmIndex(uint index, uint layer) { return layer * params.film.x + params.film.y + index; }
 
 // Adds light that was scattered this many times on its way from its source to the pixel.
 void addLight(uint index, vec3 light, uint scatterings) {

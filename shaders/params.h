@@ -55,6 +55,7 @@ struct FrameParams {
     vec4 sky_up;     // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;     // x: width, y: height of the image, z: first row, w: rows of the band
     uvec4 scene;     // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no picture
+    uvec4 film;      // x: pixels of the film, y: the first of the band in it
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, w: seed
     EnvironmentFrame environment;
     CausticFrame caustics;

@@ -44,8 +44,9 @@ NextRay followed(Shading shading, uint waiting, float u, out bool defers) {
 
 void recordFirstHit(uint index, Point point) {
     bool hit = point.t >= 0.0;
-    first_hits[FIRST_HIT_VECTORS * index] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
-    first_hits[FIRST_HIT_VECTORS * index + 1u] =
+    uint at = FIRST_HIT_VECTORS * (params.film.y + index);
+    first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
+    first_hits[at + 1u] =
         vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
 }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/band_tracer.h"
+
+#include <algorithm>
+
+#include "runtime/frame_params.h"
+#include "runtime/sample_recorder.h"
+
+namespace pointrt {
+namespace {
+
+bool showsLight(Integrator integrator) { return integrator != Integrator::kNormal && integrator != Integrator::kDepth; }
+
+/// One set an instance: all programs declare the same bindings (shaders/bindings.glsl).
+void createBindings(Device& device, BandTracer& tracer) {
+    const StagedScene& scene = *tracer.scene;
+    const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
+    tracer.pool = createDescriptorPool(device, count);
+    const auto addSet = [&](const Instance& instance) {
+        std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
+        for (const BufferBinding& each : frameBindings(tracer.buffers)) bindings.push_back(each);
+        for (const BufferBinding& each : causticBindings(tracer.caustics)) bindings.push_back(each);
+        return createDescriptorSet(device, tracer.pool, tracer.programs.shade, bindings);
+    };
+    for (const Instance& instance : scene.instances)
+        tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), addSet(instance)});
+    tracer.set = tracer.targets.empty() ? addSet(scene.blank) : tracer.targets.front().set;
+}
+
+gpu::Control readControl(Device& device, const BandTracer& tracer) {
+    gpu::Control control{};
+    downloadBuffer(device, tracer.buffers.control, &control, sizeof control);
+    return control;
+}
+
+} // namespace
+
+void createBandTracer(Device& device, BandTracer& tracer, const StagedScene& scene, const RenderSettings& settings,
+                      std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons) {
+    tracer.scene = &scene;
+    tracer.shadows = settings.shadows;
+    try {
+        tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
+        tracer.programs = createPrograms(device, scene, settings);
+        tracer.caustics = photons > 0 && castsCaustics(scene) && showsLight(settings.integrator)
+                              ? buildCaustics(device, scene, tracer.programs, photons)
+                              : emptyCaustics(device);
+        createBindings(device, tracer);
+    } catch (...) {
+        destroyBandTracer(device, tracer);
+        throw;
+    }
+}
+
+void destroyBandTracer(Device& device, BandTracer& tracer) {
+    destroyPrograms(device, tracer.programs);
+    destroyDescriptorPool(device, tracer.pool);
+    destroyFrameBuffers(device, tracer.buffers);
+    destroyCaustics(device, tracer.caustics);
+    tracer.targets.clear();
+    tracer.set = VK_NULL_HANDLE;
+    tracer.scene = nullptr;
+}
+
+std::uint64_t deviceBytes(const BandTracer& tracer) {
+    return tracer.buffers.device_bytes + tracer.caustics.photons.bytes + tracer.caustics.buckets.bytes;
+}
+
+void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+              FilmPlace film) {
+    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
+    params.film = {film.pixels, film.first_pixel, 0, 0};
+    params.caustics = tracer.caustics.frame;
+    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
+}
+
+void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
+    const VkCommandBuffer commands = beginCommands(device);
+    SampleRecorder recorder(commands, tracer, sample);
+    if (sample.pass == 0) {
+        if (sample.first_hits) recorder.firstHits();
+        recorder.begin();
+        sample.pass = 1;
+    }
+    for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
+    submitAndWait(device, commands);
+    const gpu::Control control = readControl(device, tracer);
+    // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
+    sample.done = control.queued.x + control.queued.y == 0;
+    if (!sample.done) return;
+    // they are 32 bits wide on the device and start at 0 with each sample
+    counts.primary += control.traced.x;
+    counts.shadow += control.traced.y;
+    counts.secondary += control.traced.z;
+}
+
+} // namespace pointrt

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dispatches of a sample, in order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/band_tracer.h"
+
+namespace pointrt {
+
+/// Records what traces sample's band, pass by pass.
+class SampleRecorder {
+public:
+    SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample);
+
+    /// Depth, normal and ids of the rays through pixel centres.
+    void firstHits();
+    /// Camera rays up to where they ask for light.
+    void begin();
+    /// Pass index, 1 or more: the rays that the pass before has queued.
+    void pass(std::uint32_t index);
+
+private:
+    void shade(std::uint32_t index, std::uint32_t bits);
+    void primary(std::uint32_t bits);
+    void overRays(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
+    void overLit(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
+    void run(const Program& program, std::uint32_t pass, std::uint32_t bits, std::uint32_t groups);
+    void record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
+                std::uint32_t groups);
+    void recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
+                        std::size_t offset);
+
+    VkCommandBuffer commands_;
+    const BandTracer& tracer_;
+    std::uint32_t tiles_, sample_, center_;
+};
+
+} // namespace pointrt

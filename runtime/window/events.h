@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user does to a window, as plain data: from a real window, or from a recording.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pointrt {
+
+/// Keys that mean something here. Letters and digits are themselves ('A' to 'Z', '0' to '9').
+enum class Key : std::uint16_t {
+    kUnknown = 0,
+    kSpace = ' ',
+    kEscape = 256,
+    kEnter,
+    kTab,
+    kBackspace,
+    kDelete,
+    kLeft,
+    kRight,
+    kUp,
+    kDown,
+    kHome,
+    kEnd,
+    kPageUp,
+    kPageDown,
+    kShift,
+    kControl,
+    kAlt,
+    kF1,
+    kF12 = kF1 + 11,
+};
+
+constexpr Key keyOf(char letter_or_digit) { return static_cast<Key>(letter_or_digit); }
+
+enum class MouseButton : std::uint8_t { kLeft, kRight, kMiddle };
+
+struct KeyEvent {
+    Key key = Key::kUnknown;
+    bool down = true; ///< again, while a key is held and repeats
+};
+/// A typed character, for text fields.
+struct TextEvent {
+    std::uint32_t code_point = 0;
+};
+struct ButtonEvent {
+    MouseButton button = MouseButton::kLeft;
+    bool down = true;
+};
+/// Where the cursor is, in window units from the upper left corner, y down; it may lie outside.
+struct CursorEvent {
+    double x = 0, y = 0;
+};
+/// y above 0: away from the user.
+struct WheelEvent {
+    double x = 0, y = 0;
+};
+/// Window units; pixels are scale times as many. 0 x 0: minimised.
+struct ResizeEvent {
+    std::uint32_t width = 0, height = 0;
+    double scale = 1;
+};
+struct DropEvent {
+    std::vector<std::string> paths;
+};
+struct CloseEvent {};
+
+using InputEvent =
+    std::variant<KeyEvent, TextEvent, ButtonEvent, CursorEvent, WheelEvent, ResizeEvent, DropEvent, CloseEvent>;
+
+} // namespace pointrt
