@@ -5,7 +5,9 @@ Both are multiplied by the scene's exposure, clipped and sRGB encoded. Writes OU
 OUT.reference.png, OUT.test.png, OUT.flip.png (FLIP: black equal, yellow far off) and OUT.difference.png (grey equal,
 test minus reference, 4 times), and prints a row of a Markdown table; --heading prints the table's head instead. With
 the reference's first hits, FLIP is also told apart by what a pixel shows: each instance, outlines (2 pixels wide), the
-rest.
+rest. Of a scene that asks for its caustic alone the test's layer caustic is compared, or its whole picture where it has
+none, on the floor alone (first hits are needed); then the parts are what the reference shows bright (above half of
+white when encoded), faint (above a tenth) and dark.
 """
 
 import argparse
@@ -16,6 +18,7 @@ import flip_evaluator
 import numpy as np
 
 import pictures
+from compare_first_hits import nextTo
 
 HEADING = """| picture | FLIP | 99% of pixels below | RMSE | light, test/reference | shift (px) | by part |
 |---|---|---|---|---|---|---|"""
@@ -55,6 +58,25 @@ def parts(scene, first_hits):
     edge = outlines(number)
     masks = {item["mesh"]: (number == i + 1) & ~edge for i, item in enumerate(scene["instances"])}
     return masks | {"outlines": edge, "rest": (number == 0) & ~edge}
+
+
+def onFloor(first_hits):
+    """Pixels that show the floor y = 0 and are not beside something else; 2 pixels are left out."""
+    up = pictures.readChannels(first_hits, ["N.Y"])[..., 0] > 0.999
+    bodies = pictures.readChannels(first_hits, ["ID"])[..., 0] > 0
+    return ~nextTo(nextTo(bodies | ~up))
+
+
+def brightnessParts(encoded, floor):
+    brightness = encoded.mean(axis=2)
+    return {"bright": floor & (brightness > 0.5), "faint": floor & (brightness > 0.1) & (brightness <= 0.5),
+            "dark": floor & (brightness <= 0.1)}
+
+
+def read(scene, path):
+    """What of a picture is compared."""
+    layer = "caustic." if "caustic" in scene and pictures.hasChannel(path, "caustic.R") else ""
+    return pictures.readLight(path, layer)
 
 
 def measure(reference, test, exposure):
@@ -108,12 +130,18 @@ def main():
     if not options.out:
         parser.error("SCENE.json REFERENCE.exr TEST.exr OUT are needed")
     scene = json.loads(options.scene.read_text())
-    reference, test = pictures.readLight(options.reference), pictures.readLight(options.test)
+    if "caustic" in scene and not options.first_hits:
+        parser.error(f"{options.scene}: a caustic alone needs --first-hits")
+    reference, test = read(scene, options.reference), read(scene, options.test)
     if reference.shape != test.shape:
         raise SystemExit(f"{options.test}: {test.shape[:2]} pixels, the reference has {reference.shape[:2]}")
+    if "caustic" in scene:
+        floor = onFloor(options.first_hits)
+        reference, test = reference * floor[..., None], test * floor[..., None]
     figures, errors = measure(reference, test, scene["exposure"])
     if options.first_hits:
-        masks = parts(scene, options.first_hits)
+        masks = (brightnessParts(pictures.encode(reference, scene["exposure"]), floor) if "caustic" in scene
+                 else parts(scene, options.first_hits))
         figures["flip_by_part"] = {name: float(errors[mask].mean()) for name, mask in masks.items() if mask.any()}
     writePictures(options.out, reference, test, errors, scene["exposure"])
     pathlib.Path(f"{options.out}.json").write_text(json.dumps(figures, indent=1) + "\n")

@@ -16,6 +16,9 @@ import meshes
 import scenes
 
 
+CAUSTIC_SPACING_PX = 1
+
+
 def listed(values):
     return "[" + ", ".join(f"{value:g}" for value in values) + "]"
 
@@ -50,13 +53,15 @@ def samplesFor(name, mesh, size, spacing_px):
     most = 0
     for scene in scenes.SCENES.values():
         camera = scene["camera"]
-        pixels_at_one = size / (2 * math.tan(math.radians(camera["fov"]) / 2))
+        pixels_at_one = scene.get("size", size) / (2 * math.tan(math.radians(camera["fov"]) / 2))
         for instance in scene["instances"]:
             if instance["mesh"] != name:
                 continue
             placed = positions * instance["scale"] + np.array(instance["translate"])
+            # Where only its light is looked at, a body may be coarser.
+            spacing = max(spacing_px, CAUSTIC_SPACING_PX) if "caustic" in scene else spacing_px
             nearest = np.linalg.norm(placed - np.array(camera["eye"]), axis=1).min()
-            most = max(most, meshes.area(placed, faces) * (pixels_at_one / nearest / spacing_px) ** 2)
+            most = max(most, meshes.area(placed, faces) * (pixels_at_one / nearest / spacing) ** 2)
     return math.ceil(most)
 
 
@@ -73,8 +78,9 @@ def main():
         samples = samplesFor(name, mesh, options.size, options.spacing)
         (options.folder / f"{name}.samples").write_text(f"{samples}\n")
     for name, scene in scenes.SCENES.items():
-        (options.folder / f"{name}.json").write_text(json.dumps({**scene, "size": options.size}, indent=1))
-        (options.folder / f"{name}.toml").write_text(sceneToml(scene, options.size))
+        size = scene.get("size", options.size)
+        (options.folder / f"{name}.json").write_text(json.dumps({**scene, "size": size}, indent=1))
+        (options.folder / f"{name}.toml").write_text(sceneToml(scene, size))
 
 
 if __name__ == "__main__":

@@ -7,6 +7,8 @@ import numpy as np
 SPHERE_LEVELS = 7
 KNOT_RINGS, KNOT_SIDES = 1600, 128
 KNOT_RING_RADIUS, KNOT_COIL_RADIUS, KNOT_TUBE_RADIUS = 0.68, 0.30, 0.15
+RING_SIDES, RING_EDGE_SIDES = 2048, 16
+RING_BOTTOM, RING_TOP, RING_EDGE_RADIUS = 0.05, 0.55, 0.05  # inside it has radius 1
 
 # Waves on the blob: amplitude, wave vector, phase. Together under a third of its radius, so that it stays star-shaped.
 BLOB_WAVES = (
@@ -84,15 +86,32 @@ def knot():
     second = np.cross(tangent, first)
     side = 2 * np.pi * np.arange(KNOT_SIDES) / KNOT_SIDES
     normals = np.cos(side)[None, :, None] * first[:, None] + np.sin(side)[None, :, None] * second[:, None]
-    positions = centre[:, None] + KNOT_TUBE_RADIUS * normals
-    ring, step = np.meshgrid(np.arange(KNOT_RINGS), np.arange(KNOT_SIDES), indexing="ij")
-    at = lambda i, j: (i % KNOT_RINGS * KNOT_SIDES + j % KNOT_SIDES).ravel()
+    return sweep(centre[:, None] + KNOT_TUBE_RADIUS * normals, normals)
+
+
+def sweep(positions, normals):
+    """Closed both ways: rows of points (rings, steps, 3) joined to those next to them, laid out as sphere()."""
+    rings, steps, _ = positions.shape
+    ring, step = np.meshgrid(np.arange(rings), np.arange(steps), indexing="ij")
+    at = lambda i, j: (i % rings * steps + j % steps).ravel()
     a, b, c, d = at(ring, step), at(ring + 1, step), at(ring + 1, step + 1), at(ring, step + 1)
     faces = np.concatenate([np.stack([a, c, b], axis=1), np.stack([a, d, c], axis=1)])
     return positions.reshape(-1, 3), normals.reshape(-1, 3), faces
 
 
-MAKERS = {"sphere": sphere, "blob": blob, "knot": knot}
+def ring():
+    """A wall around the y axis, upright but for rounded edges, laid out as sphere()."""
+    half = np.linspace(0, np.pi, RING_EDGE_SIDES + 1)
+    side = np.concatenate([half, half + np.pi])  # 0: outwards; the jumps at 0 and pi are the upright stretches
+    high = np.repeat([RING_TOP - RING_EDGE_RADIUS, RING_BOTTOM + RING_EDGE_RADIUS], len(half))
+    turn = (2 * np.pi * np.arange(RING_SIDES) / RING_SIDES)[:, None]
+    along = np.cos(side)
+    distance = 1 + RING_EDGE_RADIUS * (1 + along)
+    place = lambda away, up: np.stack([away * np.cos(turn), up + 0 * turn, away * np.sin(turn)], axis=2)
+    return sweep(place(distance, high + RING_EDGE_RADIUS * np.sin(side)), place(along, np.sin(side)))
+
+
+MAKERS = {"sphere": sphere, "blob": blob, "knot": knot, "ring": ring}
 
 
 def area(positions, faces):

@@ -16,9 +16,14 @@ def readChannels(path, names):
         return np.stack([channels[name].pixels.astype(np.float64) for name in names], axis=2)
 
 
-def readLight(path):
-    """Linear RGB."""
-    return readChannels(path, ("R", "G", "B"))
+def hasChannel(path, name):
+    with OpenEXR.File(str(path), separate_channels=True) as file:
+        return name in file.channels()
+
+
+def readLight(path, layer=""):
+    """Linear RGB, of a layer as "caustic." or of the whole picture."""
+    return readChannels(path, [layer + channel for channel in "RGB"])
 
 
 def encode(linear, exposure):

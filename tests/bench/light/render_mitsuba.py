@@ -5,6 +5,9 @@ Spheres are analytic, everything else is the mesh. The EXR is linear: R, G, B. W
 the rays through the pixels' centres hit: Z (distance, infinite where nothing is), N.X, N.Y, N.Z (towards the eye) and
 ID (1 and up: instances in their order; 0: anything else).
 
+Of a scene that asks for its caustic alone, the picture is the light of all paths without that of the paths from the
+floor straight to the lamp. Both are traced by the same random numbers, so that what they share cancels.
+
 Needs LLVM 17 or newer (Debian's libllvm19), found as DRJIT_LIBLLVM_PATH.
 """
 
@@ -66,6 +69,13 @@ def instance(item, folder):
     return {"type": "ply", "filename": str(folder / (item["mesh"] + ".ply")), "to_world": place, **looks}
 
 
+def body(shape):
+    looks = {"bsdf": {"type": "ref", "id": "material-" + shape["material"]}}
+    if shape["type"] == "sphere":
+        return {"type": "sphere", "center": shape["center"], "radius": shape["radius"], **looks}
+    return {"type": "rectangle", "to_world": quadFrame(shape), **looks}
+
+
 def sensor(scene):
     camera = scene["camera"]
     return {
@@ -78,18 +88,27 @@ def sensor(scene):
 
 
 def load(scene, folder):
-    # Mitsuba counts edges of paths, the one from the eye included.
-    content = {"type": "scene", "sensor": sensor(scene),
-               "integrator": {"type": "path", "max_depth": scene["bounces"] + 2, "rr_depth": 8}}
+    content = {"type": "scene", "sensor": sensor(scene)}
     content |= {f"material-{name}": bsdf(material) for name, material in scene["materials"].items()}
     content |= {f"instance-{i}": instance(item, folder) for i, item in enumerate(scene["instances"])}
     for i, shape in enumerate(scene["shapes"]):
-        content[f"shape-{i}"] = {"type": "rectangle", "to_world": quadFrame(shape),
-                                 "bsdf": {"type": "ref", "id": "material-" + shape["material"]}}
+        content[f"shape-{i}"] = body(shape)
     content |= {f"lamp-{i}": lamp(light) for i, light in enumerate(scene["lights"])}
     if any(scene["sky"]):
         content["sky"] = {"type": "constant", "radiance": rgb(scene["sky"])}
     return mi.load_dict(content, optimize=False)  # which would merge shapes and lose their names
+
+
+def pathTracer(bounces):
+    # Mitsuba counts edges of paths, the one from the eye included.
+    return mi.load_dict({"type": "path", "max_depth": bounces + 2, "rr_depth": 8})
+
+
+def render(world, scene, seed):
+    """PASS_SPP samples a pixel, (size, size, 3)."""
+    def trace(bounces):
+        return np.array(mi.render(world, integrator=pathTracer(bounces), spp=PASS_SPP, seed=seed), np.float64)
+    return trace(scene["bounces"]) - (trace(0) if "caustic" in scene else 0)
 
 
 def centreHits(world, size):
@@ -130,8 +149,7 @@ def main():
     passes = math.ceil(options.spp / PASS_SPP)
     total = 0
     for i in range(passes):
-        picture = mi.render(world, spp=PASS_SPP, seed=options.seed * passes + i)
-        total = total + np.array(picture, dtype=np.float64)
+        total = total + render(world, scene, options.seed * passes + i)
     mi.Bitmap((total / passes).astype(np.float32)).write(options.output)
 
 

@@ -4,9 +4,13 @@
 #   tests/bench/light/run.sh BIN_DIR OUT_DIR [SCENE...]
 # OUT_DIR gets the scenes, the linear pictures as EXR, comparisons as PNG and JSON, and RESULTS.md, also printed.
 # References that are there already are kept while their scene is the same; delete them to have them rendered again.
-# Scenes (default: all): diffuse mirror metal glass soft-shadow sky. Settings, from the environment, with defaults:
+# Scenes (default: all): diffuse mirror metal glass soft-shadow sky, and the caustic alone, beside light traced on
+# Mitsuba's surfaces, of caustic-glass, caustic-exact-glass (its ball analytic here too) and caustic-ring. Settings,
+# from the environment, with defaults:
 #   SPP=256             samples a pixel of ours
 #   MITSUBA_SPP=512     of Mitsuba, the reference (its metal scatters once only, 5 to 10% too dark at roughness 0.5)
+#   PHOTONS=250         millions of the light traced for the reference of a caustic
+#   CHECK_SPP=1024      of Mitsuba's paths, which that reference must agree with in all; 0 leaves it out
 #   CYCLES_SPP=256      of Blender's Cycles, the reference for metal and a second opinion elsewhere; 0 leaves it out
 #   SIZE=512            pixels of a side; SPACING=0.5 pixels between splats where the camera is nearest
 #   VIEW_OPTIONS=       more options for pointrt-view
@@ -14,7 +18,7 @@
 # OpenEXR from PyPI into OUT_DIR/environment.
 set -euo pipefail
 [ $# -ge 2 ] || {
-    sed -n '3,14s/^# //p' "$0" >&2
+    sed -n '3,18s/^# //p' "$0" >&2
     exit 2
 }
 here=$(cd "$(dirname "$0")" && pwd)
@@ -23,8 +27,9 @@ mkdir -p "$2"
 out=$(cd "$2" && pwd)
 shift 2
 scenes=("$@")
-[ ${#scenes[@]} -gt 0 ] || scenes=(diffuse mirror metal glass soft-shadow sky)
+[ ${#scenes[@]} -gt 0 ] || scenes=(diffuse mirror metal glass soft-shadow sky caustic-{glass,exact-glass,ring})
 spp=${SPP:-256} mitsuba_spp=${MITSUBA_SPP:-512} cycles_spp=${CYCLES_SPP:-256}
+photons=${PHOTONS:-250} check_spp=${CHECK_SPP:-1024}
 size=${SIZE:-512} spacing=${SPACING:-0.5}
 read -ra view_options <<<"${VIEW_OPTIONS:-}"
 
@@ -93,6 +98,22 @@ renderReferences() {
     fi
 }
 
+renderCausticReferences() {
+    local scene=$1
+    cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{light,paths}.exr
+    cp "$out/$scene.json" "$out/$scene.rendered.json"
+    if [ ! -e "$out/$scene.light.exr" ]; then
+        timed "$scene.hits" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/$scene.hits.exr" --first-hits
+        timed "$scene.light" python "$here/render_caustic.py" "$out/$scene.json" "$out/partial.exr" \
+            --photons "$photons"
+        mv "$out/partial.exr" "$out/$scene.light.exr"
+    fi
+    if [ "$check_spp" != 0 ] && [ ! -e "$out/$scene.paths.exr" ]; then
+        timed "$scene.paths" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/partial.exr" --spp "$check_spp"
+        mv "$out/partial.exr" "$out/$scene.paths.exr"
+    fi
+}
+
 compareWith() {
     local scene=$1 reference=$2 test=$3
     python "$here/compare.py" "$out/$scene.json" "$out/$scene.$reference.exr" "$out/$scene.$test.exr" \
@@ -113,16 +134,35 @@ bakeAll
     echo
     python "$here/compare.py" --heading
 } >"$out/RESULTS.md"
-for scene in "${scenes[@]}"; do
+compareCaustic() {
+    local scene=$1 integrator
+    renderCausticReferences "$scene"
+    for integrator in whitted path; do
+        timed "$scene.$integrator" "$bin/pointrt-view" "$out/$scene.toml" --integrator "$integrator" --spp "$spp" \
+            -o "$out/$scene.$integrator.exr" "${view_options[@]}"
+        compareWith "$scene" light "$integrator"
+    done
+    [ "$check_spp" = 0 ] || compareWith "$scene" light paths
+}
+
+compareScene() {
+    local scene=$1
     renderReferences "$scene"
     timed "$scene.ours" "$bin/pointrt-view" "$out/$scene.toml" --spp "$spp" -o "$out/$scene.ours.exr" \
         "${view_options[@]}"
     python "$here/compare_first_hits.py" "$out/$scene.json" "$out/$scene.hits.exr" "$out/$scene.ours.exr" \
         >"$out/$scene.first-hits.json" || say "$scene: other surfaces are seen: $scene.first-hits.json"
-    compareWith "$scene" mitsuba ours >>"$out/RESULTS.md"
+    compareWith "$scene" mitsuba ours
     [ "$cycles_spp" = 0 ] || {
         compareWith "$scene" cycles ours
         compareWith "$scene" mitsuba cycles
-    } >>"$out/RESULTS.md"
+    }
+}
+
+for scene in "${scenes[@]}"; do
+    case $scene in
+        caustic-*) compareCaustic "$scene" ;;
+        *) compareScene "$scene" ;;
+    esac >>"$out/RESULTS.md"
 done
 cat "$out/RESULTS.md"

@@ -10,6 +10,8 @@ A scene is a dict:
   lights     quad: center, u, v, radiance; sphere: center, radius, radiance
   sky        radiance from all around
   exposure   what the linear picture is multiplied by before it is encoded
+  caustic    the picture is what mirrors and glass bundle onto the floor, and nothing else
+  size       pixels of a side, where not as asked for
 """
 
 BOUNCES = 16  # past which under 1 in 1000 of the light is left in each of these scenes
@@ -49,9 +51,9 @@ def pair(first, first_material, second_material):
     ]
 
 
-def scene(materials, instances, shapes, lights, sky=(0, 0, 0), exposure=1):
+def scene(materials, instances, shapes, lights, sky=(0, 0, 0), exposure=1, camera=CAMERA):
     return {
-        "camera": CAMERA,
+        "camera": camera,
         "materials": materials,
         "instances": instances,
         "shapes": shapes,
@@ -61,6 +63,31 @@ def scene(materials, instances, shapes, lights, sky=(0, 0, 0), exposure=1):
         "bounces": BOUNCES,
     }
 
+
+# So dark that what it sends back to the bodies is nothing.
+DARK = {"kind": "matte", "color": [0.02, 0.02, 0.02]}
+GLASS = {"kind": "glass", "color": [1, 1, 1], "index": 1.5}
+SMALL_LAMP = {"type": "sphere", "radius": 0.25, "radiance": [1000, 1000, 1000]}
+
+
+def causticScene(bodies, material, lamp, eye, target, fov, exposure):
+    """Bodies (instances, shapes) over a dark floor and a small lamp; the camera looks at the floor."""
+    instances, shapes = bodies
+    camera = {"eye": eye, "target": target, "up": [0, 0, -1], "fov": fov}
+    light = SMALL_LAMP | {"center": lamp}
+    common = scene({"white": DARK, **material}, instances, [FLOOR, *shapes], [light], (0, 0, 0), exposure, camera)
+    return common | {"caustic": True, "size": 256}
+
+
+def causticBall(bodies):
+    """The floor is beyond the ball's focus."""
+    return causticScene(bodies, {"glass": GLASS}, [-3, 4.2, 0], [5.5, 3, 0], [1.2, 0, 0], 17, BALL_EXPOSURE)
+
+
+BALL_EXPOSURE, RING_EXPOSURE = 0.9, 3  # the brightest pixels come to about 1
+BALL = {"mesh": "sphere", "material": "glass", "translate": [0, 1.3, 0], "scale": 0.85}
+EXACT_BALL = {"type": "sphere", "center": BALL["translate"], "radius": BALL["scale"], "material": "glass"}
+RING = {"mesh": "ring", "material": "mirror", "translate": [0, 0, 0], "scale": 1}
 
 SCENES = {
     "diffuse": scene(
@@ -77,7 +104,7 @@ SCENES = {
         pair("knot", "gold", "steel"), ROOM, [QUAD_LAMP], sky=(0.35, 0.42, 0.55),
     ),
     "glass": scene(
-        {**WALLS, "glass": {"kind": "glass", "color": [1, 1, 1], "index": 1.5}},
+        {**WALLS, "glass": GLASS},
         pair("blob", "glass", "glass"), ROOM, [BROAD_LAMP], sky=(0.25, 0.3, 0.4), exposure=0.6,
     ),
     "soft-shadow": scene(
@@ -87,5 +114,11 @@ SCENES = {
     "sky": scene(
         {"white": WHITE, "orange": {"kind": "matte", "color": [0.75, 0.32, 0.08]}, "blue": BLUE},
         pair("knot", "orange", "blue"), [FLOOR], [], sky=(0.8, 0.9, 1),
+    ),
+    "caustic-glass": causticBall(([BALL], [])),
+    "caustic-exact-glass": causticBall(([], [EXACT_BALL])),
+    "caustic-ring": causticScene(
+        ([RING], []), {"mirror": {"kind": "mirror", "color": [0.9, 0.9, 0.9]}},
+        [4, 2.4, 0], [-0.45, 7, 0], [-0.45, 0, 0], 11.5, RING_EXPOSURE,
     ),
 }
