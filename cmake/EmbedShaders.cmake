@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# pointrt_embed_shaders(TARGET FILE.comp.glsl...): compiles each shader and lets TARGET's sources include the result:
+# pointrt_embed_shaders(TARGET FILE.STAGE.glsl...): compiles each shader and lets TARGET's sources include the result:
 #   #include "shaders/NAME.spv.h"     defines const uint32_t NAME_spv[]
-# NAME is the file's name up to the first dot. Rebuilt when the shader or anything it includes changes; checked by
-# spirv-val where that is installed.
+# NAME is the file's name up to the first dot, and _vert or _frag after it for those stages. Rebuilt when the shader or
+# anything it includes changes; checked by spirv-val where that is installed.
 find_program(POINTRT_GLSLANG glslangValidator REQUIRED DOC "GLSL compiler")
 find_program(POINTRT_SPIRV_VAL spirv-val DOC "SPIR-V validator, optional")
 
@@ -13,6 +13,9 @@ function(pointrt_embed_shaders target)
   foreach(source IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH source NORMALIZE)
     get_filename_component(name ${source} NAME_WE)
+    if(source MATCHES "\\.(vert|frag)\\.glsl$")
+      string(APPEND name _${CMAKE_MATCH_1})
+    endif()
     set(output ${folder}/shaders/${name}.spv)
     set(validate "")
     if(POINTRT_SPIRV_VAL)

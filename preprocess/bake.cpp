@@ -104,7 +104,7 @@ BakeReport bake(const BakeOptions& options) {
     checkOutput(options);
     checkStats(options);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
-    Progress progress(options.verbosity);
+    Progress progress(options.verbosity, options.progress);
     const auto show = [&](double share) { progress.update(share); };
     BakeReport report;
 

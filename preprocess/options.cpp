@@ -19,6 +19,8 @@ const std::map<std::string, OrientMode> kOrientModes{{"auto", OrientMode::kAuto}
                                                      {"mst", OrientMode::kMst},
                                                      {"none", OrientMode::kNone}};
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
+const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::kAuto},
+                                                           {"lines", ProgressStyle::kLines}};
 const std::map<std::string, bool> kOutlierModes{{"remove", true}, {"keep", false}};
 
 template <typename Value>
@@ -121,8 +123,10 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("N");
     app.add_option("--stats", options.stats_path, "Write figures as JSON, - for standard output (default: none)")
         ->type_name("FILE");
+    addChoice(app, "--progress", options.progress, kProgressStyles,
+              "On standard error; lines: 'progress SHARE STAGE POINTS_PER_SECOND' for programs (default auto)");
     app.add_flag_callback(
-        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "No progress");
+        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "No progress, but what --progress lines asks for");
     app.add_flag_callback(
         "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail");
 }

@@ -12,6 +12,7 @@
 namespace pointrt {
 
 enum class Verbosity { kQuiet, kNormal, kDetailed };
+enum class ProgressStyle { kAuto, kLines }; ///< kLines: for programs, see Progress
 
 struct BakeOptions {
     std::vector<std::string> inputs; ///< files, or "-" for standard input
@@ -20,6 +21,7 @@ struct BakeOptions {
     int threads = 0;                 ///< 0: all
     std::string stats_path;          ///< JSON report; "-" is standard output, "" none
     Verbosity verbosity = Verbosity::kNormal;
+    ProgressStyle progress = ProgressStyle::kAuto;
     ReadOptions read;
     SurfaceOptions surface;
     OctreeOptions octree;

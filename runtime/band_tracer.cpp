@@ -62,6 +62,17 @@ void destroyBandTracer(Device& device, BandTracer& tracer) {
     tracer.scene = nullptr;
 }
 
+void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
+    createFilm(device, tracer.buffers, film_pixels);
+    rebind(device, tracer);
+}
+
+void rebind(Device& device, BandTracer& tracer) {
+    destroyDescriptorPool(device, tracer.pool);
+    tracer.targets.clear();
+    createBindings(device, tracer);
+}
+
 std::uint64_t deviceBytes(const BandTracer& tracer) {
     return tracer.buffers.device_bytes + tracer.caustics.photons.bytes + tracer.caustics.buckets.bytes;
 }
@@ -78,11 +89,12 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
     const VkCommandBuffer commands = beginCommands(device);
     SampleRecorder recorder(commands, tracer, sample);
     if (sample.pass == 0) {
-        if (sample.first_hits) recorder.firstHits();
-        recorder.begin();
+        if (sample.first_hits || sample.only_first_hits) recorder.firstHits();
+        if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }
-    for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
+    if (!sample.only_first_hits)
+        for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
     submitAndWait(device, commands);
     const gpu::Control control = readControl(device, tracer);
     // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces

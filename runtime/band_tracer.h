@@ -41,6 +41,11 @@ void createBandTracer(Device& device, BandTracer& tracer, const StagedScene& sce
                       std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons);
 void destroyBandTracer(Device& device, BandTracer& tracer);
 
+/// Makes room for films of up to so many pixels; what the film holds is lost.
+void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels);
+/// To be called after the scene was furnished anew with the same features.
+void rebind(Device& device, BandTracer& tracer);
+
 /// Bytes of its buffers on the device, without the scene's.
 std::uint64_t deviceBytes(const BandTracer& tracer);
 
@@ -54,6 +59,7 @@ struct BandSample {
     std::uint32_t number = 0;          ///< 0: clears the film
     bool at_centers = false;           ///< rays go through the pixels' centres
     bool first_hits = false;           ///< also depth, normal and ids of the centre rays
+    bool only_first_hits = false;      ///< nothing else
     std::uint32_t pass = 0;            ///< the next one; 0: nothing is traced yet
     bool done = false;
 };

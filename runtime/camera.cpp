@@ -25,6 +25,9 @@ constexpr double kFarthestRadii = 1e4;
 /// Below this, neighbouring rays are the same in float.
 constexpr double kLeastFov_deg = 1e-3;
 
+/// Starts of rays are float as well: windows of this many radii still have a hundred rows apart from each other.
+constexpr double kLeastHeightRadii = 1e-5;
+
 /// A vector of the same direction whose squares neither overflow nor vanish.
 Vec3 withinRange(Vec3 v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -53,7 +56,30 @@ void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 cent
         throw Error{ExitCode::kBadUsage, std::string(option) + ": more than 10000 scene radii away"};
 }
 
+/// Of the sphere around the bounds.
+double boundingRadius(Vec3 low, Vec3 high) {
+    const double half_diagonal = length(high - low) / 2;
+    // A scene of one splat has no extent; any distance shows it.
+    return half_diagonal > 0 ? half_diagonal : 1;
+}
+
+bool isParallelProjection(const CameraRequest& request) { return request.ortho || request.ortho_height; }
+
+/// 0 for a pinhole.
+double windowHeight(const CameraRequest& request, Vec3 low, Vec3 high, double aspect) {
+    if (!isParallelProjection(request)) return 0;
+    if (!request.ortho_height) return framingHeight(low, high, aspect);
+    const double radius = boundingRadius(low, high);
+    if (!(*request.ortho_height >= kLeastHeightRadii * radius && *request.ortho_height <= kFarthestRadii * radius))
+        throw Error{ExitCode::kBadUsage, "--ortho: must be from 0.00001 to 10000 scene radii"};
+    return *request.ortho_height;
+}
+
 } // namespace
+
+double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect) {
+    return 2 * boundingRadius(bounds_min, bounds_max) / std::min(1.0, aspect);
+}
 
 double verticalHalfAngle(double fov_deg) { return fov_deg / 2 * std::numbers::pi / 180; }
 
@@ -64,19 +90,19 @@ double horizontalHalfAngle(double fov_deg, double aspect) {
 Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_max, double aspect) {
     requireUsable(request);
     const Vec3 centre = bounds_min + (bounds_max - bounds_min) * 0.5;
-    const double half_diagonal = length(bounds_max - bounds_min) / 2;
-    // A scene of one splat has no extent; any distance shows it.
-    const double radius = half_diagonal > 0 ? half_diagonal : 1;
+    const double radius = boundingRadius(bounds_min, bounds_max);
     requireNear("--eye", request.eye, centre, radius);
     requireNear("--target", request.target, centre, radius);
-    const Vec3 back{0, 0, framingDistance(radius, request.fov_deg, aspect)};
-
-    const Vec3 eye = request.eye.value_or(request.target.value_or(centre) + back);
     Vec3 target = request.target.value_or(centre);
+    Vec3 back{0, 0, framingDistance(radius, request.fov_deg, aspect)};
+    if (isParallelProjection(request)) back.z += std::max(0.0, centre.z - target.z);
+
+    const Vec3 eye = request.eye.value_or(target + back);
     if (!(length(target - eye) > 0)) target = eye - back;
 
     Camera camera;
     camera.fov_deg = request.fov_deg;
+    camera.ortho_height = windowHeight(request, bounds_min, bounds_max, aspect);
     camera.eye = eye;
     camera.forward = normalize(target - eye);
     camera.right =

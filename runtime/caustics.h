@@ -11,6 +11,9 @@
 
 namespace pointrt {
 
+/// Photons that set out for a picture: what a core traces in a second or two.
+constexpr std::uint32_t kPhotons = 1u << 20;
+
 /// A photon map on the device.
 struct CausticMap {
     Buffer photons, buckets;

@@ -19,7 +19,7 @@ constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkFormat kFourFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kTwoFloats = VK_FORMAT_R32G32_SFLOAT;
 constexpr std::uint64_t kPixelBytes = 4 * sizeof(float);
-constexpr std::int32_t kLevels = 5;
+constexpr std::uint32_t kLevelSteps = 3, kLevels = kDenoiseSteps - kLevelSteps;
 constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // local_size of the shaders
 /// The denoiser does not know the camera: a pixel's angle under the default 40 degrees, 2 tan(20 degrees) / height.
 constexpr float kPictureAngle = 0.728f;
@@ -78,18 +78,6 @@ void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
 
 GroupCount groupsOf(const Denoiser& denoiser) {
     return {(denoiser.width + kGroupWidth - 1) / kGroupWidth, (denoiser.height + kGroupHeight - 1) / kGroupHeight, 1};
-}
-
-/// Level i works on light[1] when i is even; the variance pass leaves its result there.
-void recordLevels(VkCommandBuffer commands, const Denoiser& denoiser, Push push) {
-    for (std::int32_t i = 0; i < kLevels; ++i) {
-        const bool last = i == kLevels - 1;
-        push.size[2] = 1 << i;
-        recordDispatch(commands, last ? denoiser.last_level : denoiser.level,
-                       last ? denoiser.last_set : denoiser.level_sets[(i + 1) % 2], pushBytes(push),
-                       groupsOf(denoiser));
-        recordBarrier(commands);
-    }
 }
 
 void requireSize(const char* name, const std::vector<float>& values, std::size_t expected, bool may_be_empty) {
@@ -160,17 +148,25 @@ void destroyDenoiser(Device& device, Denoiser& denoiser) {
         destroyBuffer(device, *buffer);
 }
 
-void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser) {
-    const auto width = static_cast<std::int32_t>(denoiser.width), height = static_cast<std::int32_t>(denoiser.height);
+void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& d, std::uint32_t step) {
+    const auto width = static_cast<std::int32_t>(d.width), height = static_cast<std::int32_t>(d.height);
     const SizePush size{{width, height, 0, 0}};
-    const Push push{{width, height, 0, 0}, {kPictureAngle / static_cast<float>(height), 0, 0, 0}};
-    recordDispatch(commands, denoiser.prepare, denoiser.prepare_set, pushBytes(size), groupsOf(denoiser));
+    Push push{{width, height, 0, 0}, {kPictureAngle / static_cast<float>(height), 0, 0, 0}};
+    if (step == 0) recordDispatch(commands, d.prepare, d.prepare_set, pushBytes(size), groupsOf(d));
+    if (step == 1) recordDispatch(commands, d.clean, d.clean_set, pushBytes(size), groupsOf(d));
+    if (step == 2) recordDispatch(commands, d.variance, d.variance_set, pushBytes(push), groupsOf(d));
+    if (step >= kLevelSteps) { // level i works on light[1] when i is even; the variance pass leaves its result there
+        const std::uint32_t i = step - kLevelSteps;
+        const bool last = i == kLevels - 1;
+        push.size[2] = 1 << i;
+        recordDispatch(commands, last ? d.last_level : d.level, last ? d.last_set : d.level_sets[(i + 1) % 2],
+                       pushBytes(push), groupsOf(d));
+    }
     recordBarrier(commands);
-    recordDispatch(commands, denoiser.clean, denoiser.clean_set, pushBytes(size), groupsOf(denoiser));
-    recordBarrier(commands);
-    recordDispatch(commands, denoiser.variance, denoiser.variance_set, pushBytes(push), groupsOf(denoiser));
-    recordBarrier(commands);
-    recordLevels(commands, denoiser, push);
+}
+
+void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser) {
+    for (std::uint32_t step = 0; step < kDenoiseSteps; ++step) recordDenoiseStep(commands, denoiser, step);
 }
 
 void denoiseFilm(Device& device, Film& film) {

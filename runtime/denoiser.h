@@ -52,6 +52,10 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 /// et al., Spatiotemporal Variance-Guided Filtering, HPG 2017, without its temporal half.
 void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser);
 
+/// The same in steps 0 to kDenoiseSteps - 1 of about the same length, for those who have not got the time at once.
+constexpr std::uint32_t kDenoiseSteps = 8;
+void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& denoiser, std::uint32_t step);
+
 /// Filters film.rgba's colours on device; alpha and all else stay. Guides are film.normal, depth, albedo and variance;
 /// those that are empty are not used. The variance counts only where film.samples, unless empty, has 2 or more
 /// everywhere; without it the spread of similar pixels around stands in, which takes sharp shadows' edges for noise.

@@ -59,7 +59,7 @@ void requireLoaderVersion() {
         throw Error{ExitCode::kCannotRun, "the Vulkan loader (libvulkan.so.1) is older than Vulkan 1.2"};
 }
 
-VkInstance createInstance() {
+VkInstance createInstance(std::vector<const char*> extensions) {
     loadVulkan();
     requireLoaderVersion();
     VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
@@ -68,7 +68,6 @@ VkInstance createInstance() {
     VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     info.pApplicationInfo = &application;
 
-    const char* debug_utils = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     const VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
     VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
@@ -80,14 +79,17 @@ VkInstance createInstance() {
         info.pNext = &messenger;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &kValidationLayer;
-        info.enabledExtensionCount = 1;
-        info.ppEnabledExtensionNames = &debug_utils;
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     }
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     VkInstance instance = VK_NULL_HANDLE;
     const VkResult result = vkCreateInstance(&info, nullptr, &instance);
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error{ExitCode::kCannotRun, "no Vulkan driver: install one (Debian, Ubuntu: mesa-vulkan-drivers, which "
                                           "also runs without a GPU)"};
+    if (result == VK_ERROR_EXTENSION_NOT_PRESENT)
+        throw Error{ExitCode::kCannotRun, "no Vulkan driver here can show a window; -o FILE renders without one"};
     check(result, "create a Vulkan instance");
     return instance;
 }
@@ -107,30 +109,56 @@ void describe(const Candidate& candidate, Device& device) {
     device.host_import_alignment = candidate.host_import_alignment;
 }
 
-void createLogicalDevice(Device& device) {
-    const float priority = 1;
-    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
-    queue.queueFamilyIndex = device.queue_family;
-    queue.queueCount = 1;
-    queue.pQueuePriorities = &priority;
-    const char* extension = VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME;
-    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-    info.queueCreateInfoCount = 1;
-    info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = device.external_memory_host ? 1 : 0;
-    info.ppEnabledExtensionNames = &extension;
-    check(vkCreateDevice(device.physical, &info, nullptr, &device.handle), "open the Vulkan device");
-    vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
-    if (device.external_memory_host)
-        device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
-            vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
+std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequest& request) {
+    std::vector<const char*> extensions;
+    if (device.external_memory_host) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+    if (!request.instance_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    return extensions;
+}
 
+void createPoolAndFence(Device& device) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
     pool.queueFamilyIndex = device.queue_family;
     check(vkCreateCommandPool(device.handle, &pool, nullptr, &device.command_pool), "create a command pool");
     const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     check(vkCreateFence(device.handle, &fence, nullptr, &device.fence), "create a fence");
+}
+
+void createLogicalDevice(Device& device, const DeviceRequest& request) {
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = device.queue_family;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    const std::vector<const char*> extensions = deviceExtensions(device, request);
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    check(vkCreateDevice(device.physical, &info, nullptr, &device.handle), "open the Vulkan device");
+    vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
+    if (device.external_memory_host)
+        device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
+            vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
+    createPoolAndFence(device);
+}
+
+void destroyPoolAndFence(Device& device) {
+    vkDestroyFence(device.handle, device.fence, nullptr);
+    vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
+}
+
+QueueNeeds queueNeeds(const Device& device, const DeviceRequest& request) {
+    QueueNeeds needs;
+    needs.graphics = request.graphics;
+    needs.present = !request.instance_extensions.empty();
+    if (request.can_present)
+        needs.can_present = [&](VkPhysicalDevice physical, std::uint32_t family) {
+            return request.can_present(device.instance, physical, family);
+        };
+    return needs;
 }
 
 void createMessenger(Device& device) {
@@ -146,11 +174,13 @@ void createMessenger(Device& device) {
 Device createDevice(const DeviceRequest& request) {
     Device device;
     try {
-        device.instance = createInstance();
+        device.instance = createInstance(request.instance_extensions);
         createMessenger(device);
         device.verbose = request.verbose;
-        describe(chooseCandidate(enumerateCandidates(device.instance), request.selector), device);
-        createLogicalDevice(device);
+        const QueueNeeds needs = queueNeeds(device, request);
+        if (needs.present) loadWindowFunctions(device.instance);
+        describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
+        createLogicalDevice(device, request);
     } catch (...) {
         destroyDevice(device);
         throw;
@@ -164,8 +194,7 @@ Device createDevice(const DeviceRequest& request) {
 void destroyDevice(Device& device) {
     if (device.handle) {
         vkDeviceWaitIdle(device.handle);
-        vkDestroyFence(device.handle, device.fence, nullptr);
-        vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
+        destroyPoolAndFence(device);
         vkDestroyDevice(device.handle, nullptr);
     }
     if (device.messenger) {
@@ -177,8 +206,31 @@ void destroyDevice(Device& device) {
     device = {};
 }
 
+Device workerDevice(Device& device) {
+    if (!device.queue_mutex) device.queue_mutex = std::make_shared<std::mutex>();
+    Device worker = device;
+    worker.command_pool = VK_NULL_HANDLE;
+    worker.fence = VK_NULL_HANDLE;
+    try {
+        createPoolAndFence(worker);
+    } catch (...) {
+        destroyWorkerDevice(worker);
+        throw;
+    }
+    return worker;
+}
+
+void destroyWorkerDevice(Device& worker) {
+    if (worker.handle) destroyPoolAndFence(worker);
+    worker = {};
+}
+
+std::unique_lock<std::mutex> lockQueue(Device& device) {
+    return device.queue_mutex ? std::unique_lock(*device.queue_mutex) : std::unique_lock<std::mutex>();
+}
+
 std::string listDevices() {
-    const VkInstance instance = createInstance();
+    const VkInstance instance = createInstance({});
     std::string text;
     try {
         const std::vector<Candidate> candidates = enumerateCandidates(instance);
@@ -218,7 +270,10 @@ void submitAndWait(Device& device, VkCommandBuffer commands) {
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands;
-    check(vkQueueSubmit(device.queue, 1, &submit, device.fence), "submit work to the device");
+    {
+        const auto turn = lockQueue(device);
+        check(vkQueueSubmit(device.queue, 1, &submit, device.fence), "submit work to the device");
+    }
     check(vkWaitForFences(device.handle, 1, &device.fence, VK_TRUE, UINT64_MAX), "wait for the device");
     check(vkResetFences(device.handle, 1, &device.fence), "reset a fence");
     vkFreeCommandBuffers(device.handle, device.command_pool, 1, &commands);

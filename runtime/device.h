@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choosing a Vulkan device for compute, and the one queue everything runs on.
+// Choosing a Vulkan device for compute (and a window, where one is asked for), and the one queue everything runs on.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include "runtime/vulkan.h"
 
@@ -12,6 +16,11 @@ namespace pointrt {
 struct DeviceRequest {
     std::string selector; ///< "" for the best one, an index of the list, or a part of a name in any case
     bool verbose = false;
+    bool graphics = false; ///< the queue draws besides computing
+    /// What the window system needs. With any, the queue also presents, and the device has VK_KHR_swapchain.
+    std::vector<const char*> instance_extensions;
+    /// Whether a queue family reaches the window's display; without it all of them are taken to.
+    std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
 };
 
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
@@ -21,6 +30,7 @@ struct Device {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     VkDevice handle = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
+    std::shared_ptr<std::mutex> queue_mutex; ///< null until a workerDevice shares the queue
     std::uint32_t queue_family = 0;
     VkCommandPool command_pool = VK_NULL_HANDLE;
     VkFence fence = VK_NULL_HANDLE;
@@ -43,6 +53,15 @@ struct Device {
 /// Throws Error kCannotRun with one line that names every device seen and why it was refused.
 Device createDevice(const DeviceRequest& request);
 void destroyDevice(Device& device);
+
+/// The same device for another thread: it shares the queue, whose users then take turns, and has a command pool and a
+/// fence of its own. What is made through one may be used and freed through the other. Call it while no other thread
+/// uses device; free the result with destroyWorkerDevice before device.
+Device workerDevice(Device& device);
+void destroyWorkerDevice(Device& worker);
+
+/// Keeps other threads off the queue while it lives; for every call that takes device.queue.
+std::unique_lock<std::mutex> lockQueue(Device& device);
 
 /// A line for each device: index, name, type, API version, memory, and why it cannot be used where that is so.
 /// Throws Error kCannotRun where there is no loader or no driver at all.

@@ -27,13 +27,16 @@ bool hasExtension(VkPhysicalDevice physical, const char* name) {
                        [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
 }
 
-std::optional<std::uint32_t> computeFamily(VkPhysicalDevice physical) {
+std::optional<std::uint32_t> queueFamily(VkPhysicalDevice physical, const QueueNeeds& needs) {
+    VkQueueFlags wanted = VK_QUEUE_COMPUTE_BIT;
+    if (needs.graphics || needs.present) wanted |= VK_QUEUE_GRAPHICS_BIT;
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
     for (std::uint32_t i = 0; i < count; ++i)
-        if (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT) return i;
+        if ((families[i].queueFlags & wanted) == wanted && (!needs.can_present || needs.can_present(physical, i)))
+            return i;
     return {};
 }
 
@@ -118,12 +121,19 @@ std::uint64_t deviceLocalBytes(const VkPhysicalDeviceMemoryProperties& memory) {
     return bytes;
 }
 
-Candidate inspect(VkPhysicalDevice physical) {
+const char* missingQueue(const QueueNeeds& needs) {
+    if (needs.present) return "no queue that computes, draws and reaches this display";
+    return needs.graphics ? "no queue that both computes and draws" : "no compute queue";
+}
+
+Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     Candidate candidate;
     candidate.physical = physical;
     vkGetPhysicalDeviceProperties(physical, &candidate.properties);
     vkGetPhysicalDeviceMemoryProperties(physical, &candidate.memory);
-    candidate.queue_family = computeFamily(physical);
+    candidate.needs = needs;
+    candidate.queue_family = queueFamily(physical, needs);
+    candidate.swapchain = needs.present && hasExtension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     candidate.reads_texels = readsTexels(physical);
     // vkGetPhysicalDeviceProperties2 and the structures chained to it are core since 1.1.
     if (candidate.properties.apiVersion >= VK_API_VERSION_1_1) {
@@ -149,7 +159,8 @@ std::string refusalOf(const Candidate& candidate) {
     const VkPhysicalDeviceProperties& properties = candidate.properties;
     if (properties.apiVersion < VK_API_VERSION_1_2)
         return "it has Vulkan " + versionText(properties.apiVersion) + ", 1.2 is needed";
-    if (!candidate.queue_family) return "no compute queue";
+    if (!candidate.queue_family) return missingQueue(candidate.needs);
+    if (candidate.needs.present && !candidate.swapchain) return "it cannot show pictures in a window";
     if (properties.limits.maxTexelBufferElements < kMinTexels)
         return "texel buffers hold " + std::to_string(properties.limits.maxTexelBufferElements) + " elements, " +
                std::to_string(kMinTexels) + " are needed";
@@ -161,14 +172,14 @@ std::string refusalOf(const Candidate& candidate) {
     return {};
 }
 
-std::vector<Candidate> enumerateCandidates(VkInstance instance) {
+std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs) {
     std::uint32_t count = 0;
     check(vkEnumeratePhysicalDevices(instance, &count, nullptr), "list Vulkan devices");
     std::vector<VkPhysicalDevice> devices(count);
     check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "list Vulkan devices");
     devices.resize(count);
     std::vector<Candidate> candidates;
-    for (VkPhysicalDevice device : devices) candidates.push_back(inspect(device));
+    for (VkPhysicalDevice device : devices) candidates.push_back(inspect(device, needs));
     return candidates;
 }
 

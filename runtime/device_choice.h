@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,13 @@
 
 namespace pointrt {
 
+/// What the queue is for besides compute.
+struct QueueNeeds {
+    bool graphics = false;
+    bool present = false;                                                    ///< graphics, and a swapchain
+    std::function<bool(VkPhysicalDevice, std::uint32_t family)> can_present; ///< without it every family can
+};
+
 /// A device as enumerated: what choosing and listing it needs.
 struct Candidate {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -19,14 +27,16 @@ struct Candidate {
     VkPhysicalDeviceMaintenance3Properties maintenance3{};
     VkPhysicalDeviceSubgroupProperties subgroup{};
     VkPhysicalDeviceMemoryProperties memory{};
-    std::optional<std::uint32_t> queue_family; ///< the first with compute
+    QueueNeeds needs;
+    std::optional<std::uint32_t> queue_family; ///< the first with compute and what needs says
+    bool swapchain = false;                    ///< has VK_KHR_swapchain; looked up where needs.present
     bool external_memory_host = false;
     std::uint64_t host_import_alignment = 0; ///< bytes
     bool reads_texels = false;               ///< in the formats the scene is stored in
     std::string refusal;                     ///< empty when usable
 };
 
-std::vector<Candidate> enumerateCandidates(VkInstance instance);
+std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs = {});
 
 /// Why the viewer cannot run on candidate; empty when it can. Reads everything but candidate.physical and refusal.
 std::string refusalOf(const Candidate& candidate);

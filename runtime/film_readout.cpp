@@ -111,7 +111,8 @@ void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, cons
             const std::uint32_t y = band.first_row + row;
             const std::size_t pixel = std::size_t{y} * film.width + x;
             const double distance = hit->w * scene.stage.scale;
-            const Vec3 at = camera.eye + distance * centerRayDirection(settings, camera, x, y);
+            const Vec3 at =
+                centerRayOrigin(settings, camera, x, y) + distance * centerRayDirection(settings, camera, x, y);
             film.depth[pixel] = static_cast<float>(distance);
             const float normal[] = {hit->x, hit->y, hit->z};
             const double position[] = {at.x, at.y, at.z};

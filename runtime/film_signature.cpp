@@ -56,7 +56,8 @@ std::string sceneHash(const StagedScene& scene) {
 
 std::string cameraText(const Camera& camera) {
     return vectorText(camera.eye) + " " + vectorText(camera.right) + " " + vectorText(camera.up) + " " +
-           vectorText(camera.forward) + " " + exact(camera.fov_deg);
+           vectorText(camera.forward) + " " +
+           (camera.ortho_height > 0 ? "ortho " + exact(camera.ortho_height) : exact(camera.fov_deg));
 }
 
 /// Takes the next "name=value" off text.

@@ -36,13 +36,24 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
         buffers.lit = storage("lit point buffer", lanes * sizeof(gpu::LitPoint));
         buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", lanes * DEFERRED_MOST * sizeof(gpu::PathState));
-        buffers.film = storage("film buffer", film_pixels * FILM_LAYERS * sizeof(gpu::vec4));
-        buffers.first_hits = storage("first hit buffer", film_pixels * FIRST_HIT_VECTORS * sizeof(gpu::vec4));
+        createFilm(device, buffers, film_pixels);
     } catch (...) {
         destroyFrameBuffers(device, buffers);
         throw;
     }
     return buffers;
+}
+
+void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels) {
+    const auto replace = [&](const char* what, Buffer& buffer, std::uint64_t vectors) {
+        buffers.device_bytes -= buffer.bytes;
+        destroyBuffer(device, buffer);
+        buffer =
+            createBuffer(device, what, film_pixels * vectors * sizeof(gpu::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        buffers.device_bytes += buffer.bytes;
+    };
+    replace("film buffer", buffers.film, FILM_LAYERS);
+    replace("first hit buffer", buffers.first_hits, FIRST_HIT_VECTORS);
 }
 
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {

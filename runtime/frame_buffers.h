@@ -32,6 +32,8 @@ struct FilmPlace {
 
 /// For bands of up to so many lanes, in films of up to so many pixels.
 FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels);
+/// Its film and first hits anew, for so many pixels.
+void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);
 /// At their places in shaders/bindings.glsl.
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers);

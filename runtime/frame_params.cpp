@@ -25,6 +25,25 @@ void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
     params.sky_ground = pack(sky.ground, sky.strength);
 }
 
+/// Of what rays go through and of the window that they start in: one of them is 0 (shaders/camera_ray.glsl).
+struct HalfHeights {
+    double at_distance_1 = 0;
+    double window = 0; ///< input units
+};
+
+HalfHeights halfHeights(const Camera& camera) {
+    if (camera.ortho_height > 0) return {0, camera.ortho_height / 2};
+    return {std::tan(verticalHalfAngle(camera.fov_deg)), 0};
+}
+
+/// From the picture's middle to the centre of pixel (x, y), in half heights of the picture.
+Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    const double aspect = static_cast<double>(settings.width) / settings.height;
+    const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * aspect;
+    const double upwards = 1.0 - 2.0 * (y + 0.5) / settings.height;
+    return across * camera.right + upwards * camera.up;
+}
+
 } // namespace
 
 gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
@@ -33,9 +52,10 @@ gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings&
     const Vec3 center = 0.5 * (scene.bounds.lo + scene.bounds.hi);
     const double radius = 0.5 * length(scene.bounds.hi - scene.bounds.lo);
     gpu::FrameParams params{};
-    params.eye = pack(stagePoint(stage, camera.eye), std::tan(verticalHalfAngle(camera.fov_deg)));
+    const HalfHeights half = halfHeights(camera);
+    params.eye = pack(stagePoint(stage, camera.eye), half.at_distance_1);
     params.right = pack(camera.right, static_cast<double>(settings.width) / settings.height);
-    params.up = pack(camera.up);
+    params.up = pack(camera.up, half.window / stage.scale);
     params.forward = pack(camera.forward);
     setSky(scene.description.sky.value_or(SkyDescription{}), params);
     params.sky_up = pack(sceneUp(scene.description, settings), (length(camera.eye - center) + radius) / stage.scale);
@@ -48,12 +68,12 @@ gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings&
     return params;
 }
 
+Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    return camera.eye + halfHeights(camera).window * pixelOffset(settings, camera, x, y);
+}
+
 Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
-    const double tangent = std::tan(verticalHalfAngle(camera.fov_deg)),
-                 aspect = static_cast<double>(settings.width) / settings.height;
-    const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * tangent * aspect;
-    const double upwards = (1.0 - 2.0 * (y + 0.5) / settings.height) * tangent;
-    return normalize(camera.forward + across * camera.right + upwards * camera.up);
+    return normalize(camera.forward + halfHeights(camera).at_distance_1 * pixelOffset(settings, camera, x, y));
 }
 
 } // namespace pointrt

@@ -13,7 +13,10 @@ namespace pointrt {
 gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows);
 
-/// Unit direction of the ray through the centre of pixel (x, y), input frame.
+/// Where the ray through the centre of pixel (x, y) starts, input coordinates: the eye but for parallel projection.
+Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y);
+
+/// Unit direction of that ray, input frame.
 Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y);
 
 } // namespace pointrt

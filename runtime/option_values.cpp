@@ -22,6 +22,8 @@ const Names<Integrator> kIntegratorNames = {{"phong", Integrator::kPhong},
                                             {"depth", Integrator::kDepth}};
 const Names<Room> kRoomNames = {{"none", Room::kNone}, {"mirror", Room::kMirror}, {"matte", Room::kMatte}};
 const Names<bool> kSwitchNames = {{"on", true}, {"off", false}};
+const Names<DenoiseChoice> kDenoiseNames = {
+    {"on", DenoiseChoice::kOn}, {"off", DenoiseChoice::kOff}, {"auto", DenoiseChoice::kAuto}};
 
 std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high) {
     std::uint32_t value = 0;

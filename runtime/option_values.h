@@ -20,6 +20,7 @@ using Names = std::vector<std::pair<const char*, Value>>;
 extern const Names<Integrator> kIntegratorNames;
 extern const Names<Room> kRoomNames;
 extern const Names<bool> kSwitchNames; ///< on, off
+extern const Names<DenoiseChoice> kDenoiseNames;
 
 /// "" where it has none.
 template <typename Value>

@@ -10,6 +10,7 @@
 
 #include "pointrt/tool.hpp"
 #include "runtime/option_values.h"
+#include "runtime/turntable.h"
 
 namespace pointrt {
 namespace {
@@ -19,9 +20,8 @@ constexpr std::uint32_t kMaxBounces = 64;
 constexpr std::uint32_t kMaxLights = 16;
 constexpr std::uint32_t kMaxBenchFrames = 100000;
 constexpr double kMaxSeconds = 1e7; // a third of a year
+constexpr double kMaxHeight = 1e12; // as scene files take lengths
 constexpr double kMaxExposure = 20; // stops: a factor of a million
-const Names<DenoiseChoice> kDenoiseNames = {
-    {"on", DenoiseChoice::kOn}, {"off", DenoiseChoice::kOff}, {"auto", DenoiseChoice::kAuto}};
 
 std::string parseOutput(const std::string& path) {
     if (path.ends_with(".png") || path.ends_with(".exr")) return path;
@@ -66,6 +66,10 @@ void addImageOptions(CLI::App& app, Options& options) {
             options.output = parseOutput(text);
             options.render.first_hits = text.ends_with(".exr");
         });
+    add(app, "--turntable", "N",
+        "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 to " +
+            std::to_string(kMaxTurntable) + ")",
+        [&](const std::string& text) { options.turntable = parseCount(text, 1, kMaxTurntable); });
     add(app, "--size", "WxH",
         "Image size in pixels (default " + std::to_string(render.width) + "x" + std::to_string(render.height) +
             ", each 1 to " + std::to_string(kMaxSize) + ")",
@@ -74,12 +78,12 @@ void addImageOptions(CLI::App& app, Options& options) {
         [&](const std::string& text) { choices.spp = parseCount(text, 1, kMaxSpp); });
     const std::uint32_t max_seed = std::numeric_limits<std::uint32_t>::max();
     add(app, "--seed", "N", "Of the random numbers" + rangeText(render.seed, 0, max_seed),
-        [&render, max_seed](const std::string& text) { render.seed = parseCount(text, 0, max_seed); });
+        [&choices, max_seed](const std::string& text) { choices.seed = parseCount(text, 0, max_seed); });
     add(app, "--denoise", "on|off|auto",
         "Filter the noise out: a guess, for previews (default auto: PNG of soft light with fewer than 256 samples)",
-        [&](const std::string& text) { options.denoise = parseName(kDenoiseNames, text); });
+        [&](const std::string& text) { choices.denoise = parseName(kDenoiseNames, text); });
     add(app, "--exposure", "STOPS", "Brighten a PNG by 2^STOPS (default 0, -20 to 20)", [&](const std::string& text) {
-        options.exposure = static_cast<float>(parseReal(text, -kMaxExposure, kMaxExposure));
+        choices.exposure = static_cast<float>(parseReal(text, -kMaxExposure, kMaxExposure));
     });
 }
 
@@ -101,6 +105,8 @@ void addQualityOptions(CLI::App& app, Options& options) {
 void addCameraOptions(CLI::App& app, Options& options) {
     app.option_defaults()->group("Camera (in the coordinates of the input scan)");
     CameraRequest& camera = options.render.camera;
+    add(app, "--view", "NAME", "A view of the scene file, in place of its camera; the options below overrule it",
+        [&](const std::string& text) { options.view = text; });
     add(app, "--eye", "X,Y,Z", "Where it stands (default: +Z of the scene, far enough to see all of it)",
         [&](const std::string& text) { camera.eye = parseVector(text); });
     add(app, "--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
@@ -111,11 +117,18 @@ void addCameraOptions(CLI::App& app, Options& options) {
     std::snprintf(fov, sizeof fov, "%g", camera.fov_deg);
     add(app, "--fov", "DEG", std::string("Vertical field of view (default ") + fov + ", above 0 and below 180)",
         [&](const std::string& text) { options.choices.fov_deg = parseAngle(text); });
+    add(app, "--ortho", "HEIGHT|fit",
+        "Parallel projection that shows this height of the scene, or with fit all of it (default: off; not with --fov)",
+        [&](const std::string& text) {
+            camera.ortho = true;
+            if (text != "fit") camera.ortho_height = parseRealAbove(text, 0, kMaxHeight);
+        });
 }
 
 void addSceneOptions(CLI::App& app, Options& options) {
     app.option_defaults()->group("Light and surfaces");
     RenderSettings& render = options.render;
+    SceneChoices& choices = options.choices;
     add(app, "--integrator", "NAME", choiceText(kIntegratorNames, render.integrator),
         [&](const std::string& text) { options.choices.integrator = parseName(kIntegratorNames, text); });
     add(app, "--bounces", "N", "Secondary rays in a path at most" + rangeText(render.bounces, 0, kMaxBounces),
@@ -125,17 +138,28 @@ void addSceneOptions(CLI::App& app, Options& options) {
         "scene, a studio of three lamps over a floor)",
         [&](const std::string& text) { render.room = parseName(kRoomNames, text); });
     add(app, "--lights", "N",
-        "Point lights on a ring above a scene that has no light of its own (default 3 with --room, 0 to " + std::to_string(kMaxLights) + ")",
+        "Point lights on a ring above a scene that has no light of its own (default 3 with --room, 0 to " +
+            std::to_string(kMaxLights) + ")",
         [&](const std::string& text) { render.lights = parseCount(text, 0, kMaxLights); });
     add(app, "--shadows", "on|off", "Shadow rays" + defaultText(nameOf(kSwitchNames, render.shadows)),
-        [&](const std::string& text) { render.shadows = parseName(kSwitchNames, text); });
+        [&](const std::string& text) { choices.shadows = parseName(kSwitchNames, text); });
     add(app, "--blend", "on|off", "Blend overlapping splats" + defaultText(nameOf(kSwitchNames, render.blend)),
-        [&](const std::string& text) { render.blend = parseName(kSwitchNames, text); });
+        [&](const std::string& text) { choices.blend = parseName(kSwitchNames, text); });
     add(app, "--caustics", "on|off",
         "Light bundled by glass and mirrors" + defaultText(nameOf(kSwitchNames, render.caustics)),
-        [&](const std::string& text) { render.caustics = parseName(kSwitchNames, text); });
+        [&](const std::string& text) { choices.caustics = parseName(kSwitchNames, text); });
     add(app, "--reflectivity", "R", "Of every surface, 0 matte to 1 mirror (default: each material's own)",
         [&](const std::string& text) { render.reflectivity = static_cast<float>(parseReal(text, 0, 1)); });
+}
+
+void addWindowOptions(CLI::App& app, Options& options) {
+    app.option_defaults()->group("Window (without -o and --bench; H in it lists keys)");
+    add(app, "--record", "FILE", "Write what you do in the window to FILE (default: none)",
+        [&](const std::string& text) { options.record = text; });
+    add(app, "--replay", "FILE", "Do what FILE says, then quit; its screenshots become NAME.png (default: none)",
+        [&](const std::string& text) { options.replay = text; });
+    app.add_flag("--offscreen", options.offscreen,
+                 "Replay without showing a window or needing a display (default: off)");
 }
 
 void addRunOptions(CLI::App& app, Options& options) {
@@ -161,19 +185,42 @@ void requireOutput(const Options& options, bool given, const char* option, const
         throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with -o FILE" + suffix};
 }
 
+void requireWindow(const Options& options) {
+    const char* option = !options.record.empty() ? "--record" : !options.replay.empty() ? "--replay" : "--offscreen";
+    const bool any = !options.record.empty() || !options.replay.empty() || options.offscreen;
+    if (any && !opensWindow(options))
+        throw Error{ExitCode::kBadUsage, std::string(option) + " is for the window: leave out -o and --bench"};
+    if (options.offscreen && options.replay.empty())
+        throw Error{ExitCode::kBadUsage, "--offscreen needs --replay FILE: nobody could close such a window"};
+    if (!options.record.empty() && options.record == options.replay)
+        throw Error{ExitCode::kBadUsage, "--record and --replay name the same file"};
+    if (opensWindow(options) && (options.limits.seconds || options.limits.noise))
+        throw Error{ExitCode::kBadUsage, "--time-limit and --noise go with -o FILE; the window refines until --spp"};
+}
+
 void requireTask(const Options& options) {
     if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
+    if (options.choices.fov_deg && options.render.camera.ortho)
+        throw Error{ExitCode::kBadUsage,
+                    "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return;
     requireOutput(options, options.resume, "--resume", ".exr");
-    requireOutput(options, options.exposure.has_value(), "--exposure", ".png");
+    if (!opensWindow(options)) requireOutput(options, options.choices.exposure.has_value(), "--exposure", ".png");
     if (options.resume && options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
+    if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
+        throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
+                                             " exclude each other"};
     if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene given; --help lists the options"};
-    if (options.output.empty() && options.bench_frames == 0)
-        throw Error{ExitCode::kBadUsage, "this build has no window yet; -o FILE.png or -o FILE.exr renders to a file"};
+    requireFrameNames(options.output, options.turntable != 0);
+    requireWindow(options);
 }
 
 } // namespace
+
+bool opensWindow(const Options& options) {
+    return !options.list_devices && options.output.empty() && options.bench_frames == 0;
+}
 
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
     CLI::App app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
@@ -194,6 +241,7 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
     addQualityOptions(app, options);
     addCameraOptions(app, options);
     addSceneOptions(app, options);
+    addWindowOptions(app, options);
     addRunOptions(app, options);
     try {
         app.parse(argc, argv);

@@ -12,17 +12,24 @@ namespace pointrt {
 
 enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
 enum class Room { kNone, kMirror, kMatte };
+enum class DenoiseChoice { kAuto, kOn, kOff };
 
 /// What the user said of the camera, in input coordinates; what is missing is framed by frameCamera.
 struct CameraRequest {
     std::optional<Vec3> eye, target, up;
-    double fov_deg = 40; ///< vertical, in (0, 180)
+    double fov_deg = 40; ///< vertical, in (0, 180); nothing to a parallel projection
+    bool ortho = false;  ///< parallel projection, for which ortho_height asks as well
+    /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
+    std::optional<double> ortho_height;
+    bool operator==(const CameraRequest&) const = default;
 };
 
-/// A complete pinhole camera in input coordinates; right, up and forward are orthonormal.
+/// A complete camera in input coordinates; right, up and forward are orthonormal. With parallel projection all rays go
+/// forward, from a window around the eye: nothing behind that is seen.
 struct Camera {
     Vec3 eye, right, up, forward;
-    double fov_deg = 40; ///< vertical
+    double fov_deg = 40;     ///< vertical
+    double ortho_height = 0; ///< above 0: parallel projection, the height in input units that the picture shows
 };
 
 struct RenderSettings {
@@ -39,6 +46,8 @@ struct RenderSettings {
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
     bool first_hits = false;           ///< also fill the Film's depth, normal and position
+    DenoiseChoice denoise = DenoiseChoice::kAuto;
+    float exposure = 0; ///< stops, for 8-bit pictures
 };
 
 /// Rays counted on the device while tracing.
@@ -50,7 +59,7 @@ struct RayCounts {
 struct Film {
     std::uint32_t width = 0, height = 0;
     std::vector<float> rgba;     ///< 4 a pixel: linear light, background included; share covered by the scene
-    std::vector<float> depth;    ///< 1 a pixel, along the ray from the eye, input units; +infinity: nothing hit
+    std::vector<float> depth;    ///< 1 a pixel, along the ray from its start, input units; +infinity: nothing hit
     std::vector<float> normal;   ///< 3 a pixel, unit, towards the eye; 0 where nothing is hit
     std::vector<float> position; ///< 3 a pixel, input coordinates; 0 where nothing is hit
 

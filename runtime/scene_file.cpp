@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "pointrt/tool.hpp"
 #include "runtime/scene_file_parts.h"
@@ -13,61 +14,69 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-
 std::string readText(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
-    std::string text(kMostBytes + 1, '\0');
+    std::string text(kMostSceneBytes + 1, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file.get()));
     if (std::ferror(file.get())) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
-    if (text.size() > kMostBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
+    if (text.size() > kMostSceneBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
     return text;
 }
 
-/// [camera]. Without an up of its own it stands as the scene does.
-CameraRequest readCamera(const SceneValue& file) {
+/// A height, or "fit": all of the scene.
+void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& camera) {
+    if (find(table, "fov")) refuse(ortho, "excludes \"fov\": a parallel projection has no field of view");
+    camera.ortho = true;
+    if (ortho.node->is_number())
+        camera.ortho_height = numberOf(ortho, kLengths);
+    else if (!ortho.node->is_string() || textOf(ortho) != "fit")
+        refuse(ortho, "must be a height or \"fit\"");
+}
+
+/// [camera] or a [[view]]. Without an up of its own it stands as the scene does.
+CameraRequest cameraOf(const SceneValue& table, const std::optional<Vec3>& scene_up) {
     CameraRequest camera;
-    if (const auto up = find(file, "up")) camera.up = directionOf(*up);
-    const auto table = findTable(file, "camera");
-    if (!table) return camera;
-    requireKnownKeys(*table, "a camera", {"eye", "target", "up", "fov"});
-    if (const auto eye = find(*table, "eye")) camera.eye = vectorOf(*eye);
-    if (const auto target = find(*table, "target")) camera.target = vectorOf(*target);
-    if (const auto up = find(*table, "up")) camera.up = directionOf(*up);
+    camera.up = scene_up;
+    if (const auto eye = find(table, "eye")) camera.eye = vectorOf(*eye);
+    if (const auto target = find(table, "target")) camera.target = vectorOf(*target);
+    if (const auto up = find(table, "up")) camera.up = directionOf(*up);
     // as wide as frameCamera takes it
-    takeNumber(*table, "fov", {0.001, 179.999}, camera.fov_deg);
+    takeNumber(table, "fov", {0.001, 179.999}, camera.fov_deg);
+    if (const auto ortho = find(table, "ortho")) takeOrtho(table, *ortho, camera);
     if (camera.eye && camera.target && !(length(*camera.target - *camera.eye) > 0))
-        refuse(*find(*table, "target"), "must be another point than \"eye\"");
+        refuse(*find(table, "target"), "must be another point than \"eye\"");
     return camera;
 }
 
-/// [render], within the limits of the command line (options.cpp).
-void readRender(const SceneValue& file, SceneDescription& scene) {
-    const auto table = findTable(file, "render");
+void readCamera(const SceneValue& file, SceneDescription& scene) {
+    scene.camera.up = scene.up;
+    const auto table = findTable(file, "camera");
     if (!table) return;
-    requireKnownKeys(*table, "render", {"integrator", "bounces", "spp", "size"});
-    constexpr Integrator integrators[] = {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath,
-                                          Integrator::kNormal, Integrator::kDepth};
-    if (const auto name = find(*table, "integrator"))
-        scene.integrator = integrators[choiceOf(*name, {"phong", "whitted", "path", "normal", "depth"})];
-    if (const auto bounces = find(*table, "bounces")) scene.bounces = wholeNumberOf(*bounces, 0, 64);
-    if (const auto spp = find(*table, "spp")) scene.spp = wholeNumberOf(*spp, 1, 65536);
-    if (const auto size = find(*table, "size")) {
-        if (!size->node->is_array() || size->node->as_array()->size() != 2) refuse(*size, "must be [width, height]");
-        const std::vector<SceneValue> sides = elementsOf(*size);
-        scene.width = wholeNumberOf(sides[0], 1, 16384);
-        scene.height = wholeNumberOf(sides[1], 1, 16384);
+    requireKnownKeys(*table, "a camera", {"eye", "target", "up", "fov", "ortho"});
+    scene.camera = cameraOf(*table, scene.up);
+}
+
+void readViews(const SceneValue& file, SceneDescription& scene) {
+    std::set<std::string> names;
+    for (const SceneValue& table : findTables(file, "view")) {
+        requireKnownKeys(table, "a view", {"name", "eye", "target", "up", "fov", "ortho"});
+        const SceneValue name = require(table, "name");
+        if (!names.insert(textOf(name)).second) refuse(name, "is the name of another view already");
+        scene.views.push_back({textOf(name), cameraOf(table, scene.up)});
     }
 }
 
 void readWhole(const SceneValue& file, SceneDescription& scene) {
-    requireKnownKeys(file, "a scene",
-                     {"up", "room", "camera", "render", "instance", "material", "shape", "light", "sky"});
+    requireKnownKeys(
+        file, "a scene",
+        {"up", "room", "staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
     constexpr Room rooms[] = {Room::kNone, Room::kMirror, Room::kMatte};
     if (const auto room = find(file, "room")) scene.room = rooms[choiceOf(*room, {"none", "mirror", "matte"})];
     if (const auto up = find(file, "up")) scene.up = directionOf(*up);
-    scene.camera = readCamera(file);
+    if (const auto eye = find(file, "staged_for")) scene.staged_for = vectorOf(*eye);
+    readCamera(file, scene);
+    readViews(file, scene);
     readRender(file, scene);
 }
 

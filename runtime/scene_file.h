@@ -2,12 +2,16 @@
 // Scene files: TOML 1.0, described in docs/SCENES.md.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "runtime/scene_description.h"
 
 namespace pointrt {
+
+/// Of a scene file.
+constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;
 
 /// True where path ends in .toml.
 bool isSceneFile(const std::string& path);

@@ -30,9 +30,21 @@ Matrix turn(Vec3 axis, double degrees) {
     return {row(axis.x, {1, 0, 0}), row(axis.y, {0, 1, 0}), row(axis.z, {0, 0, 1})};
 }
 
+Matrix matrixOf(const SceneValue& matrix) {
+    const Matrix rows = rowsOf(matrix);
+    for (const Vec3& row : rows)
+        if (std::abs(length(row) - 1) > kAxesError) refuse(matrix, "must have rows of length 1");
+    if (!areRightAngled(rows)) refuse(matrix, "must have rows at right angles, right-handed");
+    return rows;
+}
+
 Matrix turnOf(const SceneValue& table) {
     requireTable(table);
-    requireKnownKeys(table, "a rotation", {"axis", "degrees"});
+    requireKnownKeys(table, "a rotation", {"axis", "degrees", "matrix"});
+    if (const auto matrix = find(table, "matrix")) {
+        forbid(table, {"axis", "degrees"}, "excludes \"matrix\"");
+        return matrixOf(*matrix);
+    }
     return turn(directionOf(require(table, "axis")), numberOf(require(table, "degrees"), kCoordinates));
 }
 
@@ -86,6 +98,16 @@ InstanceDescription instanceOf(const SceneValue& table, const SceneReading& read
 }
 
 } // namespace
+
+std::array<Vec3, 3> rowsOf(const SceneValue& value) {
+    if (!value.node->is_array() || value.node->as_array()->size() != 3) refuse(value, "must be a list of 3 vectors");
+    const std::vector<SceneValue> rows = elementsOf(value);
+    return {vectorOf(rows[0]), vectorOf(rows[1]), vectorOf(rows[2])};
+}
+
+bool areRightAngled(const std::array<Vec3, 3>& axes) {
+    return length(cross(axes[0], axes[1]) - axes[2]) <= 2 * kAxesError && std::abs(dot(axes[0], axes[1])) <= kAxesError;
+}
 
 std::array<Vec3, 3> rotationOf(const SceneValue& value) {
     if (!value.node->is_array()) return turnOf(value);

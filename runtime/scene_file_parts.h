@@ -18,6 +18,8 @@ struct SceneReading {
     std::set<std::uint32_t> uncolored_materials; ///< which have splats' colours only
 };
 
+/// [render], which needs nothing of the rest.
+void readRender(const SceneValue& file, SceneDescription& scene);
 void readMaterials(const SceneValue& file, SceneReading& reading);
 void readInstances(const SceneValue& file, SceneReading& reading);
 void readShapes(const SceneValue& file, SceneReading& reading);
@@ -31,11 +33,21 @@ std::string fileOf(const SceneValue& value, const SceneReading& reading);
 /// Rows of the matrix that value's rotations make, in their order: {axis, degrees} or a list of them.
 std::array<Vec3, 3> rotationOf(const SceneValue& value);
 
+/// [[x, y, z], [x, y, z], [x, y, z]]
+std::array<Vec3, 3> rowsOf(const SceneValue& value);
+/// What rows of written matrices may be off by, as a sine: six digits are enough to write one.
+constexpr double kAxesError = 1e-6;
+/// True where axes, of unit length, are at right angles to each other and right-handed.
+bool areRightAngled(const std::array<Vec3, 3>& axes);
+
 /// Half edges of a rectangle. Refuses table where they are not at right angles.
 struct HalfEdges {
     Vec3 u, v;
 };
 HalfEdges halfEdgesOf(const SceneValue& table);
+
+/// Puts a flat shape into the plane of normal, a unit vector; u and v get length half.
+void layFlat(ShapeDescription& shape, Vec3 normal, double half);
 
 /// Refuses value where its shape is one more than MAX_SHAPES: shapes, sphere and quad lights together.
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading);

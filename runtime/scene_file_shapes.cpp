@@ -14,14 +14,8 @@ Vec3 besides(Vec3 normal) {
     return normalize(axis - normal * dot(axis, normal));
 }
 
-/// Puts a flat shape into the plane of normal; u and v get length half.
-void layFlat(ShapeDescription& shape, Vec3 normal, double half) {
-    shape.w = normal;
-    shape.u = besides(normal) * half;
-    shape.v = cross(normal, shape.u);
-}
-
 void readPlane(const SceneValue& table, ShapeDescription& shape) {
+    forbid(table, {"center"}, "says nothing without \"axes\"; a plane has a \"point\"");
     shape.center = vectorOf(require(table, "point"));
     layFlat(shape, directionOf(require(table, "normal")), 1);
 }
@@ -72,6 +66,28 @@ void readSphere(const SceneValue& table, ShapeDescription& shape) {
     shape.w = Vec3{0, 0, radius};
 }
 
+bool areAlike(double a, double b) { return std::abs(a - b) <= kAxesError * std::max(a, b); }
+
+/// u, v and w as they are, where they suit the shape (scene_description.h): at right angles and right-handed, of plane,
+/// disc and quad w one long, of plane and disc u and v alike, of spheres all three.
+void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription& shape) {
+    forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"}, "excludes \"axes\"");
+    shape.center = vectorOf(require(table, "center"));
+    const std::array<Vec3, 3> rows = rowsOf(axes);
+    shape.u = rows[0];
+    shape.v = rows[1];
+    shape.w = rows[2];
+    const double u = length(shape.u), v = length(shape.v), w = length(shape.w);
+    if (std::min({u, v, w}) < kSmallest) refuse(axes, "an axis of length zero has no direction");
+    const bool flat = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kSphere;
+    const bool round = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kQuad;
+    if (!areRightAngled({shape.u * (1 / u), shape.v * (1 / v), shape.w * (1 / w)}))
+        refuse(axes, "must be at right angles, right-handed");
+    if (flat && !areAlike(w, 1)) refuse(axes, "the third is the normal, and must be 1 long");
+    if (round && !areAlike(u, v)) refuse(axes, "the first two must have the same length");
+    if (shape.kind == ShapeKind::kSphere && !areAlike(u, w)) refuse(axes, "must have the same length, the radius");
+}
+
 struct Kind {
     ShapeKind kind;
     std::string_view name;
@@ -82,10 +98,10 @@ struct Kind {
 const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = {
         {ShapeKind::kPlane, "plane", {"point", "normal"}, readPlane},
-        {ShapeKind::kDisc, "disc", {"center", "normal", "radius"}, readDisc},
-        {ShapeKind::kQuad, "quad", {"center", "u", "v"}, readQuad},
-        {ShapeKind::kBox, "box", {"min", "max", "center", "size", "rotate"}, readBox},
-        {ShapeKind::kSphere, "sphere", {"center", "radius"}, readSphere},
+        {ShapeKind::kDisc, "disc", {"normal", "radius"}, readDisc},
+        {ShapeKind::kQuad, "quad", {"u", "v"}, readQuad},
+        {ShapeKind::kBox, "box", {"min", "max", "size", "rotate"}, readBox},
+        {ShapeKind::kSphere, "sphere", {"radius"}, readSphere},
     };
     return all;
 }
@@ -113,19 +129,29 @@ ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     std::vector<std::string_view> names;
     for (const Kind& each : kinds()) names.push_back(each.name);
     const Kind& kind = kinds()[choiceOf(require(table, "type"), names)];
-    std::vector<std::string_view> keys = {"type", "material", "seen_by_camera"};
+    std::vector<std::string_view> keys = {"type", "material", "seen_by_camera", "backdrop", "center", "axes"};
     keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
     requireKnownKeys(table, "a " + std::string(kind.name), keys);
 
     ShapeDescription shape;
     shape.kind = kind.kind;
-    kind.read(table, shape);
+    if (const auto axes = find(table, "axes"))
+        readAxes(table, *axes, shape);
+    else
+        kind.read(table, shape);
     shape.material = shapeMaterial(table, reading);
     takeFlag(table, "seen_by_camera", shape.seen_by_camera);
+    takeFlag(table, "backdrop", shape.backdrop);
     return shape;
 }
 
 } // namespace
+
+void layFlat(ShapeDescription& shape, Vec3 normal, double half) {
+    shape.w = normal;
+    shape.u = besides(normal) * half;
+    shape.v = cross(normal, shape.u);
+}
 
 HalfEdges halfEdgesOf(const SceneValue& table) {
     const SceneValue u_value = require(table, "u"), v_value = require(table, "v");
@@ -134,7 +160,8 @@ HalfEdges halfEdgesOf(const SceneValue& table) {
     constexpr double most_cosine = 1e-3;
     const double cosine = dot(along_u, along_v);
     if (std::abs(cosine) > most_cosine) refuse(v_value, "must be at right angles to \"u\"");
-    return {vectorOf(u_value), normalize(along_v - along_u * cosine) * length(vectorOf(v_value))};
+    const Vec3 u = vectorOf(u_value), v = vectorOf(v_value);
+    return {u, isNear(cosine, 0) ? v : normalize(along_v - along_u * cosine) * length(v)};
 }
 
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading) {

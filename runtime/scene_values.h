@@ -81,6 +81,10 @@ bool flagOf(const SceneValue& value);
 /// Not empty, without control characters.
 std::string textOf(const SceneValue& value);
 Vec3 vectorOf(const SceneValue& value, Range range = kCoordinates);
+/// True where a and b, about 1 or less, are the same but for the rounding of a few operations. What a program has made
+/// unit length or a right angle is kept to the bit, so that a scene that is written and read again is the same.
+constexpr bool isNear(double a, double b) { return a - b < 1e-14 && b - a < 1e-14; }
+
 /// A vector made one long; zero is refused.
 Vec3 directionOf(const SceneValue& value);
 /// [r, g, b] within range, linear, or "#rrggbb", sRGB.

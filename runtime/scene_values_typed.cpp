@@ -35,7 +35,9 @@ float linearFromSrgb(std::uint8_t byte) {
 
 double numberOf(const SceneValue& value, Range range) {
     if (!value.node->is_number()) refuse(value, "must be a number");
-    const double number = *value.node->value<double>();
+    // value<double>() has none for integers that a double cannot hold to the bit
+    const auto* whole = value.node->as_integer();
+    const double number = whole ? static_cast<double>(whole->get()) : value.node->as_floating_point()->get();
     if (number >= range.low && number <= range.high) return number;
     refuse(value, "is " + numberText(number) + ", must be " + rangeText(range.low, range.high));
 }
@@ -69,7 +71,7 @@ Vec3 directionOf(const SceneValue& value) {
     const Vec3 vector = vectorOf(value);
     const double size = length(vector);
     if (size < kSmallest) refuse(value, "a vector of length zero has no direction");
-    return vector * (1 / size);
+    return isNear(size, 1) ? vector : vector * (1 / size);
 }
 
 std::array<std::uint8_t, 3> bytesOf(const SceneValue& value) {

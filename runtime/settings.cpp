@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "pointrt/tool.hpp"
 #include "runtime/scene_file.h"
+#include "runtime/staging.h"
 
 namespace pointrt {
 namespace {
@@ -16,6 +18,27 @@ constexpr std::uint32_t kClean = 256;
 bool isSoft(const LightDescription& light) {
     if (const auto* sun = std::get_if<SunLight>(&light)) return sun->radius_deg > 0;
     return std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light);
+}
+
+const NamedView& viewNamed(const SceneDescription& scene, const std::string& name) {
+    std::string known;
+    for (const NamedView& view : scene.views) {
+        if (view.name == name) return view;
+        known += (known.empty() ? "" : ", ") + view.name;
+    }
+    throw Error{ExitCode::kBadUsage,
+                "--view: " + scene.path + " has no view \"" + name + "\"; it has " + (known.empty() ? "none" : known)};
+}
+
+void resolveCamera(const SceneChoices& said, const CameraRequest& filed, CameraRequest& camera) {
+    if (!camera.eye) camera.eye = filed.eye;
+    if (!camera.target) camera.target = filed.target;
+    if (!camera.up) camera.up = filed.up;
+    camera.fov_deg = said.fov_deg.value_or(filed.fov_deg);
+    if (!camera.ortho && !camera.ortho_height && !said.fov_deg) {
+        camera.ortho = filed.ortho;
+        camera.ortho_height = filed.ortho_height;
+    }
 }
 
 /// True where samples of a pixel differ by more than its edges.
@@ -58,17 +81,46 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
     resolve(said.height, scene.height, settings.height);
     const bool limited = options.limits.seconds || options.limits.noise;
     resolve(said.spp, limited ? std::optional(kMaxSpp) : scene.spp, settings.spp);
-    CameraRequest& camera = settings.camera;
-    if (!camera.eye) camera.eye = scene.camera.eye;
-    if (!camera.target) camera.target = scene.camera.target;
-    if (!camera.up) camera.up = scene.camera.up;
-    camera.fov_deg = said.fov_deg.value_or(scene.camera.fov_deg);
+    resolve(said.seed, scene.seed, settings.seed);
+    resolve(said.shadows, scene.shadows, settings.shadows);
+    resolve(said.caustics, scene.caustics, settings.caustics);
+    resolve(said.blend, scene.blend, settings.blend);
+    resolve(said.denoise, scene.denoise, settings.denoise);
+    resolve(said.exposure, scene.exposure, settings.exposure);
+    if (!settings.room) settings.room = scene.room;
+    if (!settings.lights) settings.lights = scene.ring_lights;
+    if (!settings.reflectivity) settings.reflectivity = scene.reflectivity;
+    const NamedView* view = options.view.empty() ? nullptr : &viewNamed(scene, options.view);
+    resolveCamera(said, view ? view->camera : scene.camera, settings.camera);
     return settings;
+}
+
+SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for) {
+    scene.up = sceneUp(scene, settings);
+    scene.camera = settings.camera;
+    if (scene.camera.up) scene.camera.up = normalize(*scene.camera.up);
+    scene.staged_for.reset();
+    if (scene.camera.eye != staged_for) scene.staged_for = staged_for;
+    scene.integrator = settings.integrator;
+    scene.bounces = settings.bounces;
+    scene.spp = settings.spp;
+    scene.width = settings.width;
+    scene.height = settings.height;
+    scene.seed = settings.seed;
+    scene.shadows = settings.shadows;
+    scene.caustics = settings.caustics;
+    scene.blend = settings.blend;
+    scene.denoise = settings.denoise;
+    scene.exposure = settings.exposure;
+    scene.room = settings.room;
+    scene.ring_lights = settings.lights;
+    scene.reflectivity = settings.reflectivity;
+    return scene;
 }
 
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples) {
-    if (options.denoise != DenoiseChoice::kAuto) return options.denoise == DenoiseChoice::kOn;
+    if (settings.denoise != DenoiseChoice::kAuto) return settings.denoise == DenoiseChoice::kOn;
     return options.output.ends_with(".png") && samples < kClean && isNoisy(settings, scene);
 }
 

@@ -14,8 +14,12 @@ namespace pointrt {
 SceneDescription describeScene(const Options& options);
 
 /// The command line's word, else the scene file's, else the default; of the camera's parts, each by itself. Samples are
-/// as many as can be where limits are given and --spp is not.
+/// as many as can be where limits are given and --spp is not. Throws Error kBadUsage for a view that is not there.
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene);
+
+/// The other way round: scene with all that settings say in it, so that its file shows the same picture. scene: without
+/// what addSurroundings has added for the eye staged_for.
+SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
 
 /// True where the denoiser is to run on a picture with this many samples a pixel. scene: with its surroundings.
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,

@@ -2,14 +2,14 @@
 #include "runtime/staged_scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
-#include <span>
+#include <utility>
 
 #include "pointrt/tool.hpp"
 #include "runtime/environment.h"
 #include "runtime/ggx_albedo.h"
+#include "runtime/scene_rows.h"
 #include "runtime/staging.h"
 #include "shaders/ggx_table.h"
 
@@ -62,146 +62,76 @@ Bounds findBounds(const StagedScene& scene) {
     return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
 }
 
-/// What rough metal and plastic read; others only where it makes no difference, which zeros tell sooner.
-std::vector<GgxAlbedo> ggxAlbedoFor(std::uint32_t features) {
-    const bool rough = (features & (FEATURE_MATERIAL(MATERIAL_METAL) | FEATURE_MATERIAL(MATERIAL_PLASTIC))) != 0;
-    return rough ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES);
+/// Rough metal and plastic read it; others only where it makes no difference, which zeros tell sooner.
+bool needsGgxAlbedo(std::uint32_t features) {
+    return (features & (FEATURE_MATERIAL(MATERIAL_METAL) | FEATURE_MATERIAL(MATERIAL_PLASTIC))) != 0;
 }
-
-/// A row of a .pro as a material.
-MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
-    MaterialDescription material;
-    material.color = {row[PRO_MAT_BASE_COLOR], row[PRO_MAT_BASE_COLOR + 1], row[PRO_MAT_BASE_COLOR + 2]};
-    material.splat_color = true;
-    material.mirror_share = settings.reflectivity.value_or(row[PRO_MAT_REFLECTIVITY]);
-    material.specular = row[PRO_MAT_SPECULAR];
-    material.shininess = std::max(row[PRO_MAT_SHININESS], 1.0f);
-    return material;
-}
-
-std::uint32_t packColor(const std::array<std::uint8_t, 3>& c) { return c[0] | c[1] << 8 | std::uint32_t{c[2]} << 16; }
-
-/// Everything of a scene as rows for the device.
-class Furnisher {
-public:
-    Furnisher(const StagedScene& scene, const RenderSettings& settings) : scene_(scene), settings_(settings) {
-        for (const MaterialDescription& material : scene.description.materials) add(material);
-        for (const ShapeDescription& shape : scene.description.shapes) addShape(shape);
-        for (const LightDescription& light : scene.description.lights) addLight(light);
-    }
-
-    /// Appends the instance's rows, and names them in its params.
-    void addInstance(const InstanceDescription& description, Instance& instance) {
-        const Scene& file = scene_.files[instance.file];
-        const auto first = static_cast<std::uint32_t>(materials.size());
-        for (std::uint32_t row = 0; row < file.info.material_count; ++row) {
-            if (description.material)
-                materials.push_back(materials.at(*description.material));
-            else
-                add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_));
-        }
-        instance.params.materials.y = first;
-        instance.params.materials.z = 0;
-        for (const MaterialOverride& each : description.overrides) applyOverride(each, file, instance.params);
-        instance.params.materials.w = castsCaustics(first, instance.params) ? 1 : 0;
-    }
-
-    std::uint32_t features() const {
-        std::uint32_t bits = 0;
-        for (const gpu::Light& light : lights) bits |= FEATURE_LIGHT(light.position.w);
-        for (const gpu::Material& material : materials) bits |= FEATURE_MATERIAL(material.gloss.x);
-        for (const gpu::Shape& shape : shapes) bits |= FEATURE_SHAPE(shape.kind.x);
-        return bits;
-    }
-
-    std::vector<gpu::Material> materials;
-    std::vector<gpu::Shape> shapes;
-    std::vector<gpu::Light> lights;
-    std::vector<bool> casting_shapes; ///< of the description's
-
-private:
-    /// Mirrors and glass do, and are asked to.
-    bool bundlesLight(const gpu::Material& material) const {
-        const auto kind = static_cast<int>(material.gloss.x);
-        const bool mirrors = kind == MATERIAL_MATTE && material.gloss.w > 0;
-        return settings_.caustics && (kind == MATERIAL_MIRROR || kind == MATERIAL_GLASS || mirrors);
-    }
-
-    bool castsCaustics(std::uint32_t first, const gpu::InstanceParams& params) const {
-        bool casts = std::any_of(materials.begin() + first, materials.end(),
-                                 [&](const gpu::Material& material) { return bundlesLight(material); });
-        for (std::uint32_t r = 0; r < params.materials.z; ++r)
-            casts |= bundlesLight(materials[params.color_range[r].z]);
-        return casts;
-    }
-
-    /// Planes are endless, and boxes around the scene (rooms) throw no caustics: photons have to be sent somewhere.
-    void addShape(const ShapeDescription& description) {
-        gpu::Shape shape = packShape(scene_.stage, description);
-        const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
-        const double size = length(description.u) + length(description.v) + length(description.w);
-        const bool room = description.kind == ShapeKind::kBox && size > 2 * length(half);
-        const bool casts =
-            description.kind != ShapeKind::kPlane && !room && bundlesLight(materials.at(description.material));
-        if (casts) shape.kind.z |= SHAPE_CASTS_CAUSTICS;
-        casting_shapes.push_back(casts);
-        shapes.push_back(shape);
-    }
-
-    void add(const MaterialDescription& material) { materials.push_back(packMaterial(scene_.stage, material)); }
-
-    /// Lamps with an area are shapes as well, with a material that names their light.
-    void addLight(const LightDescription& light) {
-        gpu::Light row = packLight(scene_.stage, light);
-        if (const auto shape = lampShape(scene_.stage, light, static_cast<std::uint32_t>(materials.size()))) {
-            row.edge_v.w = std::bit_cast<float>(static_cast<std::uint32_t>(shapes.size()));
-            shapes.push_back(*shape);
-            materials.push_back(lampMaterial(light, static_cast<std::uint32_t>(lights.size())).value());
-        }
-        lights.push_back(row);
-    }
-
-    void applyOverride(const MaterialOverride& each, const Scene& file, gpu::InstanceParams& params) {
-        if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
-            if (row->row >= file.info.material_count)
-                throw Error{ExitCode::kBadInput,
-                            each.place + file.path + " has no material row " + std::to_string(row->row)};
-            materials[params.materials.y + row->row] = materials.at(each.material);
-            return;
-        }
-        const auto& range = std::get<MaterialOverride::ColorRange>(each.splats);
-        params.color_range[params.materials.z++] = {packColor(range.low), packColor(range.high), each.material, 0};
-    }
-
-    const StagedScene& scene_;
-    const RenderSettings& settings_;
-};
 
 template <typename Row>
 void replaceBuffer(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows,
                    VkFormat format = VK_FORMAT_R32G32B32A32_UINT) {
+    Buffer fresh = createTexelRows(device, what, std::move(rows), format);
     destroyBuffer(device, buffer);
-    buffer = createTexelRows(device, what, std::move(rows), format);
+    buffer = fresh;
 }
 
-/// The sky's picture, if it has one, with a light that stands for it.
-void furnishSky(Device& device, StagedScene& scene, const RenderSettings& settings, std::vector<gpu::Light>& lights) {
-    const SkyDescription sky = scene.description.sky.value_or(SkyDescription{});
-    Environment picture;
-    scene.sky_light = NO_LIGHT;
-    if (!sky.image.empty()) {
-        picture = makeEnvironment(readFloatImage(sky.image));
-        const auto rows = mapFromWorld(sceneUp(scene.description, settings), sky.rotation_deg);
-        scene.environment = environmentFrame(picture, rows, sky.strength);
-        scene.sky_light = static_cast<std::uint32_t>(lights.size());
-        gpu::Light light{};
-        light.position.w = LIGHT_SKY;
-        lights.push_back(light);
+/// In place where there are as many as before.
+template <typename Row>
+void replaceRows(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows) {
+    const std::uint64_t bytes = rows.size() * sizeof(Row);
+    if (bytes > 0 && buffer.bytes == bytes)
+        uploadBuffer(device, buffer, rows.data(), bytes);
+    else
+        replaceBuffer(device, buffer, what, std::move(rows));
+}
+
+std::string skyImage(const SceneDescription& description) {
+    return description.sky ? description.sky->image : std::string();
+}
+
+/// The sky's picture; nothing where it is on the device already, or where there is none to read.
+std::optional<Environment> readSky(const StagedScene& scene) {
+    const std::string image = skyImage(scene.description);
+    if (scene.environment_texels.handle && image == scene.sky_image) return std::nullopt;
+    return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
+}
+
+void furnishSky(Device& device, StagedScene& scene, const RenderSettings& settings,
+                std::optional<Environment> picture) {
+    if (picture) {
+        scene.sky_image.clear(); // until all of it is there
+        replaceBuffer(device, scene.environment_texels, "environment buffer", std::exchange(picture->texels, {}),
+                      VK_FORMAT_R32G32B32A32_SFLOAT);
+        replaceBuffer(device, scene.environment_cdf, "environment distribution", std::exchange(picture->cdf, {}),
+                      VK_FORMAT_R32_SFLOAT);
+        scene.sky_image = skyImage(scene.description);
+        scene.sky_sizes = std::move(*picture);
     }
-    replaceBuffer(device, scene.environment_texels, "environment buffer", std::move(picture.texels),
-                  VK_FORMAT_R32G32B32A32_SFLOAT);
-    replaceBuffer(device, scene.environment_cdf, "environment distribution", std::move(picture.cdf),
-                  VK_FORMAT_R32_SFLOAT);
+    if (scene.sky_image.empty()) return;
+    const SkyDescription& sky = *scene.description.sky;
+    const auto rows = mapFromWorld(sceneUp(scene.description, settings), sky.rotation_deg);
+    scene.environment = environmentFrame(scene.sky_sizes, rows, sky.strength);
+}
+
+void furnishRows(Device& device, StagedScene& scene, SceneRows rows) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        Instance& instance = scene.instances[i];
+        instance.params = rows.instances[i];
+        uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
+    }
+    const std::uint32_t features = featuresOf(rows);
+    const bool table = needsGgxAlbedo(features);
+    if (!scene.ggx_albedo.handle || table != needsGgxAlbedo(scene.features))
+        replaceBuffer(device, scene.ggx_albedo, "GGX table",
+                      table ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES), VK_FORMAT_R32G32_SFLOAT);
+    scene.features = features;
+    scene.casting_shapes = std::move(rows.casting_shapes);
+    scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
+    scene.light_rows = rows.lights;
+    scene.sky_light = rows.sky_light;
+    replaceRows(device, scene.materials, "material buffer", std::move(rows.materials));
+    replaceRows(device, scene.shapes, "shape buffer", std::move(rows.shapes));
+    replaceRows(device, scene.lights, "light buffer", std::move(rows.lights));
 }
 
 /// All programs name an instance's buffers, those too that never read them.
@@ -246,21 +176,27 @@ StagedScene openScene(Device& device, SceneDescription description, bool verbose
 }
 
 void furnishScene(Device& device, StagedScene& scene, const RenderSettings& settings) {
-    Furnisher rows(scene, settings);
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        Instance& instance = scene.instances[i];
-        rows.addInstance(scene.description.instances[i], instance);
-        uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
-    }
-    scene.casting_shapes = rows.casting_shapes;
-    scene.features = rows.features();
-    scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
-    furnishSky(device, scene, settings, rows.lights);
-    scene.light_rows = rows.lights;
-    replaceBuffer(device, scene.materials, "material buffer", std::move(rows.materials));
-    replaceBuffer(device, scene.shapes, "shape buffer", std::move(rows.shapes));
-    replaceBuffer(device, scene.lights, "light buffer", std::move(rows.lights));
-    replaceBuffer(device, scene.ggx_albedo, "GGX table", ggxAlbedoFor(scene.features), VK_FORMAT_R32G32_SFLOAT);
+    SceneRows rows = makeSceneRows(scene, scene.description, settings);
+    furnishSky(device, scene, settings, readSky(scene));
+    furnishRows(device, scene, std::move(rows));
+}
+
+bool standsAlike(const SceneDescription& a, const SceneDescription& b) {
+    return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
+                      [](const InstanceDescription& one, const InstanceDescription& other) {
+                          return one.path == other.path && one.placement == other.placement;
+                      });
+}
+
+bool furnishAlike(Device& device, StagedScene& scene, const SceneDescription& description,
+                  const RenderSettings& settings) {
+    if (!standsAlike(scene.description, description) || skyImage(description) != scene.sky_image) return false;
+    SceneRows rows = makeSceneRows(scene, description, settings);
+    if (featuresOf(rows) != scene.features) return false;
+    scene.description = description;
+    furnishSky(device, scene, settings, std::nullopt);
+    furnishRows(device, scene, std::move(rows));
+    return true;
 }
 
 bool castsCaustics(const StagedScene& scene) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/device.h"
+#include "runtime/environment.h"
 #include "runtime/resources.h"
 #include "runtime/scene.h"
 #include "runtime/scene_description.h"
@@ -36,6 +37,8 @@ struct StagedScene {
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/params.h: kinds of lights, materials and shapes
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
     gpu::EnvironmentFrame environment{}; ///< of that picture
+    std::string sky_image;               ///< path of that picture, which is read once
+    Environment sky_sizes;               ///< of that picture, without texels
     std::uint64_t splat_count = 0;
     std::uint64_t device_bytes = 0;
     Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
@@ -45,9 +48,19 @@ struct StagedScene {
 /// lights follow with furnishScene, for which the bounds must be known. Throws Error as loadScene does.
 StagedScene openScene(Device& device, SceneDescription description, bool verbose);
 
-/// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before.
-/// Throws Error kBadInput where the sky's picture cannot be read.
+/// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before. The
+/// sky's picture is read only where it is another one. Throws Error kBadInput where it cannot be read, and where an
+/// override asks for a material row that its file does not have; nothing is changed then.
 void furnishScene(Device& device, StagedScene& scene, const RenderSettings& settings);
+
+/// Furnishes scene for description in a few milliseconds, where programs built for what it was furnished for will do.
+/// Returns false, with nothing changed, where there are other kinds of lights, materials or shapes, another picture of
+/// the sky, or other files or places. Throws as furnishScene does.
+bool furnishAlike(Device& device, StagedScene& scene, const SceneDescription& description,
+                  const RenderSettings& settings);
+
+/// Whether the same files stand at the same places.
+bool standsAlike(const SceneDescription& a, const SceneDescription& b);
 
 /// Whether anything throws caustics, and there are lights for it.
 bool castsCaustics(const StagedScene& scene);

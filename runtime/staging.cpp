@@ -47,10 +47,10 @@ Vec3 nearestAxis(Vec3 v) {
     return z >= x ? Vec3{0, 0, std::copysign(1.0, v.z)} : Vec3{std::copysign(1.0, v.x), 0, 0};
 }
 
-Staging stageBounds(Vec3 up, const Camera& camera, Vec3 low, Vec3 high) {
+Staging stageBounds(Vec3 up, Vec3 eye, Vec3 low, Vec3 high) {
     Staging staging;
     staging.center = 0.5 * (low + high);
-    staging.eye = camera.eye;
+    staging.eye = eye;
     staging.up = up;
     staging.radius = 0.5 * length(high - low);
     if (!(staging.radius > 0)) staging.radius = 1; // a lone splat; frameCamera takes the same
@@ -157,11 +157,18 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
                      Vec3 high) {
     const bool views_only = settings.integrator == Integrator::kNormal || settings.integrator == Integrator::kDepth;
     const std::optional<Room> room = settings.room ? settings.room : scene.room;
-    const Staging staging = stageBounds(sceneUp(scene, settings), camera, low, high);
+    const Vec3 eye = scene.staged_for.value_or(camera.eye);
+    const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
     if (bare && !room && !settings.lights && !views_only) return addStudio(scene, staging);
     if (room && *room != Room::kNone) addRoom(scene, staging, *room);
     if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
+}
+
+void ownSurroundings(SceneDescription& scene, RenderSettings& settings) {
+    scene.room = settings.room = Room::kNone;
+    scene.ring_lights = settings.lights = 0;
+    scene.staged_for.reset();
 }
 
 } // namespace pointrt

@@ -12,9 +12,14 @@ namespace pointrt {
 ///  - settings.lights point lights on a ring above the bounds (3 with a room or with room none, where not given);
 ///  - where nothing at all is said of room and lights: a studio of three soft lamps over a matte floor, which is a
 ///    backdrop: no first hit, no coverage.
+/// They are put up for scene.staged_for, else for the eye of camera, and stay where they are when it moves.
 /// low and high: corners of the scene's bounds, world frame.
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low,
                      Vec3 high);
+
+/// Makes what addSurroundings has added to scene the scene's own, for one that edits or saves it as it is: from now on
+/// nothing more is added.
+void ownSurroundings(SceneDescription& scene, RenderSettings& settings);
 
 /// The unit vector that rooms and the sky stand on: the scene's, or the axis nearest to the camera's up.
 Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings);

@@ -16,9 +16,6 @@ namespace {
 /// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
 
-/// Photons that set out for a picture: what a core traces in a second or two.
-constexpr std::uint32_t kPhotons = 1u << 20;
-
 } // namespace
 
 struct TracerState {

@@ -11,6 +11,7 @@ namespace pointrt {
 
 #define POINTRT_DEFINE_VULKAN(name) PFN_##name name = nullptr;
 POINTRT_VULKAN_FUNCTIONS(POINTRT_DEFINE_VULKAN)
+POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DEFINE_VULKAN)
 #undef POINTRT_DEFINE_VULKAN
 
 namespace {
@@ -21,6 +22,14 @@ void loadFunction(void* library, const char* name, Function& function) {
     if (!function)
         throw Error{ExitCode::kCannotRun,
                     std::string("the Vulkan loader (libvulkan.so.1) is too old: it lacks ") + name};
+}
+
+template <typename Function>
+void loadInstanceFunction(VkInstance instance, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
+    if (!function)
+        throw Error{ExitCode::kCannotRun, std::string("the Vulkan loader (libvulkan.so.1) lacks ") + name +
+                                              ", which a window needs; -o FILE renders without one"};
 }
 
 } // namespace
@@ -36,6 +45,12 @@ void loadVulkan() {
     POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
 #undef POINTRT_LOAD_VULKAN
     library = opened;
+}
+
+void loadWindowFunctions(VkInstance instance) {
+#define POINTRT_LOAD_VULKAN(name) loadInstanceFunction(instance, #name, name);
+    POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_LOAD_VULKAN)
+#undef POINTRT_LOAD_VULKAN
 }
 
 std::string resultName(VkResult result) {
@@ -63,6 +78,10 @@ std::string resultName(VkResult result) {
         POINTRT_RESULT(VK_ERROR_OUT_OF_POOL_MEMORY)
         POINTRT_RESULT(VK_ERROR_INVALID_EXTERNAL_HANDLE)
         POINTRT_RESULT(VK_ERROR_FRAGMENTATION)
+        POINTRT_RESULT(VK_SUBOPTIMAL_KHR)
+        POINTRT_RESULT(VK_ERROR_OUT_OF_DATE_KHR)
+        POINTRT_RESULT(VK_ERROR_SURFACE_LOST_KHR)
+        POINTRT_RESULT(VK_ERROR_NATIVE_WINDOW_IN_USE_KHR)
         POINTRT_RESULT(VK_ERROR_INVALID_OPAQUE_CAPTURE_ADDRESS)
     default:
         return "VkResult " + std::to_string(static_cast<int>(result));

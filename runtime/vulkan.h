@@ -19,15 +19,28 @@ namespace pointrt {
     X(vkAllocateMemory)                                                                                                \
     X(vkBeginCommandBuffer)                                                                                            \
     X(vkBindBufferMemory)                                                                                              \
+    X(vkBindImageMemory)                                                                                               \
+    X(vkCmdBeginRenderPass)                                                                                            \
     X(vkCmdBindDescriptorSets)                                                                                         \
+    X(vkCmdBindIndexBuffer)                                                                                            \
     X(vkCmdBindPipeline)                                                                                               \
+    X(vkCmdBindVertexBuffers)                                                                                          \
+    X(vkCmdBlitImage)                                                                                                  \
+    X(vkCmdClearColorImage)                                                                                            \
     X(vkCmdCopyBuffer)                                                                                                 \
+    X(vkCmdCopyBufferToImage)                                                                                          \
+    X(vkCmdCopyImage)                                                                                                  \
+    X(vkCmdCopyImageToBuffer)                                                                                          \
     X(vkCmdDispatch)                                                                                                   \
     X(vkCmdDispatchIndirect)                                                                                           \
+    X(vkCmdDrawIndexed)                                                                                                \
+    X(vkCmdEndRenderPass)                                                                                              \
     X(vkCmdFillBuffer)                                                                                                 \
     X(vkCmdPipelineBarrier)                                                                                            \
     X(vkCmdPushConstants)                                                                                              \
     X(vkCmdResetQueryPool)                                                                                             \
+    X(vkCmdSetScissor)                                                                                                 \
+    X(vkCmdSetViewport)                                                                                                \
     X(vkCmdUpdateBuffer)                                                                                               \
     X(vkCmdWriteTimestamp)                                                                                             \
     X(vkCreateBuffer)                                                                                                  \
@@ -38,9 +51,16 @@ namespace pointrt {
     X(vkCreateDescriptorSetLayout)                                                                                     \
     X(vkCreateDevice)                                                                                                  \
     X(vkCreateFence)                                                                                                   \
+    X(vkCreateFramebuffer)                                                                                             \
+    X(vkCreateGraphicsPipelines)                                                                                       \
+    X(vkCreateImage)                                                                                                   \
+    X(vkCreateImageView)                                                                                               \
     X(vkCreateInstance)                                                                                                \
     X(vkCreatePipelineLayout)                                                                                          \
     X(vkCreateQueryPool)                                                                                               \
+    X(vkCreateRenderPass)                                                                                              \
+    X(vkCreateSampler)                                                                                                 \
+    X(vkCreateSemaphore)                                                                                               \
     X(vkCreateShaderModule)                                                                                            \
     X(vkDestroyBuffer)                                                                                                 \
     X(vkDestroyBufferView)                                                                                             \
@@ -49,10 +69,16 @@ namespace pointrt {
     X(vkDestroyDescriptorSetLayout)                                                                                    \
     X(vkDestroyDevice)                                                                                                 \
     X(vkDestroyFence)                                                                                                  \
+    X(vkDestroyFramebuffer)                                                                                            \
+    X(vkDestroyImage)                                                                                                  \
+    X(vkDestroyImageView)                                                                                              \
     X(vkDestroyInstance)                                                                                               \
     X(vkDestroyPipeline)                                                                                               \
     X(vkDestroyPipelineLayout)                                                                                         \
     X(vkDestroyQueryPool)                                                                                              \
+    X(vkDestroyRenderPass)                                                                                             \
+    X(vkDestroySampler)                                                                                                \
+    X(vkDestroySemaphore)                                                                                              \
     X(vkDestroyShaderModule)                                                                                           \
     X(vkDeviceWaitIdle)                                                                                                \
     X(vkEndCommandBuffer)                                                                                              \
@@ -65,6 +91,7 @@ namespace pointrt {
     X(vkGetBufferMemoryRequirements)                                                                                   \
     X(vkGetDeviceProcAddr)                                                                                             \
     X(vkGetDeviceQueue)                                                                                                \
+    X(vkGetImageMemoryRequirements)                                                                                    \
     X(vkGetInstanceProcAddr)                                                                                           \
     X(vkGetPhysicalDeviceFormatProperties)                                                                             \
     X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
@@ -74,17 +101,35 @@ namespace pointrt {
     X(vkGetQueryPoolResults)                                                                                           \
     X(vkMapMemory)                                                                                                     \
     X(vkQueueSubmit)                                                                                                   \
+    X(vkQueueWaitIdle)                                                                                                 \
     X(vkResetCommandBuffer)                                                                                            \
     X(vkResetFences)                                                                                                   \
     X(vkUpdateDescriptorSets)                                                                                          \
     X(vkWaitForFences)
 
+/// What a window takes beyond that; null before loadWindowFunctions.
+#define POINTRT_VULKAN_WINDOW_FUNCTIONS(X)                                                                             \
+    X(vkAcquireNextImageKHR)                                                                                           \
+    X(vkCreateSwapchainKHR)                                                                                            \
+    X(vkDestroySurfaceKHR)                                                                                             \
+    X(vkDestroySwapchainKHR)                                                                                           \
+    X(vkGetPhysicalDeviceSurfaceCapabilitiesKHR)                                                                       \
+    X(vkGetPhysicalDeviceSurfaceFormatsKHR)                                                                            \
+    X(vkGetPhysicalDeviceSurfacePresentModesKHR)                                                                       \
+    X(vkGetSwapchainImagesKHR)                                                                                         \
+    X(vkQueuePresentKHR)
+
 #define POINTRT_DECLARE_VULKAN(name) extern PFN_##name name;
 POINTRT_VULKAN_FUNCTIONS(POINTRT_DECLARE_VULKAN)
+POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DECLARE_VULKAN)
 #undef POINTRT_DECLARE_VULKAN
 
 /// Opens the loader, once; later calls do nothing. Throws Error kCannotRun where there is none or it is older than 1.1.
 void loadVulkan();
+
+/// Finds the functions of surfaces and swapchains in an instance that was made with the extensions of a window.
+/// Throws Error kCannotRun where one is missing.
+void loadWindowFunctions(VkInstance instance);
 
 /// "VK_ERROR_DEVICE_LOST" for messages; an unknown value comes back as "VkResult -123".
 std::string resultName(VkResult result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the rays of a tile of pixels go before anything can be near: one lane marches a cone around all of them
-// through the entry grid. Tiles whose cone leaves the grid are done; the others are queued for trace_primary.
+// How far the rays of a tile of pixels go before anything can be near: one lane marches a beam around all of them
+// through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are done; the
+// others are queued for trace_primary.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -40,20 +41,41 @@ const float kLeastStep = 0.25;
 // Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
 const int kStepsMost = 96;
 
-// The distance, in cube units, that all directions within spread of this one can go from the eye, or BEAM_MISSES where
-// that leads past the grid.
-float marchCone(vec3 direction, float spread) {
+// Rays around one, in cube units: they start within width of it, and their directions differ by up to spread.
+struct Beam {
+    CameraRay middle;
+    float width;
+    float spread;
+};
+
+// Of what a start is from the eye, rounding makes less than this: a few times 2^-24.
+const float kStartRounding = 1e-6;
+
+Beam tileBeam(vec2 corner) {
+    vec2 middle = corner + 0.5 * TILE_SIDE;
+    CameraRay ray = rayThrough(middle);
+    vec2 start = onPlane(middle, params.up.w);
+    float width = distance(onPlane(corner, params.up.w), start) + kStartRounding * length(start);
+    // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
+    float spread = distance(onPlane(corner, params.eye.w), onPlane(middle, params.eye.w));
+    return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
+}
+
+// The distance, in cube units, that all rays of a beam can go, or BEAM_MISSES where that leads past the grid.
+float marchBeam(Beam beam) {
     Grid grid = loadGridFrame();
     float scale = instance.grid_scale.x;
-    vec3 highest = grid.lowest + vec3(instance.grid_size.xyz), eye = cubePoint(params.eye.xyz) * scale;
+    vec3 highest = grid.lowest + vec3(instance.grid_size.xyz);
+    vec3 start = beam.middle.origin * scale, direction = beam.middle.direction;
+    float width = beam.width * scale;
     // beyond its far corner no ray can be in the grid
-    float t_far = length(max(abs(grid.lowest - eye), abs(highest - eye)));
+    float t_far = length(max(abs(grid.lowest - start), abs(highest - start)));
     float t = 0.0, advance = kLeastStep;
     int left = kStepsMost;
     do { // lanes that are done take part until all are: see trace.glsl
         bool going = advance >= kLeastStep && t < t_far && left > 0;
-        float free = freeAround(eye + direction * t, grid, highest);
-        float further = (free - t * spread) / (largest(abs(direction)) + spread);
+        float free = freeAround(start + direction * t, grid, highest);
+        float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
         advance = going ? further : advance;
         t = going ? t + max(further, 0.0) : t;
         left--;
@@ -65,11 +87,7 @@ float marchCone(vec3 direction, float spread) {
 void main() {
     uint tile = gl_GlobalInvocationID.x;
     bool live = tile < bandTiles();
-    vec2 corner = vec2(tileCorner(tile));
-    vec3 direction = directionThrough(corner + 0.5 * TILE_SIDE);
-    // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
-    float spread = distance(onPlane(corner), onPlane(corner + 0.5 * TILE_SIDE));
-    float safe = marchCone(cubeDirection(direction), spread);
+    float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile))));
     if (live) beams[tile] = safe;
 
     uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);

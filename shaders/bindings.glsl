@@ -39,10 +39,10 @@ layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
 layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
 layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
-layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel of the film
+layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel
 layout(set = 0, binding = 17) uniform usamplerBuffer path_texels; // of paths
 layout(set = 0, binding = 18) uniform usamplerBuffer queue_words; // of queues
-layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // of each tile: free distance from the eye
+layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // of each tile: its rays' free distance
 layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
 layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
 layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it

@@ -29,20 +29,32 @@ vec2 samplePosition(uint pixel) {
     return fract(vec2(shift >> 8u) * (1.0 / 16777216.0) + vec2(steps >> 8u) * (1.0 / 16777216.0));
 }
 
-// Where the ray through a place of the band, in pixels, meets the plane at distance 1, to the right and up.
-vec2 onPlane(vec2 place) {
-    vec2 at = vec2(place.x, place.y + float(params.image.z)) / vec2(params.image.xy);
-    return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * params.eye.w * vec2(params.right.w, 1.0);
+struct CameraRay {
+    vec3 origin;
+    vec3 direction;
+};
+
+// The corner of a pixel of the band in the picture. In integers: a picture's rays are the same in whatever bands.
+vec2 pixelCorner(uvec2 pixel) { return vec2(pixel.x, pixel.y + params.image.z); }
+
+// Where a place of the picture, in pixels, is in a window so high, to the right and up from its middle.
+vec2 onPlane(vec2 place, float half_height) {
+    vec2 at = place / vec2(params.image.xy);
+    return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * half_height * vec2(params.right.w, 1.0);
 }
 
-vec3 directionThrough(vec2 place) {
-    vec2 plane = onPlane(place);
-    return normalize(params.forward.xyz + plane.x * params.right.xyz + plane.y * params.up.xyz);
+vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right.xyz + plane.y * params.up.xyz; }
+
+// One formula for both projections: rays of a pinhole spread over the plane at distance 1 and start in a window without
+// extent, those of a parallel projection the other way round.
+CameraRay rayThrough(vec2 place) {
+    return CameraRay(displaced(params.eye.xyz, onPlane(place, params.up.w)),
+                     normalize(displaced(params.forward.xyz, onPlane(place, params.eye.w))));
 }
 
-// The direction of this sample's ray through a pixel of the band.
-vec3 cameraDirection(uvec2 pixel) {
-    return directionThrough(vec2(pixel) + samplePosition((pixel.y + params.image.z) * params.image.x + pixel.x));
+// This sample's ray through a pixel of the band.
+CameraRay cameraRay(uvec2 pixel) {
+    return rayThrough(pixelCorner(pixel) + samplePosition((pixel.y + params.image.z) * params.image.x + pixel.x));
 }
 
 #endif

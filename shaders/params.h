@@ -45,9 +45,9 @@ namespace pointrt::gpu {
 
 // All positions and lengths are in stage units.
 struct FrameParams {
-    vec4 eye;        // w: tangent of half the vertical field of view
+    vec4 eye;        // w: tangent of half the vertical field of view, 0 with parallel projection
     vec4 right;      // w: width over height
-    vec4 up;
+    vec4 up;         // w: half the window's height with parallel projection, 0 for a pinhole
     vec4 forward;
     vec4 sky_zenith; // radiance by the square root of the height over the horizon; w: share taken as ambient
     vec4 sky_horizon;

@@ -20,7 +20,8 @@ PathState currentPath(out uint index) {
     uint tile = min(lane / TILE_PIXELS, bandTiles() - 1u);
     uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
     index = lane < bandLanes() ? pixelIndex(pixel) : NO_INDEX;
-    return PathState(vec4(params.eye.xyz, 0.0), vec4(cameraDirection(pixel), 0.0), vec4(1.0),
+    CameraRay ray = cameraRay(pixel);
+    return PathState(vec4(ray.origin, 0.0), vec4(ray.direction, 0.0), vec4(1.0),
                      vec4(vec3(0.0), uintBitsToFloat(NO_OWNER << PATH_OWNER_SHIFT)));
 }
 

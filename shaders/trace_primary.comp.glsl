@@ -17,6 +17,7 @@ void main() {
     uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
     uint index = pixelIndex(pixel);
     if (index == NO_INDEX) return;
-    storeHit(index, trace(TraceRay(cubePoint(params.eye.xyz), cubeDirection(cameraDirection(pixel)), loadBeam(tile),
-                                   reachOf(index), vec3(0.0), 0.0)));
+    CameraRay ray = cameraRay(pixel);
+    storeHit(index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile), reachOf(index),
+                                   vec3(0.0), 0.0)));
 }

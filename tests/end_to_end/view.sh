@@ -17,7 +17,7 @@ bigEndian() {
 case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
-    for option in -o --output --size --spp --seed --eye --target --up --fov --integrator --bounces --room --lights \
+    for option in -o --output --size --spp --seed --turntable --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
         --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
@@ -33,6 +33,9 @@ case_wrong_usage() {
     expectError 2 "" pointrt-view scene.pro -o out/a.png --size 99999999x99999999
     expectError 2 "" pointrt-view scene.pro -o out/a.png --spp 0
     expectError 2 "" pointrt-view scene.pro -o out/a.png --fov 180
+    expectError 2 "--ortho: " pointrt-view scene.pro -o out/a.png --ortho 0
+    expectError 2 "--ortho: must be from" pointrt-view scene.pro -o out/a.png --ortho 1e9
+    expectError 2 "exclude each other" pointrt-view scene.pro -o out/a.png --ortho 2 --fov 40
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
     expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0

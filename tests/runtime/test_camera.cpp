@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "pointrt/tool.hpp"
@@ -107,6 +109,50 @@ TEST(Camera, SurvivesDegenerateScenes) {
     CameraRequest request;
     request.eye = kCentre; // nowhere to look
     expectNear(frameCamera(request, kMin, kMax, 1).forward, {0, 0, -1}, 1e-9);
+}
+
+TEST(Camera, FitsTheSphereIntoAParallelPicture) {
+    for (double aspect : {0.1, 0.5, 1.0, 16.0 / 9, 10.0})
+        for (double fov : {1.0, 40.0, 179.0}) {
+            CameraRequest request;
+            request.ortho = true;
+            request.fov_deg = fov;
+            const Camera camera = frameCamera(request, kMin, kMax, aspect);
+            EXPECT_NEAR(std::min(camera.ortho_height, camera.ortho_height * aspect), 2 * kRadius, 1e-6);
+            EXPECT_EQ(camera.ortho_height, framingHeight(kMin, kMax, aspect));
+            expectNear(camera.eye + dot(kCentre - camera.eye, camera.forward) * camera.forward, kCentre, 1e-6);
+        }
+}
+
+TEST(Camera, TakesAHeightAndAnEyeAsTheyAre) {
+    CameraRequest request;
+    request.eye = kCentre + Vec3{10, 0, 0}; // within the sphere
+    request.ortho_height = 12.5;
+    const Camera camera = frameCamera(request, kMin, kMax, 1);
+    EXPECT_EQ(camera.ortho_height, 12.5);
+    expectNear(camera.eye, *request.eye, 0);
+    EXPECT_EQ(frameCamera({}, kMin, kMax, 1).ortho_height, 0) << "a pinhole where nothing is said";
+}
+
+TEST(Camera, LeavesNothingBehindAParallelPicture) {
+    for (const Vec3 target : {kCentre, kMin, kMax, kCentre - Vec3{0, 0, 1000}, kCentre + Vec3{3, 0, 1000}}) {
+        CameraRequest request;
+        request.target = target;
+        request.ortho = true;
+        request.fov_deg = 170;
+        const Camera camera = frameCamera(request, kMin, kMax, 1);
+        EXPECT_GE(dot(kCentre - camera.eye, camera.forward), kRadius);
+        expectNear(normalize(target - camera.eye), camera.forward, 1e-9);
+    }
+}
+
+TEST(Camera, RefusesHeightsThatShowNothing) {
+    for (const double height :
+         {0.0, -1.0, 1e-6 * kRadius, 1.1e4 * kRadius, std::numeric_limits<double>::infinity(), std::nan("")}) {
+        CameraRequest request;
+        request.ortho_height = height;
+        EXPECT_EQ(errorOf(request), ExitCode::kBadUsage) << height;
+    }
 }
 
 TEST(Camera, RefusesWhatHasNoAnswer) {

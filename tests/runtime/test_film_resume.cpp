@@ -151,6 +151,16 @@ TEST_F(FilmResume, SaysWhatDiffers) {
     EXPECT_EQ(refusal(other), path() + ": not a film to continue: pixel was area and is centre");
     camera.eye.x += 1e-9;
     EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    camera.eye.x -= 1e-9;
+    camera.ortho_height = 4;
+    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    writeSavedFilm(path(), {refine(nullptr, 2), 2, settings.seed, signature(settings)});
+    EXPECT_EQ(refusal(settings), "");
+    camera.fov_deg += 1; // nothing to a parallel projection
+    EXPECT_EQ(refusal(settings), "");
+    camera.ortho_height = 4.5;
+    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    EXPECT_NE(refusal(settings).find("ortho 4.5"), std::string::npos);
 }
 
 TEST_F(FilmResume, RefusesFilmsThatAreNotWhole) {

@@ -48,8 +48,11 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_FALSE(options.render.camera.eye || options.render.camera.target || options.render.camera.up);
     EXPECT_FALSE(options.choices.spp || options.choices.width || options.choices.fov_deg || options.render.room);
     EXPECT_TRUE(options.render.shadows && options.render.blend && options.render.caustics);
-    EXPECT_FALSE(options.limits.seconds || options.limits.noise || options.exposure || options.resume);
-    EXPECT_EQ(options.denoise, DenoiseChoice::kAuto);
+    EXPECT_FALSE(options.choices.shadows || options.choices.blend || options.choices.caustics || options.choices.seed);
+    EXPECT_FALSE(options.limits.seconds || options.limits.noise || options.choices.exposure || options.resume);
+    EXPECT_FALSE(options.choices.denoise);
+    EXPECT_EQ(options.view, "");
+    EXPECT_EQ(options.turntable, 0u);
     EXPECT_FALSE(options.render.reflectivity || options.render.first_hits);
     EXPECT_EQ(options.bench_frames, 0u);
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
@@ -99,21 +102,31 @@ TEST(Options, TakesEveryOption) {
     EXPECT_EQ(options.choices.width, 64u);
     EXPECT_EQ(options.choices.height, 48u);
     EXPECT_EQ(options.choices.spp, 9u);
-    EXPECT_EQ(options.render.seed, 4294967295u);
+    EXPECT_EQ(options.choices.seed, 4294967295u);
     EXPECT_EQ(options.choices.fov_deg, 12.5);
     EXPECT_EQ(options.choices.integrator, Integrator::kPath);
     EXPECT_EQ(options.choices.bounces, 7u);
     EXPECT_EQ(options.render.room, Room::kMirror);
     EXPECT_EQ(options.render.lights, 0u);
-    EXPECT_FALSE(options.render.shadows || options.render.blend || options.render.caustics);
+    EXPECT_FALSE(*options.choices.shadows || *options.choices.blend || *options.choices.caustics);
     EXPECT_EQ(options.limits.seconds, 2.5);
     EXPECT_EQ(options.limits.noise, 0.02);
-    EXPECT_EQ(options.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(options.choices.denoise, DenoiseChoice::kOn);
     EXPECT_EQ(options.render.reflectivity, 0.25f);
     EXPECT_EQ(options.device, "H100");
     EXPECT_EQ(options.bench_frames, 3u);
     EXPECT_EQ(options.stats, "-");
     EXPECT_TRUE(options.verbose && options.render.first_hits);
+}
+
+TEST(Options, TakesParallelProjection) {
+    const CameraRequest height = parse({"a.pro", "-o", "a.png", "--ortho", "2.5"}).render.camera;
+    EXPECT_TRUE(height.ortho);
+    EXPECT_EQ(height.ortho_height, 2.5);
+    const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).render.camera;
+    EXPECT_TRUE(fit.ortho && !fit.ortho_height);
+    EXPECT_EQ(refusal({"--ortho", "2", "--fov", "30"}),
+              "--fov and --ortho exclude each other: a parallel projection has no field of view");
 }
 
 TEST(Options, TakesNegativeCoordinates) {
@@ -132,10 +145,21 @@ TEST(Options, TakesTheLastOfARepeatedOption) {
 
 TEST(Options, TakesWhatGoesWithOneKindOfImage) {
     EXPECT_TRUE(parse({"a.pro", "-o", "a.exr", "--resume"}).resume);
-    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).exposure, -1.5f);
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).choices.exposure, -1.5f);
     EXPECT_EQ(refusal({"--resume"}), "--resume: goes with -o FILE.exr");
     EXPECT_EQ(refusal({"-o", "a.exr", "--exposure", "1"}), "--exposure: goes with -o FILE.png");
     EXPECT_NE(refusal({"-o", "a.exr", "--resume", "--bench", "1"}), "");
+}
+
+TEST(Options, TakesATurntableWithAPattern) {
+    EXPECT_EQ(parse({"a.toml", "-o", "a%d.png", "--turntable", "36", "--view", "top"}).turntable, 36u);
+    EXPECT_NE(refusal({"--turntable", "36"}), "");
+    EXPECT_NE(refusal({"-o", "%d.png"}), "");
+    for (const char* text : {"0", "100001", "-1", "x"})
+        EXPECT_TRUE(contains(refusal({"-o", "%d.png", "--turntable", text}), "--turntable: ")) << text;
+    EXPECT_EQ(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable and --resume exclude each other");
+    EXPECT_EQ(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}),
+              "--turntable and --bench exclude each other");
 }
 
 TEST(Options, ListsDevicesWithoutAScene) { EXPECT_TRUE(parse({"--device", "list"}).list_devices); }
@@ -147,6 +171,8 @@ TEST(Options, RefusesBadValuesByName) {
         EXPECT_TRUE(contains(refusal({"--spp", text}), "--spp: ")) << text;
     for (const char* text : {"0", "180", "nan", "inf", "-5", "4o"})
         EXPECT_TRUE(contains(refusal({"--fov", text}), "--fov: ")) << text;
+    for (const char* text : {"0", "-1", "nan", "inf", "1e13", "all", ""})
+        EXPECT_TRUE(contains(refusal({"--ortho", text}), "--ortho: ")) << text;
     for (const char* text : {"1,2", "1,2,3,4", "1,,3", "1, 2,3", "nan,0,0", "1e999,0,0", ","})
         EXPECT_TRUE(contains(refusal({"--eye", text}), "--eye: ")) << text;
     for (const char* text : {"-0.1", "1.1", "x"})
@@ -178,13 +204,12 @@ TEST(Options, RefusesWhatItDoesNotKnow) {
 TEST(Options, RefusesToDoNothing) {
     EXPECT_THROW(parse({}), Error);
     EXPECT_THROW(parse({"-o", "a.png"}), Error);
-    try {
-        parse({"a.pro"});
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code, ExitCode::kBadUsage);
-        EXPECT_TRUE(contains(error.what(), "-o"));
-    }
+    EXPECT_THROW(parse({"a.pro", "--offscreen"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--replay", "r", "-o", "a.png"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--replay", "r", "--record", "r"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--time-limit", "1"}), Error);
+    EXPECT_TRUE(opensWindow(parse({"a.pro"})));
+    EXPECT_TRUE(opensWindow(parse({"a.pro", "--exposure", "1", "--replay", "r", "--offscreen"})));
     EXPECT_EQ(parse({"a.pro", "--bench", "1"}).output, "");
 }
 
@@ -194,11 +219,11 @@ TEST(Options, HelpNamesEveryOptionWithItsDefault) {
     testing::internal::CaptureStdout();
     EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
     const std::string help = testing::internal::GetCapturedStdout();
-    for (const char* part :
-         {"512x512",    "--spp",        "--seed",  "--eye",     "--target",  "--up",    "--fov",          "default 40",
-          "phong",      "--bounces",    "--room",  "--lights",  "--shadows", "--blend", "--reflectivity", "--device",
-          "--bench",    "--stats",      "--quiet", "--verbose", "--version", "Camera",  "--caustics",     "--denoise",
-          "--exposure", "--time-limit", "--noise", "--resume",  ".toml"})
+    for (const char* part : {"512x512",   "--spp",      "--seed",         "--eye",     "--target", "--up",
+                             "--fov",     "default 40", "phong",          "--bounces", "--room",   "--lights",
+                             "--shadows", "--blend",    "--reflectivity", "--device",  "--ortho",  "--bench",
+                             "--stats",   "--quiet",    "--verbose",      "--version", "Camera",   "--caustics",
+                             "--denoise", "--exposure", "--time-limit",   "--noise",   "--resume", ".toml"})
         EXPECT_TRUE(contains(help, part)) << part;
 }
 

@@ -77,6 +77,15 @@ TEST_F(SceneFile, LeavesOpenWhatItDoesNotSay) {
     expectVector(apply(scene.instances[0].placement, {1, 2, 3}), 1, 2, 3);
 }
 
+TEST_F(SceneFile, ReadsParallelProjection) {
+    const CameraRequest all = parseMore("[camera]\northo = 'fit'").camera,
+                        some = parseMore("[camera]\northo = 2").camera;
+    EXPECT_TRUE(all.ortho && !all.ortho_height);
+    EXPECT_TRUE(some.ortho);
+    EXPECT_EQ(some.ortho_height, 2);
+    EXPECT_FALSE(parseMore("[camera]\nfov = 20").camera.ortho);
+}
+
 TEST_F(SceneFile, CameraStandsAsTheSceneDoes) {
     expectVector(*parseMore("up = [0, 0, 1]").camera.up, 0, 0, 1);
     expectVector(*parseMore("up = [0, 0, 1]\n[camera]\nup = [1, 0, 0]").camera.up, 1, 0, 0);
@@ -291,6 +300,49 @@ TEST_F(SceneFile, ReadsTheSky) {
     EXPECT_EQ(sky.rotation_deg, -90);
     sky = *parseMore("[sky]").sky;
     expectColor(sky.zenith, 0.46, 0.52, 0.62);
+}
+
+TEST_F(SceneFile, ReadsAllThatDecidesThePicture) {
+    const SceneDescription scene =
+        parseMore("staged_for = [1, 2, 3]\n[render]\nseed=7\ndenoise='off'\nexposure=-1.5\nlights=4\nshadows=false\n"
+                  "caustics=false\nblend=false\nreflectivity=0.25");
+    expectVector(*scene.staged_for, 1, 2, 3);
+    EXPECT_EQ(scene.seed, 7u);
+    EXPECT_EQ(scene.denoise, DenoiseChoice::kOff);
+    EXPECT_EQ(scene.exposure, -1.5f);
+    EXPECT_EQ(scene.ring_lights, 4u);
+    EXPECT_EQ(scene.shadows, false);
+    EXPECT_EQ(scene.caustics, false);
+    EXPECT_EQ(scene.blend, false);
+    EXPECT_EQ(scene.reflectivity, 0.25f);
+}
+
+TEST_F(SceneFile, ReadsViews) {
+    const SceneDescription scene =
+        parseMore("up=[0, 0, 1]\n[camera]\neye=[9, 9, 9]\nfov=20\n[[view]]\nname='top'\neye=[0, 0, 5]\n"
+                  "target=[0, 0, 1]\nup=[0, 2, 0]\nfov=30\n[[view]]\nname='the other side'\northo=2.5");
+    ASSERT_EQ(scene.views.size(), 2u);
+    EXPECT_EQ(scene.views[0].name, "top");
+    expectVector(*scene.views[0].camera.eye, 0, 0, 5);
+    expectVector(*scene.views[0].camera.target, 0, 0, 1);
+    expectVector(*scene.views[0].camera.up, 0, 1, 0);
+    EXPECT_EQ(scene.views[0].camera.fov_deg, 30);
+    EXPECT_FALSE(scene.views[1].camera.eye) << "not the camera's";
+    expectVector(*scene.views[1].camera.up, 0, 0, 1);
+    EXPECT_EQ(scene.views[1].camera.ortho_height, 2.5);
+}
+
+TEST_F(SceneFile, TakesMatricesAsTheyAre) {
+    const SceneDescription scene =
+        parse("[[instance]]\nfile='statue.pro'\nrotate={ matrix=[[0, 0, 1], [1, 0, 0], [0, 1, 0]] }\n"
+              "[[shape]]\ntype='disc'\ncenter=[1, 2, 3]\naxes=[[0, 2, 0], [0, 0, 2], [1, 0, 0]]\nbackdrop=true");
+    expectVector(scene.instances[0].placement.rotation[0], 0, 0, 1);
+    expectVector(scene.instances[0].placement.rotation[2], 0, 1, 0);
+    expectVector(scene.shapes[0].center, 1, 2, 3);
+    expectVector(scene.shapes[0].u, 0, 2, 0);
+    expectVector(scene.shapes[0].v, 0, 0, 2);
+    expectVector(scene.shapes[0].w, 1, 0, 0);
+    EXPECT_TRUE(scene.shapes[0].backdrop);
 }
 
 TEST_F(SceneFile, ReadsTheExample) {

@@ -24,7 +24,8 @@ TEST_F(SceneFile, RefusesUnknownKeysByTheNearestOne) {
               "scene.toml:3: key \"material.a.index\": unknown key \"index\"; a material of kind \"metal\" has kind, "
               "color, splat_color, emission, roughness");
     EXPECT_EQ(refusal("[render]\nroom = 'none'"),
-              "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size");
+              "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size, "
+              "seed, denoise, exposure, lights, shadows, caustics, blend, reflectivity");
     EXPECT_EQ(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
               "scene.toml:4: key \"instance[0].material\": there is no [material.godl], did you mean \"gold\"?");
 }
@@ -60,6 +61,12 @@ TEST_F(SceneFile, RefusesNumbersOutOfRange) {
               "scene.toml:2: key \"camera.fov\": is 180, must be from 0.001 to 179.999");
     EXPECT_EQ(refusal("[camera]\nfov = nan"),
               "scene.toml:2: key \"camera.fov\": is nan, must be from 0.001 to 179.999");
+    EXPECT_EQ(refusal("[camera]\northo = 0"), "scene.toml:2: key \"camera.ortho\": is 0, must be from 1e-09 to 1e+12");
+    for (const char* text : {"true", "'all'"})
+        EXPECT_EQ(refusal(std::string("[camera]\northo = ") + text),
+                  "scene.toml:2: key \"camera.ortho\": must be a height or \"fit\"");
+    EXPECT_EQ(refusal("[camera]\nfov = 30\northo = 2"),
+              "scene.toml:3: key \"camera.ortho\": excludes \"fov\": a parallel projection has no field of view");
     EXPECT_EQ(refusal("[camera]\neye = [0, inf, 0]"),
               "scene.toml:2: key \"camera.eye[1]\": is inf, must be from -1e+12 to 1e+12");
     EXPECT_EQ(refusal("[render]\nbounces = -1"),
@@ -283,6 +290,42 @@ TEST_F(SceneFile, SurvivesMutations) {
     // both ends of the road were walked
     EXPECT_GT(parsed, tries / 50);
     EXPECT_LT(parsed, tries * 9 / 10);
+}
+
+TEST_F(SceneFile, RefusesWholeNumbersThatNoDoubleHolds) {
+    EXPECT_EQ(refusal("[camera]\nfov = 9223372036854775807"),
+              "scene.toml:2: key \"camera.fov\": is 9.223372037e+18, must be from 0.001 to 179.999");
+}
+
+TEST_F(SceneFile, RefusesViewsThatCannotBeToldApart) {
+    EXPECT_EQ(refusal("[[view]]\nname = 'a'\n[[view]]\nname = 'a'"),
+              "scene.toml:4: key \"view[1].name\": is the name of another view already");
+    EXPECT_EQ(refusal("[[view]]\nfov = 30"), "scene.toml:1: key \"view[0]\": \"name\" is missing");
+}
+
+TEST_F(SceneFile, RefusesMatricesThatAreNoRotation) {
+    const auto rotated = [&](const std::string& matrix) {
+        return refusal("[[instance]]\nfile='statue.pro'\nrotate={ matrix=" + matrix + " }");
+    };
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1.1]]").find("rows of length 1"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0.6, 0.8, 0], [0, 0, 1]]").find("right angles"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, -1]]").find("right-handed"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0]]").find("3 vectors"), std::string::npos);
+    EXPECT_NE(rotated("[[1, 0, 0], [0, 1, 0], [0, 0, 1]], degrees=1").find("excludes"), std::string::npos);
+}
+
+TEST_F(SceneFile, RefusesAxesThatAreNotTheShapes) {
+    const auto shape = [&](const std::string& type, const std::string& axes) {
+        return refusal("[[shape]]\ntype='" + type + "'\ncenter=[0, 0, 0]\naxes=" + axes);
+    };
+    EXPECT_NE(shape("box", "[[1, 0, 0], [1, 1, 0], [0, 0, 1]]").find("right angles"), std::string::npos);
+    EXPECT_NE(shape("box", "[[1, 0, 0], [0, 0, 0], [0, 0, 1]]").find("length zero"), std::string::npos);
+    EXPECT_NE(shape("quad", "[[1, 0, 0], [0, 3, 0], [0, 0, 2]]").find("1 long"), std::string::npos);
+    EXPECT_NE(shape("disc", "[[1, 0, 0], [0, 3, 0], [0, 0, 1]]").find("first two"), std::string::npos);
+    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 1]]").find("the radius"), std::string::npos);
+    EXPECT_NE(shape("sphere", "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]\nradius=2").find("excludes"), std::string::npos);
+    EXPECT_NE(refusal("[[shape]]\ntype='plane'\npoint=[0, 0, 0]\nnormal=[0, 1, 0]\ncenter=[0, 0, 0]").find("center"),
+              std::string::npos);
 }
 
 } // namespace

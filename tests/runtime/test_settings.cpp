@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pointrt/tool.hpp"
+
 namespace pointrt {
 namespace {
 
@@ -16,6 +18,13 @@ SceneDescription talkativeScene() {
     scene.spp = 64;
     scene.width = 800;
     scene.height = 600;
+    scene.seed = 5;
+    scene.shadows = scene.caustics = scene.blend = false;
+    scene.denoise = DenoiseChoice::kOn;
+    scene.exposure = 1.5f;
+    scene.room = Room::kMatte;
+    scene.ring_lights = 2;
+    scene.reflectivity = 0.5f;
     return scene;
 }
 
@@ -31,6 +40,62 @@ TEST(Settings, AreTheSceneFilesWhereTheCommandLineIsSilent) {
     EXPECT_EQ(settings.height, 600u);
 }
 
+TEST(Settings, OfTheLookAreTheSceneFilesToo) {
+    RenderSettings settings = resolveSettings({}, talkativeScene());
+    EXPECT_EQ(settings.seed, 5u);
+    EXPECT_FALSE(settings.shadows || settings.caustics || settings.blend);
+    EXPECT_EQ(settings.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(settings.exposure, 1.5f);
+    EXPECT_EQ(settings.room, Room::kMatte);
+    EXPECT_EQ(settings.lights, 2u);
+    EXPECT_EQ(settings.reflectivity, 0.5f);
+    Options options;
+    options.choices.seed = 0;
+    options.choices.shadows = options.choices.caustics = options.choices.blend = true;
+    options.choices.denoise = DenoiseChoice::kAuto;
+    options.choices.exposure = 0.0f;
+    options.render.room = Room::kNone;
+    options.render.lights = 0;
+    options.render.reflectivity = 0.0f;
+    settings = resolveSettings(options, talkativeScene());
+    EXPECT_EQ(settings.seed, 0u);
+    EXPECT_TRUE(settings.shadows && settings.caustics && settings.blend);
+    EXPECT_EQ(settings.denoise, DenoiseChoice::kAuto);
+    EXPECT_EQ(settings.exposure, 0);
+    EXPECT_EQ(settings.room, Room::kNone);
+    EXPECT_EQ(settings.lights, 0u);
+    EXPECT_EQ(settings.reflectivity, 0);
+}
+
+TEST(Settings, LookFromTheViewThatIsNamed) {
+    SceneDescription scene = talkativeScene();
+    scene.path = "a.toml";
+    Options options;
+    options.view = "top";
+    const auto refusal = [&] {
+        try {
+            resolveSettings(options, scene);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadUsage);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has none");
+    scene.views.resize(2);
+    scene.views[0].name = "front";
+    scene.views[1].name = "side";
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has front, side");
+    scene.views[1] = {"top", {Vec3{0, 9, 0}, {}, {}, 30}};
+    options.render.camera.target = Vec3{1, 1, 1};
+    const CameraRequest camera = resolveSettings(options, scene).camera;
+    EXPECT_EQ(camera.eye->y, 9);
+    EXPECT_EQ(camera.target->y, 1) << "the command line's";
+    EXPECT_EQ(camera.fov_deg, 30);
+    EXPECT_FALSE(camera.up);
+    EXPECT_EQ(resolveSettings({}, scene).camera.eye->y, 2) << "no view was asked for";
+}
+
 TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
     Options options;
     options.choices = {Integrator::kDepth, 1u, 2u, 30u, 20u, 60.0};
@@ -44,6 +109,23 @@ TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
     EXPECT_EQ(settings.spp, 2u);
     EXPECT_EQ(settings.width, 30u);
     EXPECT_EQ(settings.height, 20u);
+}
+
+TEST(Settings, TakeTheProjectionThatWasSaidLast) {
+    SceneDescription parallel;
+    parallel.camera.ortho = true;
+    parallel.camera.ortho_height = 3;
+    EXPECT_EQ(resolveSettings({}, parallel).camera.ortho_height, 3);
+    Options pinhole, fit;
+    pinhole.choices.fov_deg = 50;
+    fit.render.camera.ortho = true;
+    const CameraRequest wide = resolveSettings(pinhole, parallel).camera;
+    EXPECT_EQ(wide.fov_deg, 50);
+    EXPECT_FALSE(wide.ortho || wide.ortho_height);
+    for (const SceneDescription& scene : {parallel, talkativeScene()}) {
+        const CameraRequest all = resolveSettings(fit, scene).camera;
+        EXPECT_TRUE(all.ortho && !all.ortho_height);
+    }
 }
 
 TEST(Settings, AreDefaultsWhereNothingIsSaid) {
@@ -90,10 +172,10 @@ TEST(Settings, KeepDataAsTheyAreUnlessAsked) {
     RenderSettings settings;
     settings.integrator = Integrator::kPath;
     EXPECT_FALSE(wantsDenoising(options, settings, {}, 4));
-    options.denoise = DenoiseChoice::kOn;
+    settings.denoise = DenoiseChoice::kOn;
     EXPECT_TRUE(wantsDenoising(options, settings, {}, 1000));
     options.output = "a.png";
-    options.denoise = DenoiseChoice::kOff;
+    settings.denoise = DenoiseChoice::kOff;
     EXPECT_FALSE(wantsDenoising(options, settings, {}, 4));
 }
 

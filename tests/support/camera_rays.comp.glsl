@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera rays that shaders/trace_primary.comp.glsl traces, in the order of its lanes: first_hits gets the
-// directions and, as bits, the pixels.
+// directions and, as bits, the pixels; film gets the origins.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "bindings.glsl"
@@ -12,5 +12,7 @@ void main() {
     uint lane = gl_GlobalInvocationID.x;
     if (lane >= bandLanes()) return;
     uvec2 pixel = tilePixel(lane / TILE_PIXELS, lane % TILE_PIXELS);
-    first_hits[lane] = vec4(cameraDirection(pixel), uintBitsToFloat(pixelIndex(pixel)));
+    CameraRay ray = cameraRay(pixel);
+    first_hits[lane] = vec4(ray.direction, uintBitsToFloat(pixelIndex(pixel)));
+    film[lane] = vec4(ray.origin, 0.0);
 }

@@ -167,16 +167,16 @@ struct RayCaster::State {
 
     std::vector<Ray> viewRays(std::uint32_t size, const Camera& camera) {
         const std::uint32_t pixels = size * size;
-        const gpu::FrameParams frame = frameParams(size, camera);
-        uploadParams(frame);
+        uploadParams(frameParams(size, camera));
         run(camera_rays, pixels, STEP_CENTER);
-        std::vector<gpu::vec4> lanes(pixels);
+        std::vector<gpu::vec4> lanes(pixels), origins(pixels);
         downloadBuffer(device, buffers.first_hits, lanes.data(), pixels * sizeof lanes[0]);
+        downloadBuffer(device, buffers.film, origins.data(), pixels * sizeof origins[0]);
         view_rays.clear();
         lane_pixels.clear();
-        for (const gpu::vec4& lane : lanes) {
-            view_rays.push_back({vec(frame.eye), vec(lane), {}, 0});
-            lane_pixels.push_back(std::bit_cast<std::uint32_t>(lane.w));
+        for (std::uint32_t lane = 0; lane < pixels; ++lane) {
+            view_rays.push_back({vec(origins[lane]), vec(lanes[lane]), {}, 0});
+            lane_pixels.push_back(std::bit_cast<std::uint32_t>(lanes[lane].w));
         }
         return view_rays;
     }

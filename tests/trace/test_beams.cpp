@@ -35,6 +35,13 @@ View view(Vec3 eye, Vec3 target, double fov_deg, std::size_t hits_least, std::si
     return {{eye, target, {}, fov_deg}, hits_least, hits_most};
 }
 
+/// Of parallel projection.
+View orthoView(Vec3 eye, Vec3 target, double height, std::size_t hits_least, std::size_t hits_most = kSize * kSize) {
+    View view{{eye, target, {}}, hits_least, hits_most};
+    view.camera.ortho_height = height;
+    return view;
+}
+
 struct Difference {
     std::size_t hits = 0;          ///< one by one
     std::size_t hit_or_miss = 0;   ///< hits that a beam loses or adds
@@ -95,6 +102,25 @@ TEST(Beams, HitTheSameOnASphere) {
                     view({3, 3, 4}, {1, 2, 3}, 120, 500, 8000),      // a wide one
                     view({1, 2, 3}, {2, 2, 3}, 90, 16384),           // from the middle
                     view({1, 2.9, 3.9}, {1, 3, 3.2}, 60, 1000)});    // in a corner of the bounds
+}
+
+/// Discs of 32, 96 and 1.3 pixels' radius: 3217, the whole picture but for its corners, and 5 pixels.
+TEST(Beams, HitTheSameInParallelProjection) {
+    expectSameHits(sphereSplats(20000, Vec3f(1, 2, 3), 1.0f),
+                   {orthoView({1, 2, 7}, {1, 2, 3}, 4, 3190, 3240),            // along an axis
+                    orthoView({40, 50, 30}, {1, 2, 3}, 4, 3190, 3240),         // from afar
+                    orthoView({2, 3, 4.5}, {1, 2, 3}, 1.333, 16000),           // a part of it
+                    orthoView({2, 3, 4.5}, {1, 2, 3}, 0.01, 16384),            // beams thinner than cells
+                    orthoView({2, 5, 4}, {1, 2, 3}, 100, 1, 12),               // and thicker than the scene
+                    orthoView({1, 2, 3}, {2, 2, 3}, 4, 3100, 3300),            // a window through the middle
+                    orthoView({1, 2.9, 3.9}, {1, 3, 3.2}, 0.5, 1000, 16000)}); // and in a corner of the bounds
+}
+
+TEST(Beams, HitTheSameInParallelProjectionOfASparseCloud) {
+    expectSameHits(randomSplats(300, 3, 0.002f, 0.01f), {orthoView({0.5, 0.5, 3}, {0.5, 0.5, 0.5}, 1.3, 50, 2000),
+                                                         orthoView({0.4, 0.6, 0.5}, {1, 0.5, 0.4}, 1.5, 20, 4000),
+                                                         orthoView({-1, 0.2, 0.4}, {0.6, 0.5, 0.5}, 0.2, 50, 4000),
+                                                         orthoView({30, 40, 20}, {0.5, 0.5, 0.5}, 3, 10, 4000)});
 }
 
 /// Thin things with much sky in between: what beams are most likely to pass by.

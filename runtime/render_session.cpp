@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render_session.h"
+
+#include <chrono>
+#include <utility>
+
+#include "runtime/camera.h"
+#include "runtime/option_values.h"
+#include "runtime/settings.h"
+#include "runtime/staging.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Camera framed(const StagedScene& scene, const RenderSettings& settings) {
+    return frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
+                       static_cast<double>(settings.width) / settings.height);
+}
+
+/// The camera that surroundings are put up for: not a view's, so that views differ in the camera alone.
+Camera stagingCamera(const StagedScene& scene, Options options) {
+    options.view.clear();
+    return framed(scene, resolveSettings(options, scene.description));
+}
+
+void describe(const RenderSession& session, Report& report) {
+    const RenderSettings& settings = session.settings;
+    report.device = session.device.name;
+    report.integrator = nameOf(kIntegratorNames, settings.integrator);
+    report.width = settings.width;
+    report.height = settings.height;
+    report.spp = settings.spp;
+    report.splats = session.scene->splat_count;
+    report.device_bytes = session.scene->device_bytes + deviceBytes(*session.tracer);
+}
+
+} // namespace
+
+RenderSession::RenderSession(const Options& options) : device(createDevice({options.device, options.verbose})) {}
+
+RenderSession::~RenderSession() {
+    if (tracer) destroyTracer(device, *tracer);
+    if (scene) destroyStagedScene(device, *scene);
+    destroyDevice(device);
+}
+
+void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report) {
+    const Clock::time_point start = Clock::now();
+    session.settings = resolveSettings(options, description);
+    RenderSettings& settings = session.settings;
+    session.scene = openScene(session.device, std::move(description), options.verbose);
+    StagedScene& scene = *session.scene;
+    session.camera = framed(scene, settings);
+    addSurroundings(scene.description, settings, stagingCamera(scene, options), scene.bounds.lo, scene.bounds.hi);
+    furnishScene(session.device, scene, settings);
+    // the denoiser is guided by first hits; where the samples may end early, it may be wanted in the end
+    const std::uint32_t fewest = options.limits.seconds || options.limits.noise ? 1 : settings.spp;
+    settings.first_hits |= wantsDenoising(options, settings, scene.description, fewest);
+    session.tracer = createTracer(session.device, scene, settings, session.camera);
+    report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    describe(session, report);
+}
+
+} // namespace pointrt

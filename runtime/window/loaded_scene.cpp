@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/loaded_scene.h"
+
+#include <utility>
+
+#include "pointrt/tool.hpp"
+#include "runtime/camera.h"
+#include "runtime/settings.h"
+#include "runtime/staging.h"
+#include "runtime/window/live_picture.h"
+
+namespace pointrt {
+namespace {
+
+// What of loading is done when a stage begins, by the times of scans of half a million to a million splats on a CPU.
+constexpr double kFilesShare = 0.0, kRowsShare = 0.25, kProgramsShare = 0.3, kPhotonsShare = 0.7;
+
+Camera framed(const StagedScene& scene, const RenderSettings& settings) {
+    return frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
+                       static_cast<double>(settings.width) / settings.height);
+}
+
+/// The eye that surroundings are put up for: the file's, else the camera's, but not a view's.
+Vec3 stagingEye(const StagedScene& scene, Options options) {
+    options.view.clear();
+    return scene.description.staged_for.value_or(framed(scene, resolveSettings(options, scene.description)).eye);
+}
+
+ProgramKinds kindsOf(const StagedScene& scene, const RenderSettings& settings) {
+    return {scene.features, settings.integrator, scene.sky_light != NO_LIGHT, castsCaustics(scene)};
+}
+
+bool wantsPhotons(const LoadedScene& loaded) {
+    const Integrator integrator = loaded.settings.integrator;
+    return castsCaustics(loaded.scene) && integrator != Integrator::kNormal && integrator != Integrator::kDepth;
+}
+
+void begin(JobControl& control, const char* stage, double share) {
+    control.leaveIfCancelled();
+    control.say(stage);
+    control.setShare(share);
+}
+
+/// Leaves the photons there were out.
+void forgetPhotons(LoadedScene& loaded) {
+    loaded.tracer.caustics.frame.count.x = 0;
+    loaded.lacks_photons = wantsPhotons(loaded);
+}
+
+/// Photons for the scene as it is now.
+void castPhotons(Device& device, LoadedScene& loaded) {
+    BandTracer& tracer = loaded.tracer;
+    CausticMap map = wantsPhotons(loaded) ? buildCaustics(device, loaded.scene, tracer.programs, kPhotons)
+                                          : emptyCaustics(device);
+    destroyCaustics(device, tracer.caustics);
+    tracer.caustics = std::exchange(map, {});
+    rebind(device, tracer);
+    loaded.lacks_photons = false;
+}
+
+/// Whether the scene has become one for other programs.
+bool rebuildPrograms(Device& device, LoadedScene& loaded) {
+    const ProgramKinds kinds = kindsOf(loaded.scene, loaded.settings);
+    if (kinds == loaded.program_kinds) return false;
+    Programs programs = createPrograms(device, loaded.scene, loaded.settings);
+    destroyPrograms(device, loaded.tracer.programs);
+    loaded.tracer.programs = std::exchange(programs, {});
+    loaded.program_kinds = kinds;
+    return true;
+}
+
+void noteSettings(LoadedScene& loaded, const RenderSettings& settings) {
+    loaded.settings = settings;
+    loaded.tracer.shadows = settings.shadows;
+}
+
+void furnish(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+    if (!standsAlike(loaded.scene.description, description))
+        throw Error{ExitCode::kBadInput, description.path + ": other scans, or other places, take loading anew"};
+    SceneDescription before = std::exchange(loaded.scene.description, description);
+    try {
+        furnishScene(device, loaded.scene, settings);
+    } catch (...) {
+        loaded.scene.description = std::move(before);
+        throw;
+    }
+    noteSettings(loaded, settings);
+}
+
+} // namespace
+
+LoadedScene::~LoadedScene() {
+    destroyBandTracer(device, tracer);
+    destroyStagedScene(device, scene);
+}
+
+std::unique_ptr<LoadedScene> loadFromFile(Device& owner, Device& worker, const Options& options, JobControl& control) {
+    auto loaded = std::make_unique<LoadedScene>(owner);
+    StagedScene& scene = loaded->scene;
+    begin(control, "reading", kFilesShare);
+    loaded->described = describeScene(options);
+    loaded->settings = resolveSettings(options, loaded->described);
+    scene = openScene(worker, loaded->described, options.verbose);
+    begin(control, "materials and lights", kRowsShare);
+    loaded->camera = framed(scene, loaded->settings);
+    loaded->staged_for = stagingEye(scene, options);
+    scene.description = withSurroundings(*loaded, loaded->settings);
+    furnishScene(worker, scene, loaded->settings);
+    begin(control, "programs", kProgramsShare);
+    createBandTracer(worker, loaded->tracer, scene, loaded->settings, kLiveLanes, 1, 0);
+    loaded->program_kinds = kindsOf(scene, loaded->settings);
+    if (wantsPhotons(*loaded)) {
+        begin(control, "caustics", kPhotonsShare);
+        castPhotons(worker, *loaded);
+    }
+    control.leaveIfCancelled();
+    return loaded;
+}
+
+SceneDescription withSurroundings(const LoadedScene& loaded, const RenderSettings& settings) {
+    SceneDescription scene = loaded.described;
+    Camera camera = loaded.camera;
+    camera.eye = loaded.staged_for;
+    addSurroundings(scene, settings, camera, loaded.scene.bounds.lo, loaded.scene.bounds.hi);
+    return scene;
+}
+
+void refurnish(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
+               JobControl& control) {
+    begin(control, "materials and lights", kFilesShare);
+    furnish(device, loaded, description, settings);
+    forgetPhotons(loaded);
+    // from here on to the end, for rows, programs and bindings belong together
+    control.say("programs");
+    if (rebuildPrograms(device, loaded)) control.setShare(kPhotonsShare);
+    rebind(device, loaded.tracer);
+    begin(control, "caustics", kPhotonsShare);
+    castPhotons(device, loaded);
+}
+
+bool refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                  const RenderSettings& settings) {
+    if (settings.integrator != loaded.program_kinds.integrator) return false;
+    if (!furnishAlike(device, loaded.scene, description, settings)) return false;
+    noteSettings(loaded, settings);
+    forgetPhotons(loaded);
+    rebind(device, loaded.tracer);
+    return true;
+}
+
+} // namespace pointrt

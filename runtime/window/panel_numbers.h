@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as people read them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace pointrt {
+
+/// Decimals that tell a 10,000th of size from nothing: 0 to 9.
+int decimalsFor(double size);
+/// A length or coordinate in a scene of this size.
+std::string lengthText(double value, double size);
+/// "12 345 678"
+std::string countText(std::uint64_t count);
+/// "1.2 GB", powers of 1000.
+std::string bytesText(std::uint64_t bytes);
+/// "12 s", "3 min 05 s", "2 h 10 min".
+std::string durationText(double seconds);
+
+} // namespace pointrt

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that the window writes.
+#include <imgui.h>
+
+#include <filesystem>
+
+#include "pointrt/tool.hpp"
+#include "runtime/film_file.h"
+#include "runtime/film_signature.h"
+#include "runtime/image_png.h"
+#include "runtime/picture_output.h"
+#include "runtime/scene_write.h"
+#include "runtime/settings.h"
+#include "runtime/staging.h"
+#include "runtime/tonemap.h"
+#include "runtime/window/window_state.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostNumber = 9999;
+
+/// "statue-1", the first number for which there is no file with one of the endings in the working directory.
+std::string freeName(const std::string& stem, const std::vector<std::string>& endings) {
+    for (int number = 1; number <= kMostNumber; ++number) {
+        const std::string name = stem + "-" + std::to_string(number);
+        bool taken = false;
+        for (const std::string& ending : endings) taken |= fs::exists(name + ending);
+        if (!taken) return name;
+    }
+    throw Error{ExitCode::kCannotWrite, stem + "-1 to " + stem + "-" + std::to_string(kMostNumber) + " are all taken"};
+}
+
+std::string stemOf(const std::string& path) {
+    const std::string stem = fs::path(path).stem().string();
+    return stem.empty() ? "picture" : stem;
+}
+
+} // namespace
+
+/// What renders the picture on the screen, headless.
+SceneDescription Window::sceneAsShown() const {
+    RenderSettings settings = work_.settings;
+    settings.width = host_.pixels().width;
+    settings.height = host_.pixels().height;
+    settings.spp = work_.samples_wanted;
+    settings.denoise = work_.denoise ? DenoiseChoice::kOn : DenoiseChoice::kOff;
+    settings.exposure = work_.look.exposure;
+    settings.camera = requestOf(work_.camera);
+    SceneDescription scene = work_.scene;
+    ownSurroundings(scene, settings);
+    return describeRun(std::move(scene), settings, settings.camera.eye.value());
+}
+
+void Window::takeScreenshot() {
+    screenshot_wanted_ = false;
+    try {
+        const std::string name = freeName(stemOf(work_.scene.path), {".png", ".exr"});
+        Film film = live_->readFilm();
+        const std::uint32_t samples = live_->progress().samples;
+        const std::string signature = filmSignature(loaded_->scene, live_->view().settings, live_->view().camera);
+        writeSavedFilm(name + ".exr", {film, samples, work_.settings.seed, signature});
+        if (work_.denoise) denoisePicture(host_.device(), film);
+        writePng(name + ".png", developFilm(film, work_.look.exposure));
+        tell("saved " + name + ".png and " + name + ".exr, " + std::to_string(samples) + " samples");
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+}
+
+/// The window as it is, with its interface.
+void Window::takeFrame(const std::string& name) {
+    writePng(name + ".png", readFrame(host_.device(), host_.presenter(), ImGui::GetDrawData()));
+}
+
+void Window::saveScene() {
+    try {
+        const std::string path = freeName(stemOf(work_.scene.path), {".toml"}) + ".toml";
+        writeSceneFile(path, sceneAsShown());
+        tell("saved " + path + "; pointrt-view " + path + " -o picture.png renders it");
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+}
+
+void Window::saveView() {
+    std::string name = work_.view_name;
+    for (int number = 1; name.empty(); ++number) {
+        name = "view " + std::to_string(number);
+        for (const NamedView& view : work_.scene.views)
+            if (view.name == name) name.clear();
+    }
+    std::erase_if(work_.scene.views, [&](const NamedView& view) { return view.name == name; });
+    work_.scene.views.push_back({name, requestOf(work_.camera)});
+    work_.view_name.clear();
+}
+
+void Window::startTurntable(std::uint32_t pictures) {
+    if (busy()) return;
+    try {
+        turntable_ = startRender(sceneAsShown(), work_.turntable_path, pictures, options_.device);
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+}
+
+} // namespace pointrt

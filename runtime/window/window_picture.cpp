@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the workspace to the picture on the screen.
+#include <algorithm>
+
+#include "runtime/report.h"
+#include "runtime/window/pick_details.h"
+#include "runtime/window/window_state.h"
+
+namespace pointrt {
+namespace {
+
+/// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
+constexpr double kMovingBudget_s = 0.014;
+/// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
+constexpr double kRestingBudget_s = 0.020;
+
+bool same(const Camera& a, const Camera& b) {
+    return a.eye == b.eye && a.right == b.right && a.up == b.up && a.forward == b.forward && a.fov_deg == b.fov_deg &&
+           a.ortho_height == b.ortho_height;
+}
+
+} // namespace
+
+void Window::beginPicture() {
+    live_.emplace(host_.device(), loaded_->tracer, kMovingBudget_s);
+    shown_camera_.reset();
+}
+
+void Window::updatePicture() {
+    frame_moved_ = false;
+    if (!loaded_ || edits_wait_ || busy()) return;
+    if (!live_) beginPicture();
+    const Camera camera = cameraOf(work_.camera);
+    const PixelSize pixels = host_.pixels();
+    const bool resized = pixels.width != shown_pixels_.width || pixels.height != shown_pixels_.height;
+    if (!shown_camera_ || !same(camera, *shown_camera_) || resized || restart_) {
+        LiveView view{work_.settings, camera, work_.look, work_.denoise};
+        view.settings.width = pixels.width;
+        view.settings.height = pixels.height;
+        view.settings.spp = work_.samples_wanted;
+        view.settings.first_hits = true;
+        live_->setView(view, true);
+        frame_moved_ = shown_camera_.has_value();
+        shown_camera_ = camera;
+        shown_pixels_ = pixels;
+        restart_ = false;
+    } else if (work_.requests.look_changed) {
+        live_->setLook(work_.look, work_.denoise);
+    }
+    work_.requests.look_changed = false;
+    if (work_.paused && !frame_moved_ && live_->progress().samples > 0) return;
+    resolvePicks();
+    live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s);
+    uploadPicture();
+    if (screenshot_wanted_ && live_->betweenSamples()) takeScreenshot();
+}
+
+void Window::uploadPicture() {
+    if (live_->updates().empty()) return;
+    const PixelSize canvas = host_.pixels();
+    const VkCommandBuffer commands = beginCommands(host_.device());
+    std::optional<PictureSize> scaled;
+    for (const PictureUpdate& update : live_->updates())
+        if (update.size == PictureSize{canvas.width, canvas.height})
+            recordUploadRows(commands, host_.presenter(), live_->pixels(), update.first_row, update.rows);
+        else
+            scaled = update.size;
+    submitAndWait(host_.device(), commands);
+    if (scaled) uploadScaled(host_.device(), host_.presenter(), live_->pixels(), scaled->width, scaled->height);
+    if (report_.first_picture_s < 0) report_.first_picture_s = secondsSinceStart();
+}
+
+void Window::fillHud() {
+    HudFigures& hud = work_.hud;
+    hud.device = host_.device().name;
+    hud.frame_ms = mean_frame_ms_;
+    hud.samples_wanted = work_.samples_wanted;
+    hud.splats = loaded_ ? loaded_->scene.splat_count : 0;
+    if (!loaded_ || !live_ || busy()) return;
+    const LiveProgress progress = live_->progress();
+    hud.device_bytes = loaded_->scene.device_bytes + live_->deviceBytes();
+    hud.samples = progress.samples;
+    hud.sample_share = progress.share;
+    hud.resting = progress.resting;
+    hud.picture_width = progress.size.width;
+    hud.picture_height = progress.size.height;
+    hud.mrays_per_second = progress.mrays_per_second;
+}
+
+/// Between slices: a pick borrows the tracer's buffers.
+void Window::resolvePicks() {
+    if (!pick_ || !live_->betweenSlices()) return;
+    const PickRequest request = *pick_;
+    pick_.reset();
+    const ViewSize size = viewSize();
+    const LiveView& view = live_->view();
+    const auto pixel = [](double at, double units, std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(std::clamp(at / units * pixels, 0.0, pixels - 1.0));
+    };
+    const std::optional<Pick> pick = live_->pick(pixel(request.x, size.width, view.settings.width),
+                                                 pixel(request.y, size.height, view.settings.height));
+    if (!pick) return;
+    if (request.centre) return flyTo(centredOn(work_.camera, pick->position));
+    work_.picks.push_back(describePick(loaded_->scene, *pick));
+    if (work_.picks.size() > 2) work_.picks.erase(work_.picks.begin());
+}
+
+} // namespace pointrt

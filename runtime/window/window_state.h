@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window keeps from frame to frame. Its parts: window.cpp (a frame), window_input.cpp (what the user does),
+// window_scene.cpp (loading and editing), window_picture.cpp (tracing and showing), window_output.cpp (files).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/options.h"
+#include "runtime/window/bake_job.h"
+#include "runtime/window/commands.h"
+#include "runtime/window/frame_times.h"
+#include "runtime/window/host.h"
+#include "runtime/window/live_picture.h"
+#include "runtime/window/load_job.h"
+#include "runtime/window/recording.h"
+#include "runtime/window/replay.h"
+#include "runtime/window/ui_input.h"
+#include "runtime/window/view_flight.h"
+#include "runtime/window/workspace.h"
+
+struct ImGuiContext;
+
+namespace pointrt {
+
+class Window {
+public:
+    explicit Window(const Options& options);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Until it is closed.
+    void run();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Dear ImGui's state, for as long as this lives.
+    struct Ui {
+        Ui();
+        ~Ui();
+        Ui(const Ui&) = delete;
+        Ui& operator=(const Ui&) = delete;
+        ImGuiContext* context;
+    };
+
+    // window.cpp
+    bool frame();
+    std::vector<InputEvent> gatherInput();
+    void drawInterface(double seconds);
+    void present();
+    void noteTimes(Clock::time_point start);
+    bool isIdle() const;
+    double now() const;
+    void tell(const std::string& text, bool error = false);
+
+    // window_input.cpp
+    void handle(const InputEvent& event);
+    void obey(const Command& command);
+    void obey(Action action);
+    void moveCamera(double seconds);
+    void flyTo(const ViewCamera& view);
+    void pickAt(double x, double y, bool centre);
+    void stepFile(int step);
+    ViewSize viewSize() const;
+
+    // window_scene.cpp
+    void open(const std::string& path);
+    void bake(const std::vector<std::string>& paths);
+    void pollJobs();
+    void showLoaded(std::unique_ptr<LoadedScene> loaded);
+    void applyEdits();
+    void restage();
+    void refurnishLater();
+    bool busy() const;
+
+    // window_picture.cpp
+    void beginPicture();
+    void updatePicture();
+    void uploadPicture();
+    void fillHud();
+    void resolvePicks();
+
+    // window_output.cpp
+    void takeScreenshot();
+    void takeFrame(const std::string& name);
+    void saveScene();
+    void saveView();
+    void startTurntable(std::uint32_t pictures);
+    SceneDescription sceneAsShown() const;
+
+    Options options_;
+    std::optional<Replay> replay_;
+    std::optional<RecordingWriter> recorder_;
+    Host host_;
+    Ui ui_;
+    UiInput ui_input_;
+    ControlState controls_;
+    Workspace work_;
+    Clock::time_point start_ = Clock::now(), last_frame_ = start_;
+    std::uint32_t frame_ = 0;
+    std::vector<std::string> frame_shots_; ///< to be taken of this frame
+    bool quit_ = false, any_input_ = true, has_canvas_picture_ = false;
+
+    ViewCamera home_;
+    std::optional<ViewFlight> flight_;
+    Vec3 flying_;
+    struct PickRequest {
+        double x, y;
+        bool centre;
+    };
+    std::optional<PickRequest> pick_;
+
+    std::unique_ptr<LoadedScene> loaded_;
+    std::unique_ptr<LoadJob> load_;
+    std::unique_ptr<BakeJob> bake_;
+    bool edits_wait_ = false;  ///< for a tracer with other programs
+    bool lights_are_users_ = false;
+    std::optional<LivePicture> live_;
+    std::optional<Camera> shown_camera_;
+    PixelSize shown_pixels_;
+    bool restart_ = false, moving_ = false;
+    bool screenshot_wanted_ = false;
+    Clock::time_point moved_ = start_;
+
+    WindowReport report_;
+    bool frame_moved_ = false;
+    double mean_frame_ms_ = 0;
+};
+
+} // namespace pointrt
