@@ -126,7 +126,8 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
     addChoice(app, "--progress", options.progress, kProgressStyles,
               "On standard error; lines: 'progress SHARE STAGE POINTS_PER_SECOND' for programs (default auto)");
     app.add_flag_callback(
-        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; }, "No progress, but what --progress lines asks for");
+        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; },
+        "No progress, but what --progress lines asks for");
     app.add_flag_callback(
         "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail");
 }

@@ -19,8 +19,9 @@ struct StageWeight {
     std::string_view stage;
     double percent;
 };
-constexpr StageWeight kWeights[] = {{"read", 10}, {"neighbors", 23},  {"normals", 19}, {"orientation", 5}, {"radii", 19},
-                                    {"quantize", 5}, {"octree", 8}, {"prune", 10},  {"write", 1}};
+constexpr StageWeight kWeights[] = {{"read", 10},       {"neighbors", 23}, {"normals", 19},
+                                    {"orientation", 5}, {"radii", 19},     {"quantize", 5},
+                                    {"octree", 8},      {"prune", 10},     {"write", 1}};
 
 /// Of the whole bake, from the share of one of its stages. Those that it leaves out make it jump ahead.
 double wholeShare(std::string_view stage, double share) {
@@ -72,7 +73,8 @@ void Progress::update(double share) {
 double Progress::totalSeconds() const { return secondsBetween(start_, Clock::now()); }
 
 double Progress::rate(double share, double elapsed_s) const {
-    return elapsed_s > 0 ? share * static_cast<double>(points_) / elapsed_s : 0;
+    if (elapsed_s < std::chrono::duration<double>(kRedrawInterval).count()) return 0; // too short to go by
+    return share * static_cast<double>(points_) / elapsed_s;
 }
 
 void Progress::writeLine(double share, double elapsed_s) {

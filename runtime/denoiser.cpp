@@ -184,4 +184,15 @@ void denoiseFilm(Device& device, Film& film) {
     for (Buffer* buffer : {&color, &surface, &albedo}) destroyBuffer(device, *buffer);
 }
 
+void denoisePicture(Device& device, Film& film) {
+    std::vector<float> alpha;
+    alpha.reserve(film.rgba.size() / 4);
+    for (std::size_t i = 3; i < film.rgba.size(); i += 4) {
+        alpha.push_back(film.rgba[i]);
+        if (film.rgba[i] == 0) film.rgba[i] = 1;
+    }
+    denoiseFilm(device, film);
+    for (std::size_t i = 0; i < alpha.size(); ++i) film.rgba[4 * i + 3] = alpha[i];
+}
+
 } // namespace pointrt

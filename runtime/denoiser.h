@@ -63,4 +63,7 @@ void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& denoiser, std::
 /// when the device cannot.
 void denoiseFilm(Device& device, Film& film);
 
+/// The same, with what the scene does not cover taken for covered: a backdrop has shadows as noisy as any.
+void denoisePicture(Device& device, Film& film);
+
 } // namespace pointrt

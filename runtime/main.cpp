@@ -14,6 +14,9 @@
 #include "runtime/report.h"
 #include "runtime/settings.h"
 #include "runtime/turntable.h"
+#ifdef POINTRT_HAS_WINDOW
+#include "runtime/window/window.h"
+#endif
 
 namespace {
 
@@ -34,12 +37,23 @@ void render(const Options& options) {
     if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-")) writeText(options.stats, json);
 }
 
+void showWindow(const Options& options) {
+    if (!options.stats.empty() && options.stats != "-") requireWritable(options.stats);
+#ifdef POINTRT_HAS_WINDOW
+    runWindow(options);
+#else
+    throw Error{ExitCode::kBadUsage, "this build has no window; -o FILE.png or -o FILE.exr renders to a file"};
+#endif
+}
+
 int run(int argc, const char* const* argv) {
     secondsSinceStart(); // where the kernel does not tell, the clock starts here
     Options options;
     if (const std::optional<int> done = parseOptions(argc, argv, options)) return *done;
     if (options.list_devices)
         writeText("-", listDevices());
+    else if (opensWindow(options))
+        showWindow(options);
     else
         render(options);
     if (const std::uint64_t messages = validationMessages())

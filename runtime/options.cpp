@@ -23,6 +23,8 @@ constexpr double kMaxSeconds = 1e7; // a third of a year
 constexpr double kMaxHeight = 1e12; // as scene files take lengths
 constexpr double kMaxExposure = 20; // stops: a factor of a million
 
+const Names<bool> kProgressNames = {{"auto", false}, {"lines", true}};
+
 std::string parseOutput(const std::string& path) {
     if (path.ends_with(".png") || path.ends_with(".exr")) return path;
     throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
@@ -174,6 +176,9 @@ void addRunOptions(CLI::App& app, Options& options) {
         [&](const std::string& text) { options.bench_frames = parseCount(text, 1, kMaxBenchFrames); });
     add(app, "--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
         [&](const std::string& text) { options.stats = text; });
+    add(app, "--progress", "auto|lines",
+        "On standard error; lines: 'progress SHARE DETAIL' for programs (default auto: for people)",
+        [&](const std::string& text) { options.progress_lines = parseName(kProgressNames, text); });
     app.add_flag("-q,--quiet", options.quiet, "No progress (default: off)");
     app.add_flag("-v,--verbose", options.verbose, "More detail on standard error (default: off)");
     app.set_version_flag("--version", "pointrt-view " POINTRT_VERSION, "Print the version and end");

@@ -39,6 +39,7 @@ struct Options {
     std::string record, replay; ///< files of what the user does (window/recording.h), empty for none
     bool offscreen = false;     ///< a window that is not shown
     bool quiet = false, verbose = false;
+    bool progress_lines = false; ///< for programs that show it in their own way
 };
 
 /// True where what options ask for is a window.

@@ -15,12 +15,14 @@ constexpr const char* kWipe = "\r\033[K";
 
 } // namespace
 
-Progress::Progress(bool quiet, bool verbose) : start_(std::chrono::steady_clock::now()), drawn_(start_) {
-    if (quiet) return;
+Progress::Progress(bool quiet, bool verbose, bool for_programs)
+    : start_(std::chrono::steady_clock::now()), drawn_(start_) {
+    if (for_programs) style_ = Style::kForPrograms;
+    if (quiet || for_programs) return;
     if (isatty(STDERR_FILENO))
         style_ = Style::kRedrawn;
     else if (verbose)
-        style_ = Style::kLines;
+        style_ = Style::kTenths;
 }
 
 void Progress::update(double share, const std::string& detail) {
@@ -33,8 +35,12 @@ void Progress::update(double share, const std::string& detail) {
         drawn_ = now;
         on_screen_ = true;
     }
+    if (style_ == Style::kForPrograms && now - drawn_ >= kRedraw) {
+        std::fprintf(stderr, "progress %.4f %s\n", share, detail.c_str());
+        drawn_ = now;
+    }
     const int tenths = static_cast<int>(10 * share);
-    if (style_ == Style::kLines && tenths > tenths_) {
+    if (style_ == Style::kTenths && tenths > tenths_) {
         std::fprintf(stderr, "rendering %d%%, %.1f s left%s%s\n", 10 * tenths, left, detail.empty() ? "" : ", ",
                      detail.c_str());
         tenths_ = tenths;

@@ -53,7 +53,7 @@ FrameState renderTimed(RenderSession& session, const Options& options, const Fil
 }
 
 FrameState renderShown(RenderSession& session, const Options& options, const Film* start, Report& report) {
-    Progress progress(options.quiet, options.verbose);
+    Progress progress(options.quiet, options.verbose, options.progress_lines);
     const ShowProgress show = [&](const FrameState& state, double share) { progress.update(share, detailOf(state)); };
     const FrameState state = renderTimed(session, options, start, show, report);
     progress.finish();
@@ -70,15 +70,6 @@ FrameState renderFrames(RenderSession& session, const Options& options, const Fi
     return state;
 }
 
-/// The denoiser keeps to what the scene covers, but a backdrop outside it has shadows as noisy as any.
-void denoiseAll(Device& device, Film& film) {
-    const std::vector<float> covered = film.rgba;
-    for (std::size_t i = 3; i < film.rgba.size(); i += 4)
-        if (film.rgba[i] == 0) film.rgba[i] = 1;
-    denoiseFilm(device, film);
-    for (std::size_t i = 3; i < film.rgba.size(); i += 4) film.rgba[i] = covered[i];
-}
-
 /// The picture of the frame that has just ended as state, with the filter where it is wanted.
 Film finishFilm(RenderSession& session, const Options& options, const FrameState& state, Report& report) {
     Film film = readFilm(*session.tracer);
@@ -86,7 +77,7 @@ Film finishFilm(RenderSession& session, const Options& options, const FrameState
     report.noise = relativeNoise(film);
     if (!wantsDenoising(options, session.settings, session.scene->description, report.samples)) return film;
     const Clock::time_point start = Clock::now();
-    denoiseAll(session.device, film);
+    denoisePicture(session.device, film);
     report.denoise_ms = millisecondsSince(start);
     return film;
 }
@@ -154,7 +145,7 @@ void renderTurntable(RenderSession& session, const Options& options, Report& rep
                              sceneUp(scene.description, session.settings)};
     const Camera first = session.camera;
     noteInterrupts();
-    Progress progress(options.quiet, options.verbose);
+    Progress progress(options.quiet, options.verbose, options.progress_lines);
     std::uint32_t turn = 0;
     for (; turn < options.turntable; ++turn) {
         session.camera = turntableCamera(first, axis, turn, options.turntable);

@@ -42,15 +42,6 @@ std::optional<double> startAfterBoot() {
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-std::string quoted(const std::string& text) {
-    std::string json = "\"";
-    for (char c : text) {
-        if (c == '"' || c == '\\') json += '\\';
-        json += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-    return json + "\"";
-}
-
 std::string number(double value) {
     if (!std::isfinite(value)) return "null";
     char text[32];
@@ -61,7 +52,7 @@ std::string number(double value) {
 std::string object(const std::vector<std::pair<const char*, std::string>>& members) {
     std::string json = "{";
     for (const auto& [name, value] : members)
-        json += (json.size() > 1 ? ",\n  " : "\n  ") + quoted(name) + ": " + value;
+        json += (json.size() > 1 ? ",\n  " : "\n  ") + jsonText(name) + ": " + value;
     return json + "\n}\n";
 }
 
@@ -78,6 +69,15 @@ void writeStandardOutput(const std::string& text) {
 
 } // namespace
 
+std::string jsonText(const std::string& text) {
+    std::string json = "\"";
+    for (char c : text) {
+        if (c == '"' || c == '\\') json += '\\';
+        json += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return json + "\"";
+}
+
 std::string reportJson(const Report& report) {
     std::vector<double> sorted = report.frame_ms;
     std::sort(sorted.begin(), sorted.end());
@@ -88,10 +88,10 @@ std::string reportJson(const Report& report) {
     const std::string rays = "{\"primary\": " + std::to_string(report.rays.primary) +
                              ", \"shadow\": " + std::to_string(report.rays.shadow) +
                              ", \"secondary\": " + std::to_string(report.rays.secondary) + "}";
-    return object({{"device", quoted(report.device)},
+    return object({{"device", jsonText(report.device)},
                    {"width", std::to_string(report.width)},
                    {"height", std::to_string(report.height)},
-                   {"integrator", quoted(report.integrator)},
+                   {"integrator", jsonText(report.integrator)},
                    {"spp", std::to_string(report.spp)},
                    {"samples", std::to_string(report.samples)},
                    {"noise", number(report.noise)},

@@ -30,6 +30,9 @@ struct Report {
 /// (0 where no ray was traced).
 std::string reportJson(const Report& report);
 
+/// text as a JSON string, with its quotes.
+std::string jsonText(const std::string& text);
+
 /// text to path, or to standard output for "-". Throws Error kCannotWrite "PATH: reason".
 void writeText(const std::string& path, const std::string& text);
 

@@ -5,7 +5,7 @@ namespace pointrt {
 
 SampleRecorder::SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
-      center_(sample.at_centers ? STEP_CENTER : 0u) {}
+      center_(sample.at_centers ? STEP_CENTER : 0u), steady_(sample.steady ? STEP_STEADY : 0u) {}
 
 void SampleRecorder::firstHits() {
     const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
@@ -69,14 +69,14 @@ void SampleRecorder::run(const Program& program, std::uint32_t pass, std::uint32
 
 void SampleRecorder::record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
                             std::uint32_t groups) {
-    const gpu::PushParams params{{sample_, 0, pass, bits}};
+    const gpu::PushParams params{{sample_, 0, pass, bits | steady_}};
     recordDispatch(commands_, program, set, pushBytes(params), {groups, 1, 1});
     recordBarrier(commands_);
 }
 
 void SampleRecorder::recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
                                     std::size_t offset) {
-    const gpu::PushParams params{{sample_, 0, pass, bits}};
+    const gpu::PushParams params{{sample_, 0, pass, bits | steady_}};
     recordDispatchIndirect(commands_, program, set, pushBytes(params), tracer_.buffers.control, offset);
     recordBarrier(commands_);
 }

@@ -34,7 +34,7 @@ private:
 
     VkCommandBuffer commands_;
     const BandTracer& tracer_;
-    std::uint32_t tiles_, sample_, center_;
+    std::uint32_t tiles_, sample_, center_, steady_;
 };
 
 } // namespace pointrt

@@ -36,6 +36,9 @@ LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
     if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
     light = loadLight(lightOfTurn(turn, path, bounce));
     vec2 u = sample2(imagePixel(path), push.step.x, pair, params.mode.w);
+    // a sun's or a ball's middle is its cone's axis
+    vec2 middle = vec2(lightKind(light) == LIGHT_QUAD ? 0.5 : 0.0, 0.5);
+    u = hasStep(STEP_STEADY) && lightKind(light) != LIGHT_SKY ? middle : u;
     if (kSkyPicture && lightKind(light) == LIGHT_SKY) return sampleSky(u);
     return sampleLight(light, point.position.xyz, u);
 }

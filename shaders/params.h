@@ -130,6 +130,7 @@ struct PushParams {
 #define STEP_FIRST_HIT 2u  // shading only records the first hit
 #define STEP_RESET 4u      // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u  // rays are read from queue 1 and appended to queue 0
+#define STEP_STEADY 32u   // lamps are asked where they are in the middle, not by chance: pictures without noise
 #define STEP_FRESH 16u     // trace: nothing was traced before for these rays
 
 #ifdef __cplusplus

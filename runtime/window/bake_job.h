@@ -25,7 +25,8 @@ private:
     Job job_;
 };
 
-/// A line "progress SHARE STAGE RATE" of pointrt-bake --progress lines, told to control; false where it is no such line.
+/// A line "progress SHARE STAGE RATE" of pointrt-bake --progress lines, told to control; false where it is no such
+/// line.
 bool tellBakeProgress(const std::string& line, JobControl& control);
 
 } // namespace pointrt

@@ -9,8 +9,8 @@ namespace pointrt {
 
 struct BakePlan {
     std::vector<std::string> inputs;
-    std::string output;       ///< the .pro
-    bool is_there = false;    ///< baked from these inputs as they are now: it need only be opened
+    std::string output;    ///< the .pro
+    bool is_there = false; ///< baked from these inputs as they are now: it need only be opened
 };
 
 /// Beside the first input and named after it: statue.pro for statue.ply. Nothing is ever overwritten: where that is

@@ -75,7 +75,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
 ChildProcess::~ChildProcess() {
     if (!waitStatus()) {
         signal(SIGKILL);
-        while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {}
+        while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+        }
     }
     if (output_ >= 0) close(output_);
 }

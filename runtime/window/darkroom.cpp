@@ -47,9 +47,7 @@ void dropDenoiser(Device& device, Darkroom& darkroom) {
 GroupCount groupsOf(const FilmRange& range) { return {(range.count + DEVELOP_GROUP - 1) / DEVELOP_GROUP, 1, 1}; }
 
 /// A share of something, not light that the screen's curve is for.
-bool isNumber(std::uint32_t shown) {
-    return shown == SHOWN_NORMAL || shown == SHOWN_DEPTH || shown == SHOWN_NOISE;
-}
+bool isNumber(std::uint32_t shown) { return shown == SHOWN_NORMAL || shown == SHOWN_DEPTH || shown == SHOWN_NOISE; }
 
 } // namespace
 

@@ -36,8 +36,9 @@ Percentiles percentilesOf(std::vector<double> values_ms) {
 }
 
 std::string windowReportJson(const WindowReport& report) {
-    std::string json = "{\n  \"device\": \"" + jsonText(report.device) + "\",\n";
-    json += "  \"width\": " + std::to_string(report.width) + ",\n  \"height\": " + std::to_string(report.height) + ",\n";
+    std::string json = "{\n  \"device\": " + jsonText(report.device) + ",\n";
+    json +=
+        "  \"width\": " + std::to_string(report.width) + ",\n  \"height\": " + std::to_string(report.height) + ",\n";
     json += "  \"moving_frame_ms\": " + percentilesJson(percentilesOf(report.moving_ms)) + ",\n";
     json += "  \"refining_frame_ms\": " + percentilesJson(percentilesOf(report.resting_ms)) + ",\n";
     json += "  \"moving_pixels\": " + percentilesJson(percentilesOf(report.moving_pixels)) + ",\n";

@@ -14,11 +14,11 @@
 namespace pointrt {
 
 struct HostRequest {
-    std::string device;           ///< as in DeviceRequest
+    std::string device; ///< as in DeviceRequest
     bool verbose = false;
-    bool offscreen = false;       ///< no window: nothing is shown, and input comes from elsewhere
+    bool offscreen = false;                   ///< no window: nothing is shown, and input comes from elsewhere
     std::uint32_t width = 1280, height = 720; ///< window units
-    double scale = 1;             ///< pixels in a window unit, where there is no window to tell
+    double scale = 1;                         ///< pixels in a window unit, where there is no window to tell
     std::string title;
 };
 

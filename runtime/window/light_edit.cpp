@@ -36,6 +36,7 @@ double brightnessOfOne(const LightDescription& light, double reach) {
 double brightest(const Color& color) { return std::max({color[0], color[1], color[2]}); }
 
 Color scaled(const Color& color, double factor) {
+    if (!std::isfinite(factor)) return color;
     Color result;
     for (std::size_t c = 0; c < color.size(); ++c)
         result[c] = static_cast<float>(std::clamp(factor * color[c], 0.0, kMostLight));
@@ -43,9 +44,7 @@ Color scaled(const Color& color, double factor) {
 }
 
 /// Any unit vector at right angles to v.
-Vec3 across(Vec3 v) {
-    return normalize(std::abs(v.x) < 0.7 ? cross(v, Vec3{1, 0, 0}) : cross(v, Vec3{0, 1, 0}));
-}
+Vec3 across(Vec3 v) { return normalize(std::abs(v.x) < 0.7 ? cross(v, Vec3{1, 0, 0}) : cross(v, Vec3{0, 1, 0})); }
 
 /// As large beside the scene as a window or a softbox beside a person.
 constexpr double kLampRadius = 0.2, kPanelHalfEdge = 0.4;

@@ -48,8 +48,8 @@ Vec3* positionOf(LightDescription& light);
 
 /// The scene that a light is made for: a sphere around it, and from where it is looked at.
 struct LitScene {
-    Vec3 centre, up;         ///< up: unit length
-    double radius = 1;       ///< above 0
+    Vec3 centre, up;                  ///< up: unit length
+    double radius = 1;                ///< above 0
     Vec3 eye_right, eye_up, eye_back; ///< orthonormal
 };
 /// A light of this kind above the viewer's left shoulder, turned to the scene, of brightness 0.7 there.

@@ -65,20 +65,30 @@ void LivePicture::setView(const LiveView& view, bool moving) {
 }
 
 void LivePicture::restart(bool moving) {
-    moving_ = moving;
+    updates_.clear();
     moved_ = Clock::now();
     moving_size_ = moving_pace_.movingSize(moving_budget_s_, full_, moving_size_);
     begin(moving ? Stage::kMoving : Stage::kFine);
 }
 
 void LivePicture::setLook(const Look& look, bool denoise) {
-    const bool had_guides = has_guides_;
     view_.look = look;
     view_.denoise = denoise;
-    if (full_.width == 0 || samples_ == 0 || size_ != full_ || sample_ || (wantsGuides() && !had_guides))
-        return restart(false);
-    showRows(0, full_.height, has_guides_);
-    if (denoisesNow()) begin(Stage::kDenoising);
+    if (full_.width == 0) return;
+    const bool lacks_hits = samples_ > 0 && !has_guides_ && hasHits();
+    if (lacks_hits) return restart(false);
+    if (denoise && look.shown == SHOWN_BEAUTY && has_denoised_) return showDenoised();
+    showFilm();
+    denoise_due_ = denoise && stage_ != Stage::kDenoising;
+    if (stage_ == Stage::kResting) next();
+}
+
+/// All rows that have samples, but those under way.
+void LivePicture::showFilm() {
+    const std::uint32_t under_way = sample_ ? sample_->rows : 0;
+    if (row_ > 0) showRows(0, row_, samples_ + 1);
+    if (samples_ > 0 && row_ + under_way < size_.height)
+        showRows(row_ + under_way, size_.height - row_ - under_way, samples_);
 }
 
 void LivePicture::begin(Stage stage) {
@@ -93,7 +103,7 @@ void LivePicture::begin(Stage stage) {
     sample_.reset();
     row_ = 0;
     samples_ = 0;
-    has_guides_ = false;
+    has_guides_ = has_denoised_ = denoise_due_ = false;
 }
 
 /// Where to go from a stage that is done.
@@ -107,16 +117,14 @@ void LivePicture::next() {
 /// At sample counts that are powers of two: in between the picture hardly changes.
 bool LivePicture::denoisesNow() const {
     return view_.denoise && view_.look.shown == SHOWN_BEAUTY && has_guides_ && samples_ >= 2 && samples_ < kClean &&
-           (std::has_single_bit(samples_) || samples_ == view_.settings.spp);
+           (denoise_due_ || std::has_single_bit(samples_) || samples_ == view_.settings.spp);
 }
 
 void LivePicture::work(double seconds) {
-    updates_.clear();
     if (full_.width == 0 || film_pixels_ == 0) return;
     const Clock::time_point start = Clock::now();
     if (stage_ == Stage::kMoving && samples_ > 0) {
         if (since(moved_) < kRest_s) return;
-        moving_ = false;
         begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kFine);
     }
     double left = seconds;
@@ -153,7 +161,8 @@ void LivePicture::openSlice(double seconds_left) {
     openBand(device_, tracer_, settings, view_.camera, {row_, rows}, {size_.width * size_.height, size_.width * row_});
     BandSample sample{size_.width, rows, samples_};
     sample.at_centers = stage_ != Stage::kFine || view_.settings.spp == 1;
-    sample.first_hits = samples_ == 0 && wantsGuides();
+    sample.steady = stage_ != Stage::kFine;
+    sample.first_hits = samples_ == 0 && hasHits();
     sample_ = sample;
     slice_seconds_ = 0;
 }
@@ -165,28 +174,31 @@ void LivePicture::finishSlice() {
     traced_seconds_ += slice_seconds_;
     sample_.reset();
     row_ += rows;
-    ++samples_; // of these rows: what showRows looks at
-    const bool guides = wantsGuides();
     // where the denoiser is at work, the picture in between is its last one
-    if (samples_ == 1 || !view_.denoise || view_.look.shown != SHOWN_BEAUTY || samples_ > kClean)
-        showRows(first_row, rows, guides);
-    if (row_ < size_.height) {
-        --samples_;
-        return;
-    }
+    if (samples_ == 0 || !view_.denoise || view_.look.shown != SHOWN_BEAUTY || samples_ >= kClean)
+        showRows(first_row, rows, samples_ + 1);
+    if (row_ < size_.height) return;
     row_ = 0;
-    has_guides_ = guides;
+    ++samples_;
+    has_guides_ = hasHits();
     next();
+}
+
+/// Whether the film of this stage gets first hits. The whole picture has them for the denoiser and for files, others
+/// only where they are looked at.
+bool LivePicture::hasHits() const {
+    const bool looked_at = needsFirstHits(view_.look);
+    return looked_at || (stage_ == Stage::kFine && (view_.denoise || view_.settings.first_hits));
 }
 
 FilmRange LivePicture::rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const {
     return {size_.width * first_row, size_.width * rows, size_.width * size_.height, samples};
 }
 
-void LivePicture::showRows(std::uint32_t first_row, std::uint32_t rows, bool guides) {
-    const FilmRange range = rangeOf(first_row, rows, samples_);
+void LivePicture::showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
+    const FilmRange range = rangeOf(first_row, rows, samples);
     const VkCommandBuffer commands = beginCommands(device_);
-    recordResolve(commands, darkroom_, range, view_.look, guides);
+    recordResolve(commands, darkroom_, range, view_.look, false);
     recordDevelop(commands, darkroom_, range, view_.look, false);
     submitAndWait(device_, commands);
     updates_.push_back({size_, first_row, rows});
@@ -197,12 +209,19 @@ void LivePicture::denoiseOn() {
     const FilmRange all = rangeOf(0, full_.height, samples_);
     if (denoise_step_ == 0) recordResolve(commands, darkroom_, all, view_.look, true);
     recordDenoiseStep(commands, *darkroom_.denoiser, denoise_step_++);
-    const bool done = denoise_step_ == kDenoiseSteps;
-    if (done) recordDevelop(commands, darkroom_, all, view_.look, true);
     submitAndWait(device_, commands);
-    if (!done) return;
-    updates_.push_back({full_, 0, full_.height});
+    if (denoise_step_ < kDenoiseSteps) return;
+    has_denoised_ = true;
+    denoise_due_ = false;
     stage_ = samples_ < view_.settings.spp ? Stage::kFine : Stage::kResting;
+    if (view_.denoise && view_.look.shown == SHOWN_BEAUTY) showDenoised();
+}
+
+void LivePicture::showDenoised() {
+    const VkCommandBuffer commands = beginCommands(device_);
+    recordDevelop(commands, darkroom_, rangeOf(0, full_.height, samples_), view_.look, true);
+    submitAndWait(device_, commands);
+    updates_.push_back({full_, 0, full_.height});
 }
 
 LiveProgress LivePicture::progress() const {

@@ -64,9 +64,11 @@ public:
     /// How many samples it goes on to.
     void setSamples(std::uint32_t spp) { view_.settings.spp = spp; }
 
-    /// Works for about so many seconds, less where nothing is left to do. What has become new is in updates().
+    /// Works for about so many seconds, less where nothing is left to do.
     void work(double seconds);
+    /// What has become new since clearUpdates.
     const std::vector<PictureUpdate>& updates() const { return updates_; }
+    void clearUpdates() { updates_.clear(); }
     const Buffer& pixels() const { return darkroom_.pixels; }
 
     LiveProgress progress() const;
@@ -91,9 +93,10 @@ private:
     void openSlice(double seconds_left);
     void finishSlice();
     void denoiseOn();
-    void showRows(std::uint32_t first_row, std::uint32_t rows, bool guides);
+    void showFilm();
+    void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
     void showDenoised();
-    bool wantsGuides() const { return view_.denoise || view_.settings.first_hits || needsFirstHits(view_.look); }
+    bool hasHits() const;
     bool denoisesNow() const;
     FilmRange rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const;
 
@@ -104,7 +107,6 @@ private:
     LiveView view_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kResting;
-    bool moving_ = false;
     Clock::time_point moved_{};
     PictureSize full_, size_, moving_size_;
     Pace moving_pace_, fine_pace_;
@@ -112,6 +114,8 @@ private:
     std::uint32_t row_ = 0;            ///< the slice's first
     std::uint32_t samples_ = 0;        ///< of every pixel of size_
     bool has_guides_ = false;          ///< the whole film has first hits
+    bool has_denoised_ = false;        ///< of this view
+    bool denoise_due_ = false;         ///< after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;
     double slice_seconds_ = 0, denoise_step_seconds_ = 0;
     RayCounts rays_;

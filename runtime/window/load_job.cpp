@@ -11,9 +11,7 @@ LoadJob::LoadJob(Device& device, const Options& options)
                                 loaded_ = loadFromFile(device, worker_.get(), options, control);
                             }) {}
 
-std::unique_ptr<LoadedScene> LoadJob::take() {
-    return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr;
-}
+std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 
 RefurnishJob::RefurnishJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
                            const RenderSettings& settings)

@@ -13,7 +13,7 @@ namespace pointrt {
 namespace {
 
 // What of loading is done when a stage begins, by the times of scans of half a million to a million splats on a CPU.
-constexpr double kFilesShare = 0.0, kRowsShare = 0.25, kProgramsShare = 0.3, kPhotonsShare = 0.7;
+constexpr double kFilesShare = 0.0, kRowsShare = 0.55, kProgramsShare = 0.58, kPhotonsShare = 0.75;
 
 Camera framed(const StagedScene& scene, const RenderSettings& settings) {
     return frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
@@ -42,20 +42,16 @@ void begin(JobControl& control, const char* stage, double share) {
 }
 
 /// Leaves the photons there were out.
-void forgetPhotons(LoadedScene& loaded) {
-    loaded.tracer.caustics.frame.count.x = 0;
-    loaded.lacks_photons = wantsPhotons(loaded);
-}
+void forgetPhotons(LoadedScene& loaded) { loaded.tracer.caustics.frame.count.x = 0; }
 
 /// Photons for the scene as it is now.
 void castPhotons(Device& device, LoadedScene& loaded) {
     BandTracer& tracer = loaded.tracer;
-    CausticMap map = wantsPhotons(loaded) ? buildCaustics(device, loaded.scene, tracer.programs, kPhotons)
-                                          : emptyCaustics(device);
+    CausticMap map =
+        wantsPhotons(loaded) ? buildCaustics(device, loaded.scene, tracer.programs, kPhotons) : emptyCaustics(device);
     destroyCaustics(device, tracer.caustics);
     tracer.caustics = std::exchange(map, {});
     rebind(device, tracer);
-    loaded.lacks_photons = false;
 }
 
 /// Whether the scene has become one for other programs.
@@ -127,10 +123,11 @@ SceneDescription withSurroundings(const LoadedScene& loaded, const RenderSetting
 
 void refurnish(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
                JobControl& control) {
-    begin(control, "materials and lights", kFilesShare);
+    loaded.lacks_photons = false; // nor is it to be tried again where the user does not want to wait
+    control.say("materials and lights");
     furnish(device, loaded, description, settings);
     forgetPhotons(loaded);
-    // from here on to the end, for rows, programs and bindings belong together
+    // not to be cancelled: rows, programs and bindings belong together
     control.say("programs");
     if (rebuildPrograms(device, loaded)) control.setShare(kPhotonsShare);
     rebind(device, loaded.tracer);
@@ -144,6 +141,7 @@ bool refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& d
     if (!furnishAlike(device, loaded.scene, description, settings)) return false;
     noteSettings(loaded, settings);
     forgetPhotons(loaded);
+    loaded.lacks_photons = wantsPhotons(loaded);
     rebind(device, loaded.tracer);
     return true;
 }

@@ -37,7 +37,7 @@ struct LoadedScene {
     StagedScene scene;
     BandTracer tracer; ///< for LivePicture
     ProgramKinds program_kinds;
-    bool lacks_photons = false; ///< the scene throws caustics that are left out until it is refurnished
+    bool lacks_photons = false; ///< since refurnishNow: the scene throws caustics, for which it takes a refurnish
 };
 
 /// Loads options.scene with the rest of what the command line says. worker: of owner, for the calling thread. Tells
@@ -50,7 +50,7 @@ SceneDescription withSurroundings(const LoadedScene& loaded, const RenderSetting
 /// Furnishes loaded for description, which has its surroundings, and settings: rows, and, where it takes others,
 /// programs and photons. Nobody else may use loaded meanwhile; pictures of it start over. Throws Error kBadInput where
 /// a picture of the sky cannot be read or description names other files or places, with nothing changed. Cancelled, it
-/// leaves photons out.
+/// leaves photons out, for good, and nothing else.
 void refurnish(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
                JobControl& control);
 

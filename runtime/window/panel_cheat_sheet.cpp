@@ -60,12 +60,14 @@ void drawColumn(const char* id, bool first) {
 
 void drawCheatSheet(Workspace& w, FreeArea area) {
     const float column = (kPressWidth + kDoesWidth + 2 * kMargin) * uiScale();
+    if (area.width < column) area.width = ImGui::GetIO().DisplaySize.x; // then over the panel
     const bool wide = area.width > 2 * column;
     ImGui::SetNextWindowPos(ImVec2(area.width / 2, area.height / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(1, 1), ImVec2(area.width, area.height));
-    const bool shown = ImGui::Begin("Controls", &w.show_cheat_sheet,
-                                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing);
+    const bool shown =
+        ImGui::Begin("Controls", &w.show_cheat_sheet,
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_HorizontalScrollbar);
     if (shown) {
         ImGui::BeginGroup();
         drawColumn("camera", true);

@@ -7,6 +7,9 @@
 namespace pointrt {
 namespace {
 
+/// Of ImGui's fallback window, which every context has, whatever is shown.
+ImGuiStorage& storage() { return ImGui::FindWindowByName("Debug##Default")->StateStorage; }
+
 /// The edits that were under way at the end of the last frame.
 int& underWay() { return keptInt("edits under way", 0); }
 
@@ -35,15 +38,8 @@ void endEdits(Requests& requests) {
     underWay() = 0;
 }
 
-// The storage of ImGui's fallback window, which every context has, whatever is shown.
-int& keptInt(const char* name, int fallback) {
-    ImGuiContext& context = *ImGui::GetCurrentContext();
-    return *context.Windows[0]->StateStorage.GetIntRef(ImHashStr(name), fallback);
-}
+int& keptInt(const char* name, int fallback) { return *storage().GetIntRef(ImHashStr(name), fallback); }
 
-float& keptFloat(const char* name, float fallback) {
-    ImGuiContext& context = *ImGui::GetCurrentContext();
-    return *context.Windows[0]->StateStorage.GetFloatRef(ImHashStr(name), fallback);
-}
+float& keptFloat(const char* name, float fallback) { return *storage().GetFloatRef(ImHashStr(name), fallback); }
 
 } // namespace pointrt

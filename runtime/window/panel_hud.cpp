@@ -46,7 +46,8 @@ void drawFigures(const Workspace& w) {
 }
 
 /// A box on the picture that lets the mouse through, from top down; returns where it ends.
-template <typename Content> float drawBox(const char* name, float top, float width, const Content& content) {
+template <typename Content>
+float drawBox(const char* name, float top, float width, const Content& content) {
     ImGui::SetNextWindowPos(ImVec2(kMargin * uiScale(), top));
     ImGui::SetNextWindowSize(ImVec2(width * uiScale(), 0));
     ImGui::SetNextWindowBgAlpha(0.6f);
@@ -61,10 +62,11 @@ template <typename Content> float drawBox(const char* name, float top, float wid
 
 } // namespace
 
-void drawHud(const Workspace& w) {
-    const float margin = kMargin * uiScale();
+void drawHud(const Workspace& w, FreeArea area) {
+    const float margin = kMargin * uiScale(), width = area.width / uiScale() - kMargin;
+    if (width < kWidth) return;
     const float bottom = drawBox("Figures", margin, kWidth, [&] { drawFigures(w); });
-    if (!w.picks.empty()) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
+    if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
 }
 
 } // namespace pointrt

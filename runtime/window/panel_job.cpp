@@ -43,7 +43,8 @@ void drawMovingBar(double time_s) {
     const float right = corner.x + size.x * std::min(1.0f, from + part);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float round = ImGui::GetStyle().FrameRounding;
-    list.AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y), ImGui::GetColorU32(ImGuiCol_FrameBg), round);
+    list.AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y), ImGui::GetColorU32(ImGuiCol_FrameBg),
+                       round);
     list.AddRectFilled(ImVec2(left, corner.y), ImVec2(right, corner.y + size.y),
                        ImGui::GetColorU32(ImGuiCol_PlotHistogram), round);
     ImGui::Dummy(size);
@@ -109,8 +110,8 @@ void drawJobAndNotices(Workspace& w, FreeArea area) {
         if (!(opacity > 0)) continue;
         const std::string name = std::string("Notice ") + std::to_string(number++);
         ImGui::SetNextWindowBgAlpha(0.85f * opacity);
-        bottom = standOn(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs,
-                         [&] { drawNotice(*notice, opacity); }) - margin / 2;
+        bottom = standOn(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
+                 margin / 2;
     }
 }
 
@@ -119,9 +120,9 @@ void drawEmptyState(const Workspace& w, FreeArea area) {
     constexpr const char* text = "Drop a .pro or a scan here";
     const float size = 1.6f * ImGui::GetFontSize();
     const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text);
-    ImGui::GetBackgroundDrawList()->AddText(
-        ImGui::GetFont(), size, ImVec2((area.width - extent.x) / 2, (area.height - extent.y) / 2),
-        ImGui::GetColorU32(ImGuiCol_TextDisabled), text, nullptr, area.width);
+    ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size,
+                                            ImVec2((area.width - extent.x) / 2, (area.height - extent.y) / 2),
+                                            ImGui::GetColorU32(ImGuiCol_TextDisabled), text, nullptr, area.width);
 }
 
 } // namespace pointrt

@@ -31,7 +31,11 @@ bool isRoomFor(const SceneDescription& scene, bool surface) {
 
 LitScene litScene(const Workspace& w) {
     const ViewAxes axes = axesOf(w.camera);
-    return {0.5 * (w.scene_min + w.scene_max), sceneUpright(w), 0.5 * sceneSize(w), axes.right, axes.up,
+    return {0.5 * (w.scene_min + w.scene_max),
+            sceneUpright(w),
+            0.5 * sceneSize(w),
+            axes.right,
+            axes.up,
             -1.0 * axes.forward};
 }
 
@@ -60,7 +64,8 @@ void drawList(Workspace& w) {
     const int count = static_cast<int>(w.scene.lights.size());
     if (count == 0) return noteText("No lights: only the sky shines.");
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    const float height = row * static_cast<float>(std::min(count, kMostRows)) + 2 * ImGui::GetStyle().WindowPadding.y - ImGui::GetStyle().ItemSpacing.y;
+    const float height = row * static_cast<float>(std::min(count, kMostRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
+                         ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("lights", ImVec2(0, height), true);
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     for (int l = 0; l < count; ++l) {
@@ -78,7 +83,8 @@ void drawList(Workspace& w) {
 
 void drawAddMenu(Workspace& w) {
     if (!ImGui::BeginPopup("add light")) return;
-    for (const LightKind kind : {LightKind::kSphere, LightKind::kQuad, LightKind::kSun, LightKind::kSpot, LightKind::kPoint}) {
+    for (const LightKind kind :
+         {LightKind::kSphere, LightKind::kQuad, LightKind::kSun, LightKind::kSpot, LightKind::kPoint}) {
         const bool surface = kind == LightKind::kSphere || kind == LightKind::kQuad;
         constexpr const char* hints[] = {"no size, hard shadows", "a cone, hard shadows", "from far away, parallel",
                                          "a ball, soft shadows", "a rectangle, soft shadows"};
@@ -97,7 +103,8 @@ void drawButtons(Workspace& w) {
     drawAddMenu(w);
     ImGui::SameLine();
     ImGui::BeginDisabled(!any || !isRoomFor(w.scene, surface));
-    if (shareButton("Copy", 3, false, "another light like the chosen one")) addLight(w, LightDescription(w.scene.lights[selected]));
+    if (shareButton("Copy", 3, false, "another light like the chosen one"))
+        addLight(w, LightDescription(w.scene.lights[selected]));
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!any);

@@ -30,7 +30,8 @@ bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     bool changed = noteScene(w, slideRow("Azimuth", bearing.azimuth_deg, {0, 360}, kDegrees, tip));
     changed |= noteScene(w, slideRow("Height", bearing.height_deg, {-steepest, steepest}, kDegrees,
                                      "over the horizon; below 0 from underneath"));
-    if (changed) direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.height_deg, -steepest, steepest)}, up);
+    if (changed)
+        direction = directionOf({bearing.azimuth_deg, std::clamp(bearing.height_deg, -steepest, steepest)}, up);
     return changed;
 }
 
@@ -63,10 +64,11 @@ void drawKind(Workspace& w, SpotLight& light) {
     if (aimButton(w, "Aim", "at the middle of the picture", 2))
         light.direction = towardsPivot(w, light.position, light.direction);
     bearingRows(w, light.direction, "where it points, from north by way of east");
+    const double outer_deg = std::max(0.0, std::min(light.outer_deg, 90.0)); // 0 where it is no number
     const double undimmed = std::clamp(light.inner_deg / light.outer_deg, 0.0, 1.0);
     if (noteScene(w, slideRow("Cone", light.outer_deg, {0.1, 90}, kDegrees, "half of its opening angle")))
         light.inner_deg = undimmed * light.outer_deg;
-    noteScene(w, slideRow("Full inside", light.inner_deg, {0, light.outer_deg}, kDegrees,
+    noteScene(w, slideRow("Full inside", light.inner_deg, {0, outer_deg}, kDegrees,
                           "undimmed up to this angle; the rest of the cone is its soft edge"));
 }
 
@@ -81,7 +83,8 @@ void drawKind(Workspace& w, SphereLight& light) {
     positionRows(w, light.center);
     if (aimButton(w, "Bring it here", "to where the camera is", 1)) light.center = w.camera.eye;
     double radius = light.radius;
-    if (noteScene(w, slideRow("Radius", radius, sizesIn(w), kSize, "scene units; larger is softer, as bright as before")))
+    if (noteScene(w,
+                  slideRow("Radius", radius, sizesIn(w), kSize, "scene units; larger is softer, as bright as before")))
         setRadius(light, radius);
     noteScene(w, switchRow("Visible", light.seen_by_camera, "whether the lamp itself is in the picture"));
 }

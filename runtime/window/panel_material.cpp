@@ -65,7 +65,8 @@ void drawScan(Workspace& w) {
 
 void drawShapeMaterial(Workspace& w, std::uint32_t number) {
     MaterialDescription& material = w.scene.materials[number];
-    const std::string title = material.name.empty() ? std::string("material ") + std::to_string(number + 1) : material.name;
+    const std::string title =
+        material.name.empty() ? std::string("material ") + std::to_string(number + 1) : material.name;
     ImGui::PushID(static_cast<int>(number));
     if (ImGui::TreeNode("material", "%s", title.c_str())) {
         int kind = static_cast<int>(material.kind);

@@ -77,7 +77,7 @@ void drawLastPick(const Workspace& w) {
     drawPick(w, w.picks.back());
     if (w.picks.size() < 2) return;
     const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
-    valueRow("To the last", lengthText(apart, sceneSize(w)).c_str());
+    valueRow("Apart", lengthText(apart, sceneSize(w)).c_str());
 }
 
 void drawMeasure(Workspace& w) {

@@ -6,7 +6,7 @@
 
 namespace pointrt {
 
-/// Length of the diagonal of the scan's bounds, input units; 1 where they are none.
+/// Length of the diagonal of the scan's bounds, input units; 1 where they are none or absurd.
 double sceneSize(const Workspace& w);
 /// What the scene stands on: unit length.
 Vec3 sceneUpright(const Workspace& w);
@@ -38,8 +38,8 @@ struct FreeArea {
 
 /// On the picture.
 void drawPickMarks(const Workspace& w);
-/// The figures in the upper left corner, and the last pick below.
-void drawHud(const Workspace& w);
+/// The figures in the upper left corner, and the last pick below; what is wider than the area is left out.
+void drawHud(const Workspace& w, FreeArea area);
 /// Rows about the last of w.picks, which must be there.
 void drawLastPick(const Workspace& w);
 void drawCheatSheet(Workspace& w, FreeArea area);

@@ -36,8 +36,8 @@ void drawLabel(ImDrawList& list, ImVec2 middle, const std::string& text) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float pad = 4 * uiScale();
     const ImVec2 corner(middle.x - size.x / 2, middle.y - size.y / 2);
-    list.AddRectFilled(ImVec2(corner.x - pad, corner.y - pad / 2), ImVec2(corner.x + size.x + pad, corner.y + size.y + pad / 2),
-                       IM_COL32(20, 20, 20, 215), pad);
+    list.AddRectFilled(ImVec2(corner.x - pad, corner.y - pad / 2),
+                       ImVec2(corner.x + size.x + pad, corner.y + size.y + pad / 2), IM_COL32(20, 20, 20, 215), pad);
     list.AddText(corner, kLight, text.c_str());
 }
 

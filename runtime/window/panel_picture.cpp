@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 /// In the order of SHOWN_* (shaders/develop_layout.h).
-constexpr const char* kShown[] = {"Picture", "Colours only", "Normals", "Depth",
+constexpr const char* kShown[] = {"Picture",      "Colours only",   "Normals",  "Depth",
                                   "Direct light", "Indirect light", "Caustics", "Noise"};
 
 } // namespace

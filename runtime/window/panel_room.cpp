@@ -35,7 +35,8 @@ void drawRoom(Workspace& w) {
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
     if (noteEdit(w.requests, Edit::kSettings,
-                 slideRow("Lamps", lamps, {0, kMostRingLights}, "on a ring above the scan, the first over your left shoulder")))
+                 slideRow("Lamps", lamps, {0, kMostRingLights},
+                          "on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }
 

@@ -66,7 +66,8 @@ bool dateRows(Requests& requests, SunDate& date) {
     changed |= note(slideRow("Year", year, {1900, 2100}));
     pushRow("Day", "of the year");
     constexpr std::uint32_t first = 1, last = 365;
-    changed |= note(ImGui::SliderScalar("##value", ImGuiDataType_U32, &day_of_year, &first, &last, day, ImGuiSliderFlags_AlwaysClamp));
+    changed |= note(ImGui::SliderScalar("##value", ImGuiDataType_U32, &day_of_year, &first, &last, day,
+                                        ImGuiSliderFlags_AlwaysClamp));
     popRow();
     changed |= note(slideRow("Hour", date.hour, {0, 24}, hour, "universal time: your clock's less its time zone"));
     date.year = static_cast<int>(year);
@@ -79,7 +80,8 @@ bool dateRows(Requests& requests, SunDate& date) {
 void drawSunByDate(Workspace& w, SunLight& sun) {
     if (!ImGui::TreeNode("By place and date")) return;
     SunDate date = keptDate();
-    const bool changed = dateRows(w.requests, date);
+    bool changed = dateRows(w.requests, date);
+    changed |= noteEdit(w.requests, Edit::kScene, ImGui::Button("Put the sun there", ImVec2(-1, 0)));
     keep(date);
     const SunPosition position = positionAt(date);
     const Vec3 up = sceneUpright(w);

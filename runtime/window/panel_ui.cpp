@@ -25,10 +25,10 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},    {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
-    {"Room", drawRoom, true},       {"Render", drawRender, false}, {"Picture", drawPicture, true},
-    {"Camera", drawCamera, false},  {"Views", drawViews, false},   {"Measure", drawMeasure, false},
-    {"Output", drawOutput, false},  {"About", drawAbout, false},
+    {"Light", drawLights, true},   {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
+    {"Room", drawRoom, true},      {"Render", drawRender, false}, {"Picture", drawPicture, true},
+    {"Camera", drawCamera, false}, {"Views", drawViews, false},   {"Measure", drawMeasure, false},
+    {"Output", drawOutput, false}, {"About", drawAbout, false},
 };
 
 float panelWidth() { return std::min(kPanelWidth * uiScale(), kMostOfWindow * ImGui::GetIO().DisplaySize.x); }
@@ -56,7 +56,8 @@ void drawPanel(Workspace& w) {
 
 double sceneSize(const Workspace& w) {
     const double size = length(w.scene_max - w.scene_min);
-    return size > 0 && std::isfinite(size) ? size : 1;
+    constexpr double smallest = 1e-9, largest = 1e13; // what scene files can hold
+    return size > smallest && size < largest ? size : 1;
 }
 
 Vec3 sceneUpright(const Workspace& w) {
@@ -69,7 +70,7 @@ void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? panelWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
-    if (w.show_hud) drawHud(w);
+    if (w.show_hud) drawHud(w, area);
     drawEmptyState(w, area);
     if (w.show_panel) drawPanel(w);
     drawJobAndNotices(w, area);

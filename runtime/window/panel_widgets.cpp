@@ -2,6 +2,7 @@
 #include "runtime/window/panel_widgets.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 constexpr float kNameWidth = 92;
 
 /// Shows widget (which may be given what is no number) and takes its answer where it is one within range.
-template <typename T, typename Widget> bool edited(T& value, SlideRange range, const Widget& widget) {
+template <typename T, typename Widget>
+bool edited(T& value, SlideRange range, const Widget& widget) {
     T shown = std::isfinite(value) ? value : static_cast<T>(range.low);
     if (!widget(shown) || !std::isfinite(shown)) return false;
     value = std::clamp(shown, static_cast<T>(range.low), static_cast<T>(range.high));
@@ -55,14 +57,15 @@ float encoded(float linear) {
     return value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f;
 }
 
-float decoded(float value) {
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
+float decoded(float value) { return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f); }
 
 } // namespace
 
 void tipHere(const char* tip) {
-    if (*tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (*tip == '\0' || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+    constexpr float patience_s = 0.5f; // tips cover the rows below: not for who passes by
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.HoveredId != 0 && context.HoveredIdTimer < patience_s) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(18 * ImGui::GetFontSize());
     ImGui::TextUnformatted(tip);
@@ -119,7 +122,7 @@ bool moveRow(const char* name, Vec3& point, double size, const char* tip) {
         if (value != &point.x) ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(std::max(1.0f, width));
         changed |= dragOf(id, *value, size / steps_in_scene, format.c_str());
-        if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) tipHere("drag, or double click to type");
+        tipHere("drag, or double click to type");
     }
     ImGui::EndGroup();
     ImGui::PopID();
@@ -172,7 +175,7 @@ bool textRow(const char* name, std::string& text, const char* hint, const char* 
 
 void valueRow(const char* name, const char* value) {
     pushRow(name, "");
-    ImGui::TextUnformatted(value);
+    ImGui::TextWrapped("%s", value);
     popRow();
 }
 

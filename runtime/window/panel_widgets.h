@@ -36,7 +36,7 @@ bool textRow(const char* name, std::string& text, const char* hint, const char* 
 /// row's own.
 void pushRow(const char* name, const char* tip);
 void popRow();
-/// A name and words that cannot be changed.
+/// A name and words that cannot be changed, wrapped.
 void valueRow(const char* name, const char* value);
 /// The tip for the widget before.
 void tipHere(const char* tip);

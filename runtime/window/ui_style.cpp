@@ -11,11 +11,10 @@ namespace pointrt {
 namespace {
 
 // Where Debian, Fedora and Arch keep a sans serif. None of them is needed: Dear ImGui brings a font.
-constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-                                  "/usr/share/fonts/TTF/DejaVuSans.ttf",
-                                  "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
-                                  "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
+constexpr const char* kFonts[] = {
+    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+    "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+    "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
 
 /// Dear ImGui's own font is a bitmap of 13 pixels.
 constexpr float kBitmapHeight = 13;
@@ -54,6 +53,7 @@ void setSurfaces(ImVec4* colors) {
     colors[ImGuiCol_TextDisabled] = grey(0.54f);
     colors[ImGuiCol_TextSelectedBg] = accent(0.45f);
     colors[ImGuiCol_WindowBg] = grey(0.115f, 0.96f);
+    colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = grey(0.15f, 0.98f);
     colors[ImGuiCol_ChildBg] = grey(0.09f, 0.6f);
     colors[ImGuiCol_PopupBg] = grey(0.13f, 0.98f);
     colors[ImGuiCol_Border] = grey(0.26f, 0.7f);

@@ -8,7 +8,7 @@
 
 #include "runtime/interrupt.h"
 #include "runtime/report.h"
-#include "runtime/window/panel.h"
+#include "runtime/window/panel_ui.h"
 #include "runtime/window/ui_style.h"
 #include "runtime/window/window_state.h"
 
@@ -61,8 +61,10 @@ Window::Window(const Options& options)
 }
 
 Window::~Window() {
-    load_.reset();
+    turntable_.reset();
     bake_.reset();
+    load_.reset();
+    refurnish_.reset();
     live_.reset();
     loaded_.reset();
 }
@@ -79,7 +81,7 @@ void Window::tell(const std::string& text, bool error) {
 }
 
 bool Window::isIdle() const {
-    if (replay_ || flight_ || busy() || !work_.notices.empty() || controls_.drag) return false;
+    if (replay_ || flight_ || work_.job || !work_.notices.empty() || controls_.drag) return false;
     if (length(flying_) > 0 || any_input_ || screenshot_wanted_ || pick_) return false;
     return !live_ || work_.paused || live_->progress().resting;
 }
@@ -89,7 +91,7 @@ std::vector<InputEvent> Window::gatherInput() {
     if (!replay_) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0, busy() || !loaded_);
+    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0, busy() || bake_ || turntable_);
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
@@ -151,7 +153,7 @@ bool Window::frame() {
     }
     fillHud();
     drawInterface(seconds);
-    applyEdits();
+    applyRequests();
     updatePicture();
     present();
     noteTimes(start);

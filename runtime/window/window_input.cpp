@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "pointrt/tool.hpp"
+#include "runtime/staging.h"
 #include "runtime/window/camera_text.h"
 #include "runtime/window/file_list.h"
 #include "runtime/window/window_state.h"
@@ -40,7 +41,7 @@ void Window::obey(const Command& command) {
         void operator()(const CentreCommand& c) const { window.pick_ = {c.x, c.y, true}; }
         void operator()(const FlyCommand& c) const { window.flying_ = c.direction; }
         void operator()(Action action) const { window.obey(action); }
-        void operator()(const DropEvent& drop) const { window.bake(drop.paths); }
+        void operator()(const DropEvent& drop) const { window.drop(drop.paths); }
         void operator()(const ResizeEvent&) const {}
     } const visitor{*this, work_.camera, viewSize()};
     std::visit(visitor, command);
@@ -49,31 +50,52 @@ void Window::obey(const Command& command) {
 void Window::obey(Action action) {
     Requests& requests = work_.requests;
     switch (action) {
-    case Action::kHome: return flyTo(home_);
-    case Action::kFrontView: return flyTo(standardView(work_.camera, StandardView::kFront));
-    case Action::kRightView: return flyTo(standardView(work_.camera, StandardView::kRight));
-    case Action::kTopView: return flyTo(standardView(work_.camera, StandardView::kTop));
-    case Action::kOppositeView: return flyTo(oppositeView(work_.camera));
-    case Action::kOrthographic: return flyTo(orthoToggled(work_.camera));
-    case Action::kCopyCamera: return host_.setClipboard(cameraText(work_.camera));
+    case Action::kHome:
+        return flyTo(home_);
+    case Action::kFrontView:
+        return flyTo(standardView(work_.camera, StandardView::kFront));
+    case Action::kRightView:
+        return flyTo(standardView(work_.camera, StandardView::kRight));
+    case Action::kTopView:
+        return flyTo(standardView(work_.camera, StandardView::kTop));
+    case Action::kOppositeView:
+        return flyTo(oppositeView(work_.camera));
+    case Action::kOrthographic:
+        return flyTo(orthoToggled(work_.camera));
+    case Action::kCopyCamera:
+        return host_.setClipboard(cameraText(work_.camera));
     case Action::kPasteCamera:
         try {
             return flyTo(withCameraText(work_.camera, host_.clipboard()));
         } catch (const Error& error) {
             return tell(error.what(), true);
         }
-    case Action::kSaveView: requests.save_view = true; return;
+    case Action::kSaveView:
+        requests.save_view = true;
+        return;
     case Action::kMeasurement:
         work_.keeps_measurement = !work_.keeps_measurement;
         if (!work_.keeps_measurement) work_.picks.clear();
         return;
-    case Action::kPause: work_.paused = !work_.paused; return;
-    case Action::kScreenshot: requests.screenshot = true; return;
-    case Action::kSaveScene: requests.save_scene = true; return;
-    case Action::kPreviousFile: return stepFile(-1);
-    case Action::kNextFile: return stepFile(1);
-    case Action::kPanel: work_.show_panel = !work_.show_panel; return;
-    case Action::kCheatSheet: work_.show_cheat_sheet = !work_.show_cheat_sheet; return;
+    case Action::kPause:
+        work_.paused = !work_.paused;
+        return;
+    case Action::kScreenshot:
+        requests.screenshot = true;
+        return;
+    case Action::kSaveScene:
+        requests.save_scene = true;
+        return;
+    case Action::kPreviousFile:
+        return stepFile(-1);
+    case Action::kNextFile:
+        return stepFile(1);
+    case Action::kPanel:
+        work_.show_panel = !work_.show_panel;
+        return;
+    case Action::kCheatSheet:
+        work_.show_cheat_sheet = !work_.show_cheat_sheet;
+        return;
     case Action::kBack:
         if (work_.show_cheat_sheet)
             work_.show_cheat_sheet = false;
@@ -82,8 +104,11 @@ void Window::obey(Action action) {
         else
             quit_ = true;
         return;
-    case Action::kQuit: quit_ = true; return;
-    default: return; // those that come with numbers
+    case Action::kQuit:
+        quit_ = true;
+        return;
+    default:
+        return; // those that come with numbers
     }
 }
 
@@ -95,6 +120,16 @@ void Window::moveCamera(double seconds) {
         if (hasLanded(*flight_, now())) flight_.reset();
     }
     if (length(flying_) > 0) work_.camera = flown(work_.camera, flying_, std::min(seconds, 0.1));
+}
+
+void Window::goToView(const NamedView& view) {
+    try {
+        const ViewSize size = viewSize();
+        flyTo(framedView(view.camera, work_.scene_min, work_.scene_max, sceneUp(work_.scene, work_.settings),
+                         size.width / size.height));
+    } catch (const Error& error) {
+        tell(view.name + ": " + error.what(), true);
+    }
 }
 
 void Window::stepFile(int step) {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "pointrt/tool.hpp"
+#include "runtime/denoiser.h"
 #include "runtime/film_file.h"
 #include "runtime/film_signature.h"
 #include "runtime/image_png.h"
-#include "runtime/picture_output.h"
 #include "runtime/scene_write.h"
 #include "runtime/settings.h"
 #include "runtime/staging.h"
@@ -98,9 +98,9 @@ void Window::saveView() {
 }
 
 void Window::startTurntable(std::uint32_t pictures) {
-    if (busy()) return;
+    if (turntable_) return;
     try {
-        turntable_ = startRender(sceneAsShown(), work_.turntable_path, pictures, options_.device);
+        turntable_ = std::make_unique<TurntableJob>(sceneAsShown(), work_.turntable_path, pictures, options_.device);
     } catch (const Error& error) {
         tell(error.what(), true);
     }

@@ -28,7 +28,7 @@ void Window::beginPicture() {
 
 void Window::updatePicture() {
     frame_moved_ = false;
-    if (!loaded_ || edits_wait_ || busy()) return;
+    if (!loaded_ || refurnish_) return;
     if (!live_) beginPicture();
     const Camera camera = cameraOf(work_.camera);
     const PixelSize pixels = host_.pixels();
@@ -66,6 +66,7 @@ void Window::uploadPicture() {
         else
             scaled = update.size;
     submitAndWait(host_.device(), commands);
+    live_->clearUpdates();
     if (scaled) uploadScaled(host_.device(), host_.presenter(), live_->pixels(), scaled->width, scaled->height);
     if (report_.first_picture_s < 0) report_.first_picture_s = secondsSinceStart();
 }
@@ -76,7 +77,7 @@ void Window::fillHud() {
     hud.frame_ms = mean_frame_ms_;
     hud.samples_wanted = work_.samples_wanted;
     hud.splats = loaded_ ? loaded_->scene.splat_count : 0;
-    if (!loaded_ || !live_ || busy()) return;
+    if (!loaded_ || !live_ || refurnish_) return;
     const LiveProgress progress = live_->progress();
     hud.device_bytes = loaded_->scene.device_bytes + live_->deviceBytes();
     hud.samples = progress.samples;

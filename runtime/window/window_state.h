@@ -19,6 +19,7 @@
 #include "runtime/window/load_job.h"
 #include "runtime/window/recording.h"
 #include "runtime/window/replay.h"
+#include "runtime/window/turntable_job.h"
 #include "runtime/window/ui_input.h"
 #include "runtime/window/view_flight.h"
 #include "runtime/window/workspace.h"
@@ -26,6 +27,9 @@
 struct ImGuiContext;
 
 namespace pointrt {
+
+/// Samples after which a picture rests where nobody says otherwise: noise is hardly seen from there on.
+constexpr std::uint32_t kRestingSamples = 256;
 
 class Window {
 public:
@@ -67,14 +71,17 @@ private:
     void flyTo(const ViewCamera& view);
     void pickAt(double x, double y, bool centre);
     void stepFile(int step);
+    void goToView(const NamedView& view);
     ViewSize viewSize() const;
 
     // window_scene.cpp
     void open(const std::string& path);
-    void bake(const std::vector<std::string>& paths);
+    void drop(const std::vector<std::string>& paths);
     void pollJobs();
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
-    void applyEdits();
+    void applyRequests();
+    void editScene();
+    void cancelJob();
     void restage();
     void refurnishLater();
     bool busy() const;
@@ -118,13 +125,15 @@ private:
 
     std::unique_ptr<LoadedScene> loaded_;
     std::unique_ptr<LoadJob> load_;
+    std::unique_ptr<RefurnishJob> refurnish_;
     std::unique_ptr<BakeJob> bake_;
-    bool edits_wait_ = false;  ///< for a tracer with other programs
-    bool lights_are_users_ = false;
+    std::unique_ptr<TurntableJob> turntable_;
+    bool edits_wait_ = false; ///< what the panels say is not yet on the device
+    SceneDescription staged_; ///< the scene when its surroundings were put up
     std::optional<LivePicture> live_;
     std::optional<Camera> shown_camera_;
     PixelSize shown_pixels_;
-    bool restart_ = false, moving_ = false;
+    bool restart_ = false;
     bool screenshot_wanted_ = false;
     Clock::time_point moved_ = start_;
 

@@ -31,8 +31,8 @@ struct HudFigures {
     std::string device;
     std::uint64_t splats = 0, device_bytes = 0;
     std::uint32_t samples = 0, samples_wanted = 0;
-    double sample_share = 0; ///< of the sample under way
-    bool resting = false;    ///< the picture has all its samples
+    double sample_share = 0;                             ///< of the sample under way
+    bool resting = false;                                ///< the picture has all its samples
     std::uint32_t picture_width = 0, picture_height = 0; ///< what is traced now, pixels
     double frame_ms = 0;                                 ///< a recent mean
     double mrays_per_second = 0;

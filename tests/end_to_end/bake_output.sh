@@ -8,7 +8,7 @@ case_help_names_every_option() {
     local option
     expectDone pointrt-bake --help
     for option in -o --output -f --force -j --threads --normals --neighbors --orient --radius-scale --max-leaf-splats \
-        --max-depth --prune --probe-rays --sample --seed --stats --input-format -q -v; do
+        --max-depth --prune --probe-rays --sample --seed --stats --progress --input-format -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
 }
@@ -86,6 +86,17 @@ case_interrupt_leaves_nothing() {
         rm -f out/scene.pro
     done
     [ "$interrupted" -gt 0 ] || fail "no run was interrupted"
+}
+
+# Every line "progress SHARE STAGE RATE", the share never less than before, and the stages in their order.
+case_progress_lines() {
+    sphere 30000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --progress lines
+    grep -Evq '^progress [01]\.[0-9]{4} [a-z]+ [0-9]+$' stderr && fail "not a progress line"
+    cut -d ' ' -f 2 stderr | sort -c || fail "the share goes back"
+    [ "$(cut -d ' ' -f 3 stderr | uniq | tr '\n' ' ')" = \
+        "read neighbors normals orientation radii quantize octree prune write " ] || fail "other stages"
+    expectError 2 "json" pointrt-bake sphere.xyz -o out/other.pro --progress json
 }
 
 case_stats() {

@@ -65,6 +65,7 @@ protected:
 
     void finish() {
         for (int i = 0; i < 100000 && !live->progress().resting; ++i) {
+            live->clearUpdates();
             live->work(kSlice_s);
             // it waits for a while before it takes things for resting
             if (live->updates().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -114,6 +115,7 @@ TEST_P(LivePictureTest, StartsOverWhereTheCameraMoves) {
     for (int i = 0; i < 20; ++i) {
         view.camera.eye = view.camera.eye + Vec3{0.01, 0, 0};
         live->setView(view, true);
+        live->clearUpdates();
         live->work(kSlice_s);
         ASSERT_FALSE(live->updates().empty()) << "every moving frame has a picture";
     }
@@ -169,6 +171,28 @@ TEST_P(LivePictureTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     // the middle of the plastic ball faces the camera
     const std::uint32_t normal = shownPixels()[28 * 72 + 20];
     EXPECT_GT(normal & 255, 200u);
+}
+
+/// The look may change at any time, in the midst of a sample; the light stays.
+TEST_P(LivePictureTest, AnotherLookIsNoOtherLight) {
+    view.settings.first_hits = true;
+    live->setView(view, false);
+    Look look = view.look;
+    for (int i = 0; i < 60; ++i) {
+        live->work(kSlice_s / 4);
+        look.exposure = 0.1f * static_cast<float>(i % 7);
+        look.shown = i % 5 == 0 ? SHOWN_ALBEDO : SHOWN_BEAUTY;
+        live->setLook(look, i % 3 == 0);
+    }
+    look.exposure = 1;
+    look.shown = SHOWN_BEAUTY;
+    live->setLook(look, false);
+    finish();
+    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+    const Image8 developed = developFilm(headless(), 1);
+    const std::vector<std::uint32_t> words = shownPixels();
+    for (std::size_t i = 0; i < words.size(); i += 7)
+        ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, LivePictureTest,

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading scenes, and keeping them as the panels have them.
+#include <filesystem>
+
+#include "pointrt/tool.hpp"
+#include "runtime/scene_file.h"
+#include "runtime/settings.h"
+#include "runtime/staging.h"
+#include "runtime/window/window_state.h"
+
+namespace pointrt {
+namespace {
+
+bool opensAtOnce(const std::string& path) { return path.ends_with(".pro") || isSceneFile(path); }
+
+/// Materials at the end of the list that nothing is of: those of a room that was taken down.
+void dropUnused(SceneDescription& scene, std::size_t fewest) {
+    const auto isUsed = [&](std::uint32_t number) {
+        for (const ShapeDescription& shape : scene.shapes)
+            if (shape.material == number) return true;
+        for (const InstanceDescription& instance : scene.instances) {
+            if (instance.material == number) return true;
+            for (const MaterialOverride& each : instance.overrides)
+                if (each.material == number) return true;
+        }
+        return false;
+    };
+    while (scene.materials.size() > fewest && !isUsed(static_cast<std::uint32_t>(scene.materials.size() - 1)))
+        scene.materials.pop_back();
+}
+
+} // namespace
+
+bool Window::busy() const { return load_ || refurnish_ || !loaded_; }
+
+void Window::open(const std::string& path) {
+    if (refurnish_ || turntable_) return tell("not while " + work_.job->what + " is under way", true);
+    load_.reset();
+    Options options = options_;
+    options.scene = path;
+    if (loaded_) { // what the command line says of the camera is of its scene
+        options.render.camera = {};
+        options.view.clear();
+        options.choices.fov_deg.reset();
+    }
+    options.choices.width = host_.pixels().width;
+    options.choices.height = host_.pixels().height;
+    load_ = std::make_unique<LoadJob>(host_.device(), options);
+    host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
+}
+
+void Window::drop(const std::vector<std::string>& paths) {
+    if (paths.empty()) return;
+    try {
+        if (opensAtOnce(paths.front())) {
+            if (paths.size() > 1) tell("opening the first of " + std::to_string(paths.size()) + " files");
+            return open(paths.front());
+        }
+        if (bake_) return tell("one scan after the other: " + work_.job->what + " is under way", true);
+        const BakePlan plan = planBake(paths);
+        if (plan.is_there) return open(plan.output);
+        bake_ = std::make_unique<BakeJob>(plan);
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+}
+
+void Window::pollJobs() {
+    const auto tellEnd = [&](const Job& job) {
+        if (job.state() == JobState::kFailed) tell(job.error(), true);
+        if (job.state() == JobState::kCancelled) tell(job.figures().what + ": cancelled");
+        return job.state() == JobState::kDone;
+    };
+    if (bake_ && bake_->job().ended()) {
+        const std::unique_ptr<BakeJob> bake = std::move(bake_);
+        if (tellEnd(bake->job())) open(bake->output());
+    }
+    if (refurnish_ && refurnish_->job().ended()) {
+        const std::unique_ptr<RefurnishJob> done = std::move(refurnish_);
+        tellEnd(done->job());
+        restart_ = true;
+    }
+    if (turntable_ && turntable_->job().ended()) {
+        const std::unique_ptr<TurntableJob> done = std::move(turntable_);
+        if (tellEnd(done->job())) tell("rendered " + work_.turntable_path);
+    }
+    if (load_ && load_->job().ended()) {
+        const std::unique_ptr<LoadJob> load = std::move(load_);
+        // a scene that the user asked for by name, and there is nothing else to show
+        if (load->job().state() == JobState::kFailed && !loaded_) throw Error{ExitCode::kBadInput, load->job().error()};
+        if (tellEnd(load->job())) showLoaded(load->take());
+    }
+    work_.job.reset();
+    if (turntable_) work_.job = turntable_->job().figures();
+    if (bake_) work_.job = bake_->job().figures();
+    if (refurnish_) work_.job = refurnish_->job().figures();
+    if (load_) work_.job = load_->job().figures();
+}
+
+void Window::cancelJob() {
+    if (load_) return load_->job().cancel();
+    if (refurnish_) return refurnish_->job().cancel();
+    if (bake_) return bake_->job().cancel();
+    if (turntable_) turntable_->job().cancel();
+}
+
+void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
+    live_.reset();
+    loaded_ = std::move(loaded);
+    const StagedScene& scene = loaded_->scene;
+    work_.scene = staged_ = scene.description;
+    work_.settings = loaded_->settings;
+    work_.scene_min = scene.bounds.lo;
+    work_.scene_max = scene.bounds.hi;
+    work_.title = std::filesystem::path(scene.description.path).filename().string();
+    work_.picks.clear();
+    const Vec3 centre = 0.5 * (scene.bounds.lo + scene.bounds.hi);
+    work_.camera = home_ = viewOf(loaded_->camera, work_.settings.camera.target.value_or(centre), scene.bounds.lo,
+                                  scene.bounds.hi, sceneUp(scene.description, work_.settings));
+    work_.look = {SHOWN_BEAUTY, work_.settings.exposure, 4 * length(scene.bounds.hi - scene.bounds.lo),
+                  scene.stage.scale};
+    work_.samples_wanted = options_.choices.spp || scene.description.spp ? work_.settings.spp : kRestingSamples;
+    work_.denoise = work_.settings.denoise != DenoiseChoice::kOff;
+    flight_.reset();
+    shown_camera_.reset();
+    edits_wait_ = false;
+}
+
+/// Puts up the room that the settings ask for, in place of the one there was. Lamps that the user has touched stay.
+void Window::restage() {
+    SceneDescription scene = loaded_->described;
+    const std::size_t fewest = scene.materials.size();
+    scene.materials = work_.scene.materials;
+    scene.instances = work_.scene.instances;
+    scene.views = work_.scene.views;
+    if (work_.scene.lights != staged_.lights || work_.scene.sky != staged_.sky) {
+        scene.lights = work_.scene.lights;
+        scene.sky = work_.scene.sky;
+    }
+    Camera camera = loaded_->camera;
+    camera.eye = loaded_->staged_for;
+    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
+    dropUnused(scene, fewest);
+    work_.scene = staged_ = std::move(scene);
+}
+
+void Window::refurnishLater() {
+    edits_wait_ = false;
+    refurnish_ = std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings);
+}
+
+/// Brings the scene on the device to what the panels say.
+void Window::editScene() {
+    Requests& asked = work_.requests;
+    edits_wait_ |= asked.scene_changed || asked.settings_changed;
+    const bool room_changed = asked.settings_changed && loaded_ && work_.settings.room != loaded_->settings.room;
+    if (busy()) return;
+    if (room_changed || work_.settings.room != loaded_->settings.room) restage();
+    const bool can_wait = !asked.dragging;
+    if (edits_wait_ && refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings)) {
+        edits_wait_ = false;
+        restart_ = true;
+    }
+    // programs and photons take longer than a frame: when the user has let go
+    if (can_wait && (edits_wait_ || loaded_->lacks_photons)) refurnishLater();
+}
+
+void Window::applyRequests() {
+    Requests& asked = work_.requests;
+    editScene();
+    if (asked.quit) quit_ = true;
+    if (asked.cancel_job) cancelJob();
+    if (asked.home) flyTo(home_);
+    if (asked.save_view) saveView();
+    if (asked.save_scene && loaded_) saveScene();
+    if (asked.screenshot && loaded_) screenshot_wanted_ = true;
+    if (asked.turntable_pictures && loaded_) startTurntable(*asked.turntable_pictures);
+    std::vector<NamedView>& views = work_.scene.views;
+    if (asked.go_to_view && *asked.go_to_view < views.size()) goToView(views[*asked.go_to_view]);
+    if (asked.forget_view && *asked.forget_view < views.size())
+        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*asked.forget_view));
+    const bool look_changed = asked.look_changed;
+    asked = {};
+    asked.look_changed = look_changed; // updatePicture's
+}
+
+} // namespace pointrt
