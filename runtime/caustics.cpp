@@ -96,9 +96,12 @@ public:
         control.queued.y = static_cast<std::uint32_t>(count);
         control.ray_groups = {static_cast<std::uint32_t>((count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE), 1, 1, 0};
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
-        const VkCommandBuffer commands = beginCommands(device_);
-        for (std::uint32_t pass = 1; pass <= kPhotonBounces + 1; ++pass) record(commands, pass, batch);
-        submitAndWait(device_, commands);
+        for (std::uint32_t pass = 1; pass <= kPhotonBounces + 1; ++pass) {
+            // by themselves: a window that shares the queue goes on between them
+            const VkCommandBuffer commands = beginCommands(device_);
+            record(commands, pass, batch);
+            submitAndWait(device_, commands);
+        }
         downloadBuffer(device_, map_.traced, traced.data(), map_.traced.bytes);
         std::copy_if(traced.begin(), traced.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(kept),
                      [](const gpu::Photon& photon) { return photon.flux.w > 0; });

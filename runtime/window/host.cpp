@@ -45,9 +45,7 @@ Host::~Host() {
     if (desktop_) destroyPlatformWindow(*desktop_);
 }
 
-float Host::textScale() const {
-    return desktop_ ? contentScale(*desktop_) / static_cast<float>(size_.scale > 0 ? size_.scale : 1) : 1.0f;
-}
+float Host::textScale() const { return desktop_ ? contentScale(*desktop_) : static_cast<float>(size_.scale); }
 
 std::vector<InputEvent> Host::poll(double timeout_s) {
     if (!desktop_) {

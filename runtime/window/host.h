@@ -37,7 +37,7 @@ public:
     /// Of the picture, at least 1 x 1; the last one while minimised.
     PixelSize pixels() const { return pixels_; }
     bool minimised() const { return size_.width == 0 || size_.height == 0; }
-    /// How large text should be.
+    /// How large the user wants text: 1 on ordinary screens.
     float textScale() const;
 
     /// What the user did, waiting up to so long for something.

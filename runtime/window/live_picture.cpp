@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "runtime/film_readout.h"
 #include "runtime/frame_params.h"
@@ -81,6 +82,14 @@ void LivePicture::setLook(const Look& look, bool denoise) {
     showFilm();
     denoise_due_ = denoise && stage_ != Stage::kDenoising;
     if (stage_ == Stage::kResting) next();
+}
+
+void LivePicture::setSamples(std::uint32_t spp) {
+    const std::uint32_t before = std::exchange(view_.settings.spp, spp);
+    if (before == spp) return;
+    // a single sample is one through the pixel's centre
+    if (before == 1 || spp == 1) return restart(false);
+    if (stage_ == Stage::kResting && samples_ < spp) stage_ = Stage::kFine;
 }
 
 /// All rows that have samples, but those under way.

@@ -62,7 +62,7 @@ public:
     /// Starts over: the scene has changed, and the tracer with it.
     void restart(bool moving);
     /// How many samples it goes on to.
-    void setSamples(std::uint32_t spp) { view_.settings.spp = spp; }
+    void setSamples(std::uint32_t spp);
 
     /// Works for about so many seconds, less where nothing is left to do.
     void work(double seconds);

@@ -28,8 +28,12 @@ std::string lengthText(double value, double size) {
 }
 
 std::string countText(std::uint64_t count) {
-    std::string text = std::to_string(count);
-    for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, " ");
+    const std::string digits = std::to_string(count);
+    std::string text;
+    for (std::size_t d = 0; d < digits.size(); ++d) {
+        if (d > 0 && (digits.size() - d) % 3 == 0) text += ' ';
+        text += digits[d];
+    }
     return text;
 }
 

@@ -54,9 +54,8 @@ Window::Ui::~Ui() { ImGui::DestroyContext(context); }
 Window::Window(const Options& options)
     : options_(options), replay_(openReplay(options)), host_(hostRequest(options, replay_)) {
     if (!options.record.empty()) recorder_ = openRecording(options.record, host_.size());
-    setUpUiStyle(host_.textScale());
     host_.useClipboardForUi();
-    setUiFont(host_.device(), host_.presenter());
+    fitText();
     open(options.scene);
 }
 
@@ -67,6 +66,13 @@ Window::~Window() {
     refurnish_.reset();
     live_.reset();
     loaded_.reset();
+}
+
+/// Fonts as large as the screen wants them.
+void Window::fitText() {
+    text_scale_ = host_.size().scale;
+    setUpUiStyle(host_.textScale(), static_cast<float>(text_scale_));
+    setUiFont(host_.device(), host_.presenter());
 }
 
 /// Replays go by their frames, so that the same recording does the same on any machine.
@@ -151,6 +157,7 @@ bool Window::frame() {
         host_.poll(kIdle_s);
         return !quit_;
     }
+    if (host_.size().scale != text_scale_) fitText();
     fillHud();
     drawInterface(seconds);
     applyRequests();

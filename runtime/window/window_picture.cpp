@@ -48,6 +48,7 @@ void Window::updatePicture() {
         live_->setLook(work_.look, work_.denoise);
     }
     work_.requests.look_changed = false;
+    live_->setSamples(work_.samples_wanted);
     if (work_.paused && !frame_moved_ && live_->progress().samples > 0) return;
     resolvePicks();
     live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s);

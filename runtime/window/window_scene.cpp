@@ -114,6 +114,9 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     work_.scene_max = scene.bounds.hi;
     work_.title = std::filesystem::path(scene.description.path).filename().string();
     work_.picks.clear();
+    lamps_.clear();
+    staged_room_ = work_.settings.room;
+    staged_lights_ = work_.settings.lights;
     const Vec3 centre = 0.5 * (scene.bounds.lo + scene.bounds.hi);
     work_.camera = home_ = viewOf(loaded_->camera, work_.settings.camera.target.value_or(centre), scene.bounds.lo,
                                   scene.bounds.hi, sceneUp(scene.description, work_.settings));
@@ -126,14 +129,27 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     edits_wait_ = false;
 }
 
-/// Puts up the room that the settings ask for, in place of the one there was. Lamps that the user has touched stay.
+void Window::keepLamps(const std::optional<Room>& room) {
+    if (work_.scene.lights == staged_.lights && work_.scene.sky == staged_.sky) return;
+    std::erase_if(lamps_, [&](const Lamps& each) { return each.room == room; });
+    lamps_.push_back({room, work_.scene.lights, work_.scene.sky});
+}
+
+/// Puts up the room that the settings ask for in place of the one there was, with the lamps that it had last: those of
+/// one room would not reach into another. A scene file's own are in every room.
 void Window::restage() {
+    const bool has_own_light = !loaded_->described.lights.empty() || loaded_->described.sky;
+    keepLamps(staged_room_);
+    if (work_.settings.lights != staged_lights_) // another number of them: no longer those there were
+        std::erase_if(lamps_, [&](const Lamps& each) { return each.room == work_.settings.room; });
+    staged_room_ = work_.settings.room;
+    staged_lights_ = work_.settings.lights;
     SceneDescription scene = loaded_->described;
     const std::size_t fewest = scene.materials.size();
     scene.materials = work_.scene.materials;
     scene.instances = work_.scene.instances;
     scene.views = work_.scene.views;
-    if (work_.scene.lights != staged_.lights || work_.scene.sky != staged_.sky) {
+    if (has_own_light) {
         scene.lights = work_.scene.lights;
         scene.sky = work_.scene.sky;
     }
@@ -142,6 +158,11 @@ void Window::restage() {
     addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
     dropUnused(scene, fewest);
     work_.scene = staged_ = std::move(scene);
+    for (const Lamps& each : lamps_)
+        if (!has_own_light && each.room == work_.settings.room) {
+            work_.scene.lights = each.lights;
+            work_.scene.sky = each.sky;
+        }
 }
 
 void Window::refurnishLater() {
@@ -153,9 +174,8 @@ void Window::refurnishLater() {
 void Window::editScene() {
     Requests& asked = work_.requests;
     edits_wait_ |= asked.scene_changed || asked.settings_changed;
-    const bool room_changed = asked.settings_changed && loaded_ && work_.settings.room != loaded_->settings.room;
     if (busy()) return;
-    if (room_changed || work_.settings.room != loaded_->settings.room) restage();
+    if (work_.settings.room != staged_room_ || work_.settings.lights != staged_lights_) restage();
     const bool can_wait = !asked.dragging;
     if (edits_wait_ && refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings)) {
         edits_wait_ = false;

@@ -61,6 +61,7 @@ private:
     void noteTimes(Clock::time_point start);
     bool isIdle() const;
     double now() const;
+    void fitText();
     void tell(const std::string& text, bool error = false);
 
     // window_input.cpp
@@ -83,6 +84,7 @@ private:
     void editScene();
     void cancelJob();
     void restage();
+    void keepLamps(const std::optional<Room>& room);
     void refurnishLater();
     bool busy() const;
 
@@ -129,7 +131,16 @@ private:
     std::unique_ptr<BakeJob> bake_;
     std::unique_ptr<TurntableJob> turntable_;
     bool edits_wait_ = false; ///< what the panels say is not yet on the device
+    /// What the user made of each room's lamps, to find it again.
+    struct Lamps {
+        std::optional<Room> room;
+        std::vector<LightDescription> lights;
+        std::optional<SkyDescription> sky;
+    };
+    std::vector<Lamps> lamps_;
     SceneDescription staged_; ///< the scene when its surroundings were put up
+    std::optional<Room> staged_room_;
+    std::optional<std::uint32_t> staged_lights_;
     std::optional<LivePicture> live_;
     std::optional<Camera> shown_camera_;
     PixelSize shown_pixels_;
@@ -139,7 +150,7 @@ private:
 
     WindowReport report_;
     bool frame_moved_ = false;
-    double mean_frame_ms_ = 0;
+    double mean_frame_ms_ = 0, text_scale_ = 1;
 };
 
 } // namespace pointrt

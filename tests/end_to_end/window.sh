@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The window without a display: recordings stand for the user.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+# bakeHalf: half of a sphere, which looks different from all sides.
+bakeHalf() {
+    sphere 3000 | awk '$1 > 0' >half.xyz
+    pointrt-bake -q half.xyz -o half.pro
+}
+
+# replay LINES OPTION...: lets the lines be done to half.pro in a window of 160x120.
+replay() {
+    { echo "pointrt-recording 1 window 160x120 scale 1" && printf '%s\n' "$1"; } >user.txt
+    shift
+    expectDone pointrt-view half.pro --replay user.txt --offscreen "$@"
+}
+
+orbit='0 wait 1
+1 cursor 80 60
+1 button down left
+2 cursor 100 65
+3 cursor 120 70
+4 button up left'
+
+case_picture_is_that_of_files() {
+    bakeHalf
+    for room in none matte mirror; do
+        replay "$orbit
+4 wait 4
+5 key down F12
+5 key up F12
+6 key down Control
+6 key down S
+7 key up S
+7 key up Control
+12 quit" --room "$room" --spp 4
+        expectDone pointrt-view half-1.toml -o file.png
+        cmp half-1.png file.png || fail "the window's picture is not the file's, room $room"
+        rm half-1.*
+    done
+}
+
+case_studio_follows_the_scene_not_the_camera() {
+    bakeHalf
+    replay "$orbit
+4 wait 2
+5 key down F12
+6 key up F12
+7 key down Control
+7 key down S
+8 key up S
+12 quit" --spp 2
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+}
+
+case_records_what_it_is_told() {
+    bakeHalf
+    replay "$orbit
+4 screenshot first
+5 quit" --record again.txt
+    cp first.png once.png
+    expectDone pointrt-view half.pro --replay again.txt --offscreen
+    [ "$(grep -c cursor again.txt)" = 3 ] || fail "cursor events were lost"
+}
+
+case_survives_any_size_and_key() {
+    bakeHalf
+    awk -v seed=1 'BEGIN {
+        srand(seed)
+        split("H P Tab Home 1 3 7 9 5 Space M V W A S D Q E", keys, " ")
+        print "pointrt-recording 1 window 160x120 scale 1"
+        for (frame = 1; frame <= 150; frame++) {
+            pick = int(rand() * 6)
+            if (pick == 0) printf "%d resize %dx%d scale %g\n", frame, rand() * 300, rand() * 300, 0.5 + int(rand() * 3) / 2
+            if (pick == 1) { key = keys[1 + int(rand() * 18)]; printf "%d key down %s\n%d key up %s\n", frame, key, frame, key }
+            if (pick == 2) printf "%d cursor %d %d\n", frame, rand() * 400 - 50, rand() * 400 - 50
+            if (pick == 3) printf "%d button %s %s\n", frame, rand() < 0.5 ? "down" : "up", rand() < 0.7 ? "left" : "right"
+            if (pick == 4) printf "%d wheel 0 %d\n", frame, rand() * 9 - 4
+        }
+        print "151 resize 160x120 scale 1"
+        print "152 quit"
+    }' >user.txt
+    POINTRT_VALIDATION=1 expectDone pointrt-view half.pro --replay user.txt --offscreen --stats stats.json
+    expectKeys stats.json device width moving_frame_ms.p95 refining_frame_ms.median first_picture_seconds
+    [ "$(jsonValue stats.json width)" = 160 ] || fail "the window kept another size"
+}
+
+case_opens_what_is_dropped() {
+    bakeHalf
+    mkdir scans
+    cp half.xyz "scans/a b.xyz"
+    replay "0 wait 1
+1 drop \"scans/a b.xyz\"
+40 wait 1
+41 screenshot dropped
+42 quit"
+    [ -f "scans/a b.pro" ] || fail "the scan was not baked beside itself"
+    [ -s dropped.png ] || fail "no screenshot"
+}
+
+case_wrong_input() {
+    bakeHalf
+    echo nonsense >bad.txt
+    expectError 1 "bad.txt:1: " pointrt-view half.pro --replay bad.txt --offscreen
+    expectError 1 "missing.txt" pointrt-view half.pro --replay missing.txt --offscreen
+    { echo "pointrt-recording 1 window 64x64 scale 1" && echo "0 wait 1"; } >user.txt
+    expectError 1 "missing.pro" pointrt-view missing.pro --replay user.txt --offscreen
+    expectError 2 "--offscreen needs --replay" pointrt-view half.pro --offscreen
+    expectError 4 "no/such" pointrt-view half.pro --replay user.txt --offscreen --record no/such/file.txt
+}
+
+runCase "$@"
