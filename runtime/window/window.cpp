@@ -4,7 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <utility>
 
 #include "runtime/interrupt.h"
 #include "runtime/report.h"
@@ -93,7 +93,8 @@ bool Window::isIdle() const {
 }
 
 std::vector<InputEvent> Window::gatherInput() {
-    std::vector<InputEvent> events = host_.poll(isIdle() ? kIdle_s : 0);
+    std::vector<InputEvent> events = std::exchange(early_input_, {});
+    if (events.empty()) events = host_.poll(isIdle() ? kIdle_s : 0);
     if (!replay_) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
@@ -133,7 +134,7 @@ void Window::noteTimes(Clock::time_point start) {
         moved_ = Clock::now();
         report_.clean_s = -1;
     } else if (!progress.resting) {
-        report_.resting_ms.push_back(ms);
+        report_.resting_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - looked_).count());
     }
     if (report_.clean_s < 0 && progress.samples >= kCleanSamples)
         report_.clean_s = std::chrono::duration<double>(Clock::now() - moved_).count();
@@ -141,7 +142,7 @@ void Window::noteTimes(Clock::time_point start) {
 
 bool Window::frame() {
     const std::vector<InputEvent> events = gatherInput();
-    const Clock::time_point start = Clock::now();
+    const Clock::time_point start = looked_ = Clock::now();
     const double passed = std::max(1e-4, std::chrono::duration<double>(start - last_frame_).count());
     const double seconds = replay_ ? kReplayedFrame_s : passed;
     last_frame_ = start;

@@ -12,7 +12,10 @@ namespace {
 /// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
 constexpr double kMovingBudget_s = 0.014;
 /// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
-constexpr double kRestingBudget_s = 0.020;
+constexpr double kRestingBudget_s = 0.018;
+
+/// As long as nothing happens, the interface is drawn this often.
+constexpr double kUndrawn_s = 0.1;
 
 bool same(const Camera& a, const Camera& b) {
     return a.eye == b.eye && a.right == b.right && a.up == b.up && a.forward == b.forward && a.fov_deg == b.fov_deg &&
@@ -52,8 +55,23 @@ void Window::updatePicture() {
     if (work_.paused && !frame_moved_ && live_->progress().samples > 0) return;
     resolvePicks();
     live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s);
+    refineUndrawn();
     uploadPicture();
     if (screenshot_wanted_ && live_->betweenSamples()) takeScreenshot();
+}
+
+/// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as
+/// often as ever.
+void Window::refineUndrawn() {
+    while (!frame_moved_ && !any_input_ && !controls_.drag && !flight_ && !work_.job && !live_->progress().resting) {
+        const Clock::time_point now = Clock::now();
+        if (std::chrono::duration<double>(now - last_frame_).count() > kUndrawn_s || live_->betweenSamples()) return;
+        report_.resting_ms.push_back(std::chrono::duration<double, std::milli>(now - looked_).count());
+        early_input_ = host_.poll(0);
+        looked_ = now;
+        if (!early_input_.empty()) return;
+        live_->work(kRestingBudget_s);
+    }
 }
 
 void Window::uploadPicture() {

@@ -91,6 +91,7 @@ private:
     // window_picture.cpp
     void beginPicture();
     void updatePicture();
+    void refineUndrawn();
     void uploadPicture();
     void fillHud();
     void resolvePicks();
@@ -114,7 +115,9 @@ private:
     Clock::time_point start_ = Clock::now(), last_frame_ = start_;
     std::uint32_t frame_ = 0;
     std::vector<std::string> frame_shots_; ///< to be taken of this frame
-    bool quit_ = false, any_input_ = true, has_canvas_picture_ = false;
+    std::vector<InputEvent> early_input_; ///< seen before its frame
+    Clock::time_point looked_ = start_;   ///< for input, last
+    bool quit_ = false, any_input_ = true;
 
     ViewCamera home_;
     std::optional<ViewFlight> flight_;
