@@ -129,19 +129,20 @@ bool LivePicture::denoisesNow() const {
            (denoise_due_ || std::has_single_bit(samples_) || samples_ == view_.settings.spp);
 }
 
-void LivePicture::work(double seconds) {
-    if (full_.width == 0 || film_pixels_ == 0) return;
+bool LivePicture::work(double seconds) {
+    if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kResting) return false;
     const Clock::time_point start = Clock::now();
     if (stage_ == Stage::kMoving && samples_ > 0) {
-        if (since(moved_) < kRest_s) return;
+        if (since(moved_) < kRest_s) return false;
         begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kFine);
     }
     double left = seconds;
     while (stage_ != Stage::kResting && (left > kLeast_s || stage_ == Stage::kMoving)) {
         advance(left);
-        if (stage_ == Stage::kMoving && samples_ > 0) return;
+        if (stage_ == Stage::kMoving && samples_ > 0) return true;
         left = seconds - since(start);
     }
+    return true;
 }
 
 void LivePicture::advance(double seconds_left) {

@@ -64,8 +64,8 @@ public:
     /// How many samples it goes on to.
     void setSamples(std::uint32_t spp);
 
-    /// Works for about so many seconds, less where nothing is left to do.
-    void work(double seconds);
+    /// Works for about so many seconds, less where nothing is left to do. False where there was nothing, for now.
+    bool work(double seconds);
     /// What has become new since clearUpdates.
     const std::vector<PictureUpdate>& updates() const { return updates_; }
     void clearUpdates() { updates_.clear(); }

@@ -54,8 +54,7 @@ void Window::updatePicture() {
     live_->setSamples(work_.samples_wanted);
     if (work_.paused && !frame_moved_ && live_->progress().samples > 0) return;
     resolvePicks();
-    live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s);
-    refineUndrawn();
+    if (live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s)) refineUndrawn();
     uploadPicture();
     if (screenshot_wanted_ && live_->betweenSamples()) takeScreenshot();
 }
@@ -70,7 +69,7 @@ void Window::refineUndrawn() {
         early_input_ = host_.poll(0);
         looked_ = now;
         if (!early_input_.empty()) return;
-        live_->work(kRestingBudget_s);
+        if (!live_->work(kRestingBudget_s)) return;
     }
 }
 
