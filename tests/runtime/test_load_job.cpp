@@ -32,11 +32,12 @@ class LoadJobTest : public testing::Test {
 protected:
     void SetUp() override {
         test::tinyScene().write(folder.file("tiny.pro"));
+        messages = validationMessages();
         device = createDevice({});
     }
     void TearDown() override {
         destroyDevice(device);
-        EXPECT_EQ(validationMessages(), 0u);
+        EXPECT_EQ(validationMessages(), messages);
     }
 
     Options optionsFor(const std::string& path) const {
@@ -111,6 +112,7 @@ protected:
     Integrator integrator = Integrator::kWhitted;
     bool caustics = false; ///< they take a second each time
     Device device;
+    std::uint64_t messages = 0; ///< of tests before
 };
 
 TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
