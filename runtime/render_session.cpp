@@ -4,8 +4,8 @@
 #include <chrono>
 #include <utility>
 
-#include "runtime/camera.h"
 #include "runtime/option_values.h"
+#include "runtime/scene_cameras.h"
 #include "runtime/settings.h"
 #include "runtime/staging.h"
 
@@ -13,17 +13,6 @@ namespace pointrt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-Camera framed(const StagedScene& scene, const RenderSettings& settings) {
-    return frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
-                       static_cast<double>(settings.width) / settings.height);
-}
-
-/// The camera that surroundings are put up for: not a view's, so that views differ in the camera alone.
-Camera stagingCamera(const StagedScene& scene, Options options) {
-    options.view.clear();
-    return framed(scene, resolveSettings(options, scene.description));
-}
 
 void describe(const RenderSession& session, Report& report) {
     const RenderSettings& settings = session.settings;
@@ -52,7 +41,7 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     RenderSettings& settings = session.settings;
     session.scene = openScene(session.device, std::move(description), options.verbose);
     StagedScene& scene = *session.scene;
-    session.camera = framed(scene, settings);
+    session.camera = framedCamera(scene, settings);
     addSurroundings(scene.description, settings, stagingCamera(scene, options), scene.bounds.lo, scene.bounds.hi);
     furnishScene(session.device, scene, settings);
     // the denoiser is guided by first hits; where the samples may end early, it may be wanted in the end

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "pointrt/tool.hpp"
-#include "runtime/camera.h"
+#include "runtime/scene_cameras.h"
 #include "runtime/settings.h"
 #include "runtime/staging.h"
 #include "runtime/window/live_picture.h"
@@ -14,17 +14,6 @@ namespace {
 
 // What of loading is done when a stage begins, by the times of scans of half a million to a million splats on a CPU.
 constexpr double kFilesShare = 0.0, kRowsShare = 0.55, kProgramsShare = 0.58, kPhotonsShare = 0.75;
-
-Camera framed(const StagedScene& scene, const RenderSettings& settings) {
-    return frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
-                       static_cast<double>(settings.width) / settings.height);
-}
-
-/// The eye that surroundings are put up for: the file's, else the camera's, but not a view's.
-Vec3 stagingEye(const StagedScene& scene, Options options) {
-    options.view.clear();
-    return scene.description.staged_for.value_or(framed(scene, resolveSettings(options, scene.description)).eye);
-}
 
 ProgramKinds kindsOf(const StagedScene& scene, const RenderSettings& settings) {
     return {scene.features, settings.integrator, scene.sky_light != NO_LIGHT, castsCaustics(scene)};
@@ -98,8 +87,8 @@ std::unique_ptr<LoadedScene> loadFromFile(Device& owner, Device& worker, const O
     loaded->settings = resolveSettings(options, loaded->described);
     scene = openScene(worker, loaded->described, options.verbose);
     begin(control, "materials and lights", kRowsShare);
-    loaded->camera = framed(scene, loaded->settings);
-    loaded->staged_for = stagingEye(scene, options);
+    loaded->camera = framedCamera(scene, loaded->settings);
+    loaded->staged_for = scene.description.staged_for.value_or(stagingCamera(scene, options).eye);
     scene.description = withSurroundings(*loaded, loaded->settings);
     furnishScene(worker, scene, loaded->settings);
     begin(control, "programs", kProgramsShare);

@@ -30,7 +30,9 @@ TEST(Pace, FillsTheBudgetAndNoMore) {
         const double seconds = speed * static_cast<double>(area(size));
         EXPECT_LE(seconds, kBudget_s) << speed;
         // sizes are a factor of two apart in area, and the next finer one must be comfortable
-        if (size != kFull) EXPECT_GT(seconds, 0.35 * kBudget_s) << speed;
+        if (size != kFull) {
+            EXPECT_GT(seconds, 0.35 * kBudget_s) << speed;
+        }
         EXPECT_NEAR(double(size.width) / size.height, 16.0 / 9, 0.05);
     }
 }
