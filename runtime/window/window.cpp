@@ -118,9 +118,7 @@ void Window::drawInterface(double seconds) {
 }
 
 void Window::present() {
-    if (!pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData())) return;
-    for (const std::string& name : frame_shots_) takeFrame(name);
-    frame_shots_.clear();
+    pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData());
 }
 
 void Window::noteTimes(Clock::time_point start) {
@@ -165,6 +163,7 @@ bool Window::frame() {
     updatePicture();
     present();
     noteTimes(start);
+    for (const std::string& name : std::exchange(frame_shots_, {})) takeFrame(name);
     return !quit_;
 }
 
