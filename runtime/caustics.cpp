@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "runtime/frame_buffers.h"
+#include "runtime/frame_params.h"
 #include "runtime/photon_emission.h"
 #include "runtime/photon_map.h"
 
@@ -122,6 +123,7 @@ private:
         params.image = {kBatchWidth, kBatchRows, 0, kBatchRows};
         params.scene = {0, OPTION_BLEND, scene_.shape_count, NO_LIGHT};
         params.mode = {INTEGRATOR_PATH, kPhotonBounces, 0, 0};
+        setReach(scene_, params);
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
 
@@ -133,22 +135,27 @@ private:
     }
 
     void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
-        const gpu::PushParams push{{batch, 0, pass, pass % 2 ? STEP_QUEUE_ONE : 0u}};
-        const auto run = [&](const Program& program, VkDescriptorSet set) {
-            recordDispatchIndirect(commands, program, set, pushBytes(push), buffers_.control,
-                                   offsetof(gpu::Control, ray_groups));
+        const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
+        const auto run = [&](const Program& program, VkDescriptorSet set, std::size_t groups) {
+            const gpu::PushParams push{{batch, 0, pass, queue}};
+            recordDispatchIndirect(commands, program, set, pushBytes(push), buffers_.control, groups);
             recordBarrier(commands);
         };
-        const auto each = [&](Program InstancePrograms::*program) {
-            for (std::size_t i = 0; i < scene_.instances.size(); ++i)
-                run(programsFor(programs_, scene_, scene_.instances[i]).*program, sets_[i]);
+        const auto prepare = [&](std::uint32_t bits) {
+            const gpu::PushParams push{{batch, 0, pass, queue | bits}};
+            recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
+            recordBarrier(commands);
         };
-        run(programs_.trace_shapes, sets_[0]);
-        each(&InstancePrograms::trace);
-        each(&InstancePrograms::surface);
-        run(programs_.photon, sets_[0]);
-        recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
-        recordBarrier(commands);
+        run(programs_.trace_shapes, sets_[0], offsetof(gpu::Control, ray_groups));
+        prepare(STEP_ASKED);
+        for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
+            const InstancePrograms& programs = programsFor(programs_, scene_, scene_.instances[i]);
+            run(programs.trace, sets_[i], offsetof(gpu::Control, asked_groups));
+            prepare(STEP_HITS);
+            run(programs.surface, sets_[i], offsetof(gpu::Control, hit_groups));
+        }
+        run(programs_.photon, sets_[0], offsetof(gpu::Control, ray_groups));
+        prepare(0);
     }
 
     Device& device_;

@@ -25,15 +25,17 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     };
     constexpr VkBufferUsageFlags kRead = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     try {
-        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams));
+        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        buffers.queues = texels("queue buffer", 3 * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+        constexpr std::uint64_t kQueueWords = 4 + ASKED_TURNS; // a lane, see shaders/bindings.glsl
+        buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
         buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
         buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                               VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
         buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
-        buffers.surfaces = storage("surface buffer", lanes * sizeof(gpu::SurfacePoint));
-        buffers.lit = storage("lit point buffer", lanes * sizeof(gpu::LitPoint));
+        buffers.surfaces =
+            texels("surface buffer", lanes * sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.lit = texels("lit point buffer", lanes * sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
         buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", lanes * DEFERRED_MOST * sizeof(gpu::PathState));
         createFilm(device, buffers, film_pixels);
@@ -65,10 +67,11 @@ void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
 }
 
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
-    return {{6, &buffers.params},    {7, &buffers.control},      {8, &buffers.queues},   {9, &buffers.paths},
-            {10, &buffers.hits},     {11, &buffers.lit},         {12, &buffers.film},    {13, &buffers.first_hits},
-            {17, &buffers.paths},    {18, &buffers.queues},      {19, &buffers.beams},   {20, &buffers.beams},
-            {25, &buffers.surfaces}, {26, &buffers.light_masks}, {27, &buffers.deferred}};
+    return {{6, &buffers.params},    {7, &buffers.control},      {8, &buffers.queues},    {9, &buffers.paths},
+            {10, &buffers.hits},     {11, &buffers.lit},         {12, &buffers.film},     {13, &buffers.first_hits},
+            {17, &buffers.paths},    {18, &buffers.queues},      {19, &buffers.beams},    {20, &buffers.beams},
+            {25, &buffers.surfaces}, {26, &buffers.light_masks}, {27, &buffers.deferred}, {34, &buffers.surfaces},
+            {35, &buffers.lit}};
 }
 
 } // namespace pointrt

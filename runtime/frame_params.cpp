@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/frame_params.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "runtime/camera.h"
 #include "runtime/staging.h"
@@ -44,7 +47,45 @@ Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint
     return across * camera.right + upwards * camera.up;
 }
 
+/// A share of the reach's size, more than what rounding adds where rays are asked whether they meet it.
+constexpr float kReachMargin = 1e-4f;
+
+/// Of a point in an instance's cube, by the transposed rows: they are a rotation's but for the scale.
+std::array<float, 3> stageFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
+    const float x = cube[0] - p.row_x.w, y = cube[1] - p.row_y.w, z = cube[2] - p.row_z.w;
+    const float squared = p.splat.w * p.splat.w;
+    return {(p.row_x.x * x + p.row_y.x * y + p.row_z.x * z) / squared,
+            (p.row_x.y * x + p.row_y.y * y + p.row_z.y * z) / squared,
+            (p.row_x.z * x + p.row_y.z * y + p.row_z.z * z) / squared};
+}
+
+/// A corner of its entry grid, by three bits.
+std::array<float, 3> gridCorner(const gpu::InstanceParams& p, unsigned corner) {
+    const auto end = [&](unsigned axis, std::uint32_t lowest, std::uint32_t cells) {
+        return static_cast<float>(lowest + (corner >> axis & 1 ? cells : 0)) / p.grid_scale.x;
+    };
+    return {end(0, p.grid_origin.x, p.grid_size.x), end(1, p.grid_origin.y, p.grid_size.y),
+            end(2, p.grid_origin.z, p.grid_size.z)};
+}
+
 } // namespace
+
+void setReach(const StagedScene& scene, gpu::FrameParams& params) {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+    for (const Instance& instance : scene.instances)
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const std::array<float, 3> at = stageFromCube(instance.params, gridCorner(instance.params, corner));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], at[axis]);
+                high[axis] = std::max(high[axis], at[axis]);
+            }
+        }
+    const float margin =
+        scene.instances.empty() ? 0 : kReachMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    params.reach_low = {low[0] - margin, low[1] - margin, low[2] - margin, 0};
+    params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin, 0};
+}
 
 gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows) {
@@ -65,6 +106,7 @@ gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings&
     params.environment = scene.environment;
     params.film = {settings.width * rows, 0, 0, 0};
     params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces, 0, settings.seed};
+    setReach(scene, params);
     return params;
 }
 

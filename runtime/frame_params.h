@@ -13,6 +13,9 @@ namespace pointrt {
 gpu::FrameParams makeFrameParams(const StagedScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows);
 
+/// Puts a box around all that the scene's instances may be hit in into params.reach_low and reach_high.
+void setReach(const StagedScene& scene, gpu::FrameParams& params);
+
 /// Where the ray through the centre of pixel (x, y) starts, input coordinates: the eye but for parallel projection.
 Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y);
 

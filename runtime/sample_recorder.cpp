@@ -9,74 +9,93 @@ SampleRecorder::SampleRecorder(VkCommandBuffer commands, const BandTracer& trace
 
 void SampleRecorder::firstHits() {
     const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
-    run(tracer_.programs.prepare, 0, bits | STEP_RESET, 1);
+    prepare(0, bits | STEP_RESET);
     primary(bits);
-    for (const TracerTarget& target : tracer_.targets) overRays(target.programs->surface, target.set, 0, bits);
-    overRays(tracer_.programs.shade, tracer_.set, 0, bits);
+    overRays(tracer_.programs.shade, 0, bits);
 }
 
 void SampleRecorder::begin() {
-    run(tracer_.programs.prepare, 0, STEP_RESET, 1);
+    prepare(0, STEP_RESET);
     primary(center_);
     shade(0, center_);
 }
 
 void SampleRecorder::pass(std::uint32_t index) {
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
-    // shapes are looked for first, and leave the word that nothing was hit
-    const bool shapes = tracer_.scene->shape_count > 0 || tracer_.targets.size() != 1;
-    if (shapes) overRays(tracer_.programs.trace_shapes, tracer_.set, index, queue);
-    for (const TracerTarget& target : tracer_.targets)
-        overRays(target.programs->trace, target.set, index, queue | (shapes ? 0u : STEP_FRESH));
+    overRays(tracer_.programs.trace_shapes, index, queue);
+    prepare(index, queue | STEP_ASKED);
+    for (const TracerTarget& target : tracer_.targets) {
+        overAsked(target.programs->trace, target.set, index, queue);
+        surface(target, index, queue);
+    }
     shade(index, queue);
 }
 
 void SampleRecorder::shade(std::uint32_t index, std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
-    for (const TracerTarget& target : tracer_.targets) overRays(target.programs->surface, target.set, index, bits);
-    overRays(programs.shade, tracer_.set, index, bits);
-    run(programs.prepare, index, bits, 1);
-    if (tracer_.scene->light_rows.empty()) return;
-    overLit(programs.shadow_shapes, tracer_.set, index, bits);
-    if (tracer_.shadows)
-        for (const TracerTarget& target : tracer_.targets) overLit(target.programs->shadow, target.set, index, bits);
-    overLit(programs.light, tracer_.set, index, bits);
-    if (tracer_.caustics.frame.count.x > 0) overLit(programs.caustic, tracer_.set, index, bits);
+    overRays(programs.shade, index, bits);
+    prepare(index, bits);
+    const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
+    if (lights == 0) return;
+    // path has one turn, and nothing in a second go
+    for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, index, bits);
+    overLit(programs.light, index, bits);
+    if (tracer_.caustics.frame.count.x > 0) overLit(programs.caustic, index, bits);
+}
+
+/// Which of the lights from first on reach the lit points.
+void SampleRecorder::shadows(std::uint32_t first, std::uint32_t pass, std::uint32_t bits) {
+    first_turn_ = first;
+    overLit(tracer_.programs.shadow_shapes, pass, bits);
+    if (!tracer_.shadows) return;
+    prepare(pass, bits | STEP_ASKED);
+    for (const TracerTarget& target : tracer_.targets) overAsked(target.programs->shadow, target.set, pass, bits);
 }
 
 /// First hits of the camera rays.
 void SampleRecorder::primary(std::uint32_t bits) {
-    overRays(tracer_.programs.trace_shapes, tracer_.set, 0, bits);
+    overRays(tracer_.programs.trace_shapes, 0, bits);
     for (std::size_t i = 0; i < tracer_.targets.size(); ++i) {
         const TracerTarget& target = tracer_.targets[i];
-        if (i > 0) run(tracer_.programs.prepare, 0, bits | STEP_RESET, 1);
+        if (i > 0) prepare(0, bits | STEP_RESET);
         record(tracer_.programs.beam, target.set, 0, bits, (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
         recordIndirect(target.programs->trace_primary, target.set, 0, bits, offsetof(gpu::Control, tile_groups));
+        surface(target, 0, bits);
     }
 }
 
-void SampleRecorder::overRays(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits) {
-    recordIndirect(program, set, pass, bits, offsetof(gpu::Control, ray_groups));
+/// Of what has just been hit: where a later instance is nearer, its own takes the place.
+void SampleRecorder::surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits) {
+    prepare(pass, bits | STEP_HITS);
+    recordIndirect(target.programs->surface, target.set, pass, bits, offsetof(gpu::Control, hit_groups));
 }
 
-void SampleRecorder::overLit(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits) {
-    recordIndirect(program, set, pass, bits, offsetof(gpu::Control, lit_groups));
+void SampleRecorder::overRays(const Program& program, std::uint32_t pass, std::uint32_t bits) {
+    recordIndirect(program, tracer_.set, pass, bits, offsetof(gpu::Control, ray_groups));
 }
 
-void SampleRecorder::run(const Program& program, std::uint32_t pass, std::uint32_t bits, std::uint32_t groups) {
-    record(program, tracer_.set, pass, bits, groups);
+void SampleRecorder::overLit(const Program& program, std::uint32_t pass, std::uint32_t bits) {
+    recordIndirect(program, tracer_.set, pass, bits, offsetof(gpu::Control, lit_groups));
+}
+
+void SampleRecorder::overAsked(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits) {
+    recordIndirect(program, set, pass, bits, offsetof(gpu::Control, asked_groups));
+}
+
+void SampleRecorder::prepare(std::uint32_t pass, std::uint32_t bits) {
+    record(tracer_.programs.prepare, tracer_.set, pass, bits, 1);
 }
 
 void SampleRecorder::record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
                             std::uint32_t groups) {
-    const gpu::PushParams params{{sample_, 0, pass, bits | steady_}};
+    const gpu::PushParams params{{sample_, first_turn_, pass, bits | steady_}};
     recordDispatch(commands_, program, set, pushBytes(params), {groups, 1, 1});
     recordBarrier(commands_);
 }
 
 void SampleRecorder::recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
                                     std::size_t offset) {
-    const gpu::PushParams params{{sample_, 0, pass, bits | steady_}};
+    const gpu::PushParams params{{sample_, first_turn_, pass, bits | steady_}};
     recordDispatchIndirect(commands_, program, set, pushBytes(params), tracer_.buffers.control, offset);
     recordBarrier(commands_);
 }

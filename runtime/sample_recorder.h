@@ -24,9 +24,12 @@ public:
 private:
     void shade(std::uint32_t index, std::uint32_t bits);
     void primary(std::uint32_t bits);
-    void overRays(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
-    void overLit(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
-    void run(const Program& program, std::uint32_t pass, std::uint32_t bits, std::uint32_t groups);
+    void shadows(std::uint32_t first, std::uint32_t pass, std::uint32_t bits);
+    void surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits);
+    void overRays(const Program& program, std::uint32_t pass, std::uint32_t bits);
+    void overLit(const Program& program, std::uint32_t pass, std::uint32_t bits);
+    void overAsked(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
+    void prepare(std::uint32_t pass, std::uint32_t bits);
     void record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
                 std::uint32_t groups);
     void recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
@@ -35,6 +38,7 @@ private:
     VkCommandBuffer commands_;
     const BandTracer& tracer_;
     std::uint32_t tiles_, sample_, center_, steady_;
+    std::uint32_t first_turn_ = 0; ///< of those that shadows asks
 };
 
 } // namespace pointrt

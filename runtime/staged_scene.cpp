@@ -139,7 +139,7 @@ void addBlank(Device& device, StagedScene& scene) {
     scene.blank.file = static_cast<std::uint32_t>(scene.files.size());
     scene.files.push_back(blankScene(device));
     scene.blank.params_buffer =
-        createBuffer(device, "instance parameters", sizeof scene.blank.params, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        createBuffer(device, "instance parameters", sizeof scene.blank.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 }
 
 } // namespace
@@ -165,7 +165,7 @@ StagedScene openScene(Device& device, SceneDescription description, bool verbose
             instance.params = placeInstance(scene.stage, scene.files[instance.file],
                                             scene.description.instances[i].placement, static_cast<std::uint32_t>(i));
             instance.params_buffer =
-                createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+                createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         }
         if (scene.instances.empty()) addBlank(device, scene);
     } catch (...) {

@@ -1,24 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queues that a whole subgroup appends to at once.
+// Queues and lists that a whole subgroup appends to at once.
 #ifndef POINTRT_SHADERS_APPEND_GLSL
 #define POINTRT_SHADERS_APPEND_GLSL
 
-uint appendSlot(bool wants, bool lit) {
+#define APPEND_RAY 0u // to the queue that the step does not read
+#define APPEND_LIT 1u
+#define APPEND_ASKED 2u
+#define APPEND_HIT 3u
+
+uint addToCount(uint list, uint more) {
+    if (list == APPEND_LIT) return atomicAdd(control.queued.z, more);
+    if (list == APPEND_ASKED) return atomicAdd(control.appended.x, more);
+    if (list == APPEND_HIT) return atomicAdd(control.appended.y, more);
+    if (hasStep(STEP_QUEUE_ONE)) return atomicAdd(control.queued.x, more);
+    return atomicAdd(control.queued.y, more);
+}
+
+uint listStart(uint list) {
+    if (list == APPEND_LIT) return litQueueStart();
+    if (list == APPEND_ASKED) return askedListStart();
+    if (list == APPEND_HIT) return hitListStart();
+    return rayQueueStart(!hasStep(STEP_QUEUE_ONE));
+}
+
+// list: an APPEND_* constant.
+void appendEntry(uint list, bool wants, uint entry) {
     uvec4 ballot = subgroupBallot(wants);
     uint total = subgroupBallotBitCount(ballot);
     uint start = 0u;
-    if (subgroupElect() && total > 0u) {
-        if (lit) start = atomicAdd(control.queued.z, total);
-        else start = hasStep(STEP_QUEUE_ONE) ? atomicAdd(control.queued.x, total) : atomicAdd(control.queued.y, total);
-    }
-    return subgroupBroadcastFirst(start) + subgroupBallotExclusiveBitCount(ballot);
+    if (subgroupElect() && total > 0u) start = addToCount(list, total);
+    uint slot = subgroupBroadcastFirst(start) + subgroupBallotExclusiveBitCount(ballot);
+    if (wants) queues[listStart(list) + slot] = entry;
 }
 
 void appendRay(bool wants, uint index, PathState path) {
-    uint slot = appendSlot(wants, false);
-    if (!wants) return;
-    queues[rayQueueStart(!hasStep(STEP_QUEUE_ONE)) + slot] = index;
-    paths[index] = path;
+    appendEntry(APPEND_RAY, wants, index);
+    if (wants) paths[index] = path;
 }
 
 #endif

@@ -17,7 +17,7 @@ layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
 layout(set = 0, binding = 15) uniform usamplerBuffer near_words;
 layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
 layout(set = 0, binding = 21) uniform usamplerBuffer slab_words;
-layout(std430, set = 0, binding = 22) readonly buffer InstanceBuffer { InstanceParams instance; };
+layout(std140, set = 0, binding = 22) uniform InstanceBuffer { InstanceParams instance; };
 
 // The scene's.
 layout(set = 0, binding = 5) uniform usamplerBuffer material_texels;
@@ -30,9 +30,9 @@ layout(set = 0, binding = 31) uniform usamplerBuffer photon_texels;
 layout(set = 0, binding = 32) uniform usamplerBuffer photon_buckets;
 
 // The frame's.
-layout(std430, set = 0, binding = 6) readonly buffer ParamsBuffer { FrameParams params; };
+layout(std140, set = 0, binding = 6) uniform ParamsBuffer { FrameParams params; };
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
-// two of rays (the first one holds tiles at first), one of lit points
+// two of rays (the first one holds tiles at first), one of lit points, one of hits, one of rays for instances
 layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; };
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
 // TraceHit: t as bits, cell, near splat and its place in the lists, owner; of shapes: t, 0, shape, OWNER_SHAPES
@@ -48,6 +48,8 @@ layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfac
 layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it
 layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // DEFERRED_MOST a pixel
 layout(std430, set = 0, binding = 33) buffer PhotonBuffer { Photon photons[]; }; // being traced
+layout(set = 0, binding = 34) uniform usamplerBuffer surface_texels; // of surfaces
+layout(set = 0, binding = 35) uniform usamplerBuffer lit_texels; // of lit_points
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
@@ -72,6 +74,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadPathTexel(path, member) uintBitsToFloat(texelFetch(path_texels, int(path) * 4 + (member)))
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
+#define loadSurfaceTexel(path, member) uintBitsToFloat(texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member)))
+#define loadLitTexel(path, member) uintBitsToFloat(texelFetch(lit_texels, int(path) * LIT_VECTORS + (member)))
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
 // Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.
@@ -97,6 +101,9 @@ Light loadLight(uint index) {
 }
 
 bool hasOption(uint option) { return (params.scene.y & option) != 0u; }
+// A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a constant
+// and makes the program anew, for milliseconds, at each dispatch.
+uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
 bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
 // Lanes of a sample: the band in tiles, the last ones padded.
 uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }
@@ -104,5 +111,7 @@ uint bandTiles() { return tilesAcross() * ((params.image.w + TILE_SIDE - 1u) / T
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint litQueueStart() { return 2u * bandLanes(); }
+uint hitListStart() { return 3u * bandLanes(); }
+uint askedListStart() { return 4u * bandLanes(); }
 
 #endif

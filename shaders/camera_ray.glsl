@@ -15,9 +15,10 @@ uvec2 tilePixel(uint tile, uint lane) {
     return tileCorner(tile) + uvec2((lane >> 1 & 4u) | (lane & 3u), (lane >> 3 & 6u) | (lane >> 2 & 1u));
 }
 
-// Index of a pixel in the band, NO_INDEX beyond its borders.
-uint pixelIndex(uvec2 pixel) {
-    return pixel.x < params.image.x && pixel.y < params.image.w ? pixel.y * params.image.x + pixel.x : NO_INDEX;
+// Whether the lane has a pixel: some tiles reach beyond the band's borders.
+bool isPixel(uint lane) {
+    uvec2 pixel = tilePixel(lane / TILE_PIXELS, lane % TILE_PIXELS);
+    return lane < bandLanes() && pixel.x < params.image.x && pixel.y < params.image.w;
 }
 
 // R2 sequence (Roberts 2018): steps of 1/p and 1/p^2 for the plastic number p in units of 2^-32, so that late samples

@@ -7,16 +7,24 @@
 #include "sampler.glsl"
 #include "sky.glsl"
 
+LitPoint loadLitPoint(uint path) {
+    return LitPoint(loadLitTexel(path, 0), loadLitTexel(path, 1), loadLitTexel(path, 2), loadLitTexel(path, 3),
+                    loadLitTexel(path, 4));
+}
+
 // The lit point of this lane; path: its pixel, NO_INDEX where it has none.
 LitPoint litPoint(out uint path) {
     uint lane = balancedLane();
     bool live = lane < control.queued.w;
     path = live ? loadQueue(litQueueStart() + lane) : NO_INDEX;
-    return lit_points[live ? path : 0u];
+    return loadLitPoint(live ? path : 0u);
 }
 
 // path asks one light by chance, the others each in turn.
-uint lightTurns() { return kIntegrator == INTEGRATOR_PATH ? min(params.scene.x, 1u) : params.scene.x; }
+uint lightTurns() {
+    uint lights = ofLane(params.scene.x);
+    return kIntegrator == INTEGRATOR_PATH ? min(lights, 1u) : lights;
+}
 
 float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.scene.x) : 1.0; }
 

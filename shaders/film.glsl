@@ -2,30 +2,36 @@
 // Sums over the samples.
 #ifndef POINTRT_SHADERS_FILM_GLSL
 #define POINTRT_SHADERS_FILM_GLSL
-#include "bindings.glsl"
+#include "path.glsl"
 #include "color.glsl"
 
-uint filmIndex(uint index, uint layer) { return layer * params.film.x + params.film.y + index; }
+uint filmIndex(uint path, uint layer) { return layer * params.film.x + params.film.y + bandPixel(path); }
 
-// Adds light that was scattered this many times on its way from its source to the pixel.
-void addLight(uint index, vec3 light, uint scatterings) {
-    film[filmIndex(index, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb += light;
-    film[filmIndex(index, LAYER_INDIRECT)].w += luminance(light);
+// Adds light that was scattered this many times on its way from its source to the pixel. Each word that is read or
+// written takes its time: black costs none.
+void addLight(uint path, vec3 light, uint scatterings) {
+    if (light == vec3(0.0)) return;
+    film[filmIndex(path, scatterings <= 1u ? LAYER_DIRECT : LAYER_INDIRECT)].rgb += light;
+    film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }
 
-// Before the first light of a sample: what the last sample came to is squared and summed; the first clears all.
-void beginSample(uint index, bool first) {
-    uint indirect = filmIndex(index, LAYER_INDIRECT), caustic = filmIndex(index, LAYER_CAUSTIC);
-    float last = first ? 0.0 : film[indirect].w;
+// The first light of a sample, and what it sees: covered is 1 where that is the scene itself, and albedo then its own.
+// What the last sample came to is squared and summed; the first one clears all.
+void beginSample(uint path, bool first, vec3 light, float covered, vec3 albedo) {
+    uint direct = filmIndex(path, LAYER_DIRECT), indirect = filmIndex(path, LAYER_INDIRECT);
+    uint caustic = filmIndex(path, LAYER_CAUSTIC), albedos = filmIndex(path, LAYER_ALBEDO);
     if (first) {
-        film[filmIndex(index, LAYER_DIRECT)] = vec4(0.0);
-        film[indirect] = vec4(0.0);
+        film[direct] = vec4(light, covered);
+        film[indirect] = vec4(vec3(0.0), luminance(light));
         film[caustic] = vec4(0.0);
-        film[filmIndex(index, LAYER_ALBEDO)] = vec4(0.0);
+        film[albedos] = vec4(albedo, 0.0);
         return;
     }
+    float last = film[indirect].w;
+    film[direct] += vec4(light, covered);
+    film[indirect].w = luminance(light);
     film[caustic].w += last * last;
-    film[indirect].w = 0.0;
+    if (covered > 0.0) film[albedos] += vec4(albedo, 0.0);
 }
 
 #endif

@@ -57,6 +57,8 @@ struct FrameParams {
     uvec4 scene;     // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no picture
     uvec4 film;      // x: pixels of the film, y: the first of the band in it
     uvec4 mode;      // x: INTEGRATOR_*, y: bounces, w: seed
+    vec4 reach_low;  // corners of a box around all that instances may be hit in; without any, low is above high
+    vec4 reach_high;
     EnvironmentFrame environment;
     CausticFrame caustics;
 };
@@ -64,9 +66,12 @@ struct FrameParams {
 // Counters and the group counts of indirect dispatches.
 struct Control {
     uvec4 ray_groups; // indirect arguments of trace and shade
-    uvec4 lit_groups; // indirect arguments of shadow and light
+    uvec4 lit_groups; // indirect arguments of shadow_shapes and light
+    uvec4 asked_groups; // indirect arguments of trace and shadow; w: rays in their list
+    uvec4 hit_groups; // indirect arguments of surface; w: hits in its list
     uvec4 tile_groups; // indirect arguments of trace_primary; w: tiles in queue 0
     uvec4 queued;     // x, y: rays in queue 0 and 1, z: lit points being appended, w: lit points being shaded
+    uvec4 appended;   // x: rays to the list that trace and shadow read next, y: hits to that of surface
     uvec4 traced;     // x: primary, y: shadow, z: secondary rays of this sample
 };
 
@@ -96,6 +101,7 @@ struct SurfacePoint {
     vec4 albedo;   // linear; w: distance along the ray
     uvec4 id;       // x: splat, y: owner, z: 1: casts caustics
 };
+#define SURFACE_VECTORS 4
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
 #define SURFACE_SIDED 0x40000000u // normals point outwards
 #define SURFACE_BACK 0x80000000u  // seen from the inside
@@ -108,6 +114,7 @@ struct LitPoint {
     vec4 throughput; // w: as bits, the path's bounce
     vec4 view;       // towards the viewer; w: -1 where normal is the stored one turned round, else 1
 };
+#define LIT_VECTORS 5
 
 // What is known of a pixel, in vectors of film, layer after layer: sums over the samples.
 #define LAYER_DIRECT 0u   // light scattered once, and what is seen itself; w: share covered by the scene
@@ -120,7 +127,7 @@ struct LitPoint {
 #define FIRST_HIT_VECTORS 2u
 
 struct PushParams {
-    uvec4 step; // x: sample, z: pass (0: camera rays), w: STEP_* bits
+    uvec4 step; // x: sample, y: first of the turns asked for shadows, z: pass (0: camera rays), w: STEP_* bits
 };
 
 // A photon's target, in its direction's w as bits: an owner, with the number of a shape above it.
@@ -130,8 +137,15 @@ struct PushParams {
 #define STEP_FIRST_HIT 2u  // shading only records the first hit
 #define STEP_RESET 4u      // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u  // rays are read from queue 1 and appended to queue 0
-#define STEP_STEADY 32u   // lamps are asked where they are in the middle, not by chance: pictures without noise
-#define STEP_FRESH 16u     // trace: nothing was traced before for these rays
+#define STEP_FRESH 16u     // trace: all rays of the queue, for which nothing was traced before; hits are not listed
+#define STEP_STEADY 32u    // lamps are asked in the middle, and the first alone for shadows: pictures at once
+#define STEP_ASKED 64u     // prepare: the list of rays for instances is complete
+#define STEP_HITS 128u     // prepare: the list of an instance's hits is complete
+
+// A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
+#define ASKED_TURN_SHIFT 27u
+// Turns that the list has room for; where there are more, they are taken in several goes.
+#define ASKED_TURNS 8u
 
 #ifdef __cplusplus
 } // namespace pointrt::gpu

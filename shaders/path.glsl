@@ -10,26 +10,41 @@ const uvec4 kNoHit = uvec4(0x7149F2CAu, NO_INDEX, NO_INDEX, 0u); // t is 1e30
 
 bool isCameraPass() { return push.step.z == 0u; }
 
-// index: of the pixel in the band, NO_INDEX where this lane has none.
-PathState currentPath(out uint index) {
-    uint lane = balancedLane();
-    if (!isCameraPass()) {
-        index = queuedIndex(lane);
-        return paths[index != NO_INDEX ? index : 0u];
-    }
-    uint tile = min(lane / TILE_PIXELS, bandTiles() - 1u);
-    uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
-    index = lane < bandLanes() ? pixelIndex(pixel) : NO_INDEX;
-    CameraRay ray = cameraRay(pixel);
+// Paths are numbered as lanes, by tiles of pixels: what is near each other then lies near each other in memory.
+uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PIXELS); }
+
+PathState cameraPath(uint index) {
+    CameraRay ray = cameraRay(pathPixel(index));
     return PathState(vec4(ray.origin, 0.0), vec4(ray.direction, 0.0), vec4(1.0),
                      vec4(vec3(0.0), uintBitsToFloat(NO_OWNER << PATH_OWNER_SHIFT)));
+}
+
+PathState storedPath(uint index) {
+    return PathState(loadPathTexel(index, PATH_ORIGIN), loadPathTexel(index, PATH_DIRECTION),
+                     loadPathTexel(index, PATH_THROUGHPUT), loadPathTexel(index, PATH_LEFT_NORMAL));
+}
+
+PathState pathOf(uint index) {
+    if (isCameraPass()) return cameraPath(index);
+    return storedPath(index);
+}
+
+// index: the path's number, NO_INDEX where this lane has none.
+PathState currentPath(out uint index) {
+    uint lane = balancedLane();
+    index = isCameraPass() ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
+    return pathOf(index != NO_INDEX ? index : 0u);
 }
 
 uint pathBits(PathState path) { return floatBitsToUint(path.left_normal.w); }
 uint bounceOf(uint bits) { return bits & PATH_BOUNCE_MASK; }
 
-// Of a pixel of the band in the whole image.
-uint imagePixel(uint index) { return index + params.image.z * params.image.x; }
+// The path's pixel in the band, and in the whole image.
+uint bandPixel(uint path) {
+    uvec2 pixel = pathPixel(path);
+    return pixel.y * params.image.x + pixel.x;
+}
+uint imagePixel(uint path) { return bandPixel(path) + params.image.z * params.image.x; }
 
 // Dimensions of the sample sequence, in pairs: a pixel's place, then these for each bounce.
 #define DIMENSIONS_A_BOUNCE 4u

@@ -34,7 +34,7 @@ void main() {
     SurfaceMaterial matter = surfaceMaterial(row, point.albedo, point.back, dot(normal, way_back));
     vec3 flux = path.throughput.rgb * (point.back ? transmittance(row, point.t) : vec3(1.0));
 
-    float u = sample1(imagePixel(index), push.step.x, bounce, params.mode.w);
+    float u = sample1(index, push.step.x, bounce, params.mode.w);
     bool reflects = u < matter.reflect_chance, refracts = !reflects && u < matter.reflect_chance + matter.refract_chance;
     bool met = live && point.t >= 0.0 && (bounce > 0u || meetsTarget(path, point));
     bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(matter);

@@ -32,7 +32,8 @@ Point shapePoint(PathState path, uvec4 hit) {
 }
 
 Point splatPoint(uint index) {
-    SurfacePoint s = surfaces[index];
+    SurfacePoint s = SurfacePoint(loadSurfaceTexel(index, 0), loadSurfaceTexel(index, 1), loadSurfaceTexel(index, 2),
+                                  floatBitsToUint(loadSurfaceTexel(index, 3)));
     uint bits = floatBitsToUint(s.normal.w);
     return Point(s.albedo.w, s.position.xyz, s.normal.xyz, s.position.w, s.id.y, s.id.x, bits & SURFACE_MATERIAL_MASK,
                  (bits & SURFACE_SIDED) != 0u, (bits & SURFACE_BACK) != 0u, s.id.z != 0u, s.albedo.rgb);

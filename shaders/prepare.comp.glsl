@@ -15,7 +15,20 @@ void main() {
         control.ray_groups = groupsFor(bandLanes());
         control.tile_groups = uvec4(0u, 1u, 1u, 0u);
         control.lit_groups = groupsFor(0u);
+        control.asked_groups = groupsFor(0u);
+        control.hit_groups = groupsFor(0u);
+        control.appended = uvec4(0u);
         control.traced = uvec4(params.image.x * params.image.w, 0u, 0u, 0u);
+        return;
+    }
+    if (hasStep(STEP_ASKED)) {
+        control.asked_groups = uvec4(groupsFor(control.appended.x).xyz, control.appended.x);
+        control.appended.x = 0u;
+        return;
+    }
+    if (hasStep(STEP_HITS)) {
+        control.hit_groups = uvec4(groupsFor(control.appended.y).xyz, control.appended.y);
+        control.appended.y = 0u;
         return;
     }
     // the queue just shaded is empty again; the other holds the next rays

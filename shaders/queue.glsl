@@ -19,4 +19,9 @@ uint queuedIndex(uint lane) {
     return lane < count ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
 }
 
+// The lane's entry in the list of rays for instances, or NO_INDEX.
+uint askedEntry(uint lane) {
+    return lane < control.asked_groups.w ? loadQueue(askedListStart() + lane) : NO_INDEX;
+}
+
 #endif

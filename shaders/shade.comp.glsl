@@ -16,10 +16,12 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
+// Glass alone sends on two rays at once, and path follows one of them.
+const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && kIntegrator != INTEGRATOR_PATH;
+
 void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint bounce) {
-    uint slot = appendSlot(wants, true);
+    appendEntry(APPEND_LIT, wants, index);
     if (!wants) return;
-    queues[litQueueStart() + slot] = index;
     lit_points[index] =
         LitPoint(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
                  vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
@@ -44,18 +46,16 @@ NextRay followed(Shading shading, uint waiting, float u, out bool defers) {
 
 void recordFirstHit(uint index, Point point) {
     bool hit = point.t >= 0.0;
-    uint at = FIRST_HIT_VECTORS * (params.film.y + index);
+    uint at = FIRST_HIT_VECTORS * (params.film.y + bandPixel(index));
     first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
     first_hits[at + 1u] =
         vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
 }
 
-// What the scene itself covers of a pixel, and its colour there.
-void recordCoverage(uint index, Point point) {
+// The scene itself is what covers a pixel.
+bool covers(Point point) {
     bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.splat).kind.z & SHAPE_BACKDROP) != 0u;
-    if (point.t < 0.0 || backdrop) return;
-    film[filmIndex(index, LAYER_DIRECT)].w += 1.0;
-    film[filmIndex(index, LAYER_ALBEDO)].rgb += point.albedo;
+    return point.t >= 0.0 && !backdrop;
 }
 
 Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matter, uint index) {
@@ -77,26 +77,25 @@ void main() {
         return;
     }
     uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
-    if (live && isCameraPass()) {
-        beginSample(index, push.step.x == 0u);
-        recordCoverage(index, point);
-    }
+    bool covered = covers(point);
+    vec3 albedo = covered ? point.albedo : vec3(0.0);
     // glass is left where the surface is met from behind; where normals do not tell, every second time
     point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
     Material row = loadMaterial(point.material);
     SurfaceMaterial matter = matterOf(row, point.albedo, point.back, -dot(point.normal, path.direction.xyz));
     path.throughput.rgb *= point.back ? transmittance(row, point.t) : vec3(1.0);
     Shading shading = shadeAny(path, point, row, matter, index);
-    if (live) addLight(index, shading.added, bounce);
+    if (live && isCameraPass()) beginSample(index, push.step.x == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
+    if (live && !isCameraPass()) addLight(index, shading.added, bounce);
     appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
               shading.lit_weight, bounce);
 
     bool defers;
     float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
     NextRay next = followed(shading, waiting, u, defers);
-    bool goes_on = live && largest(next.weight) > 0.0, resumes = live && !goes_on && waiting > 0u;
-    if (live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
+    bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
+    if (kMayDefer && live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
     PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
-    if (resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
+    if (kMayDefer && resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
     appendRay(goes_on || resumes, index, after);
 }

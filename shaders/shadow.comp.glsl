@@ -21,16 +21,13 @@ bool isShadowed(LitPoint point, LightSample to, bool asks) {
 }
 
 void main() {
-    uint path;
-    LitPoint point = litPoint(path);
-    bool live = path != NO_INDEX;
-    uint turns = lightTurns(), mask = live ? light_masks[path] : 0xFFFFFFFFu;
-    for (uint turn = 0u; turn < turns; turn++) {
-        Light light;
-        LightSample to = sampleTurn(point, live ? path : 0u, turn, light);
-        bool asks = (mask >> turn & 1u) == 0u;
-        bool dark = isShadowed(point, to, asks);
-        mask |= asks && dark ? 1u << turn : 0u;
-    }
-    if (live) light_masks[path] = mask;
+    uint entry = askedEntry(balancedLane());
+    if (entry == NO_INDEX) return;
+    uint turn = entry >> ASKED_TURN_SHIFT, path = entry & (1u << ASKED_TURN_SHIFT) - 1u;
+    LitPoint point = loadLitPoint(path);
+    Light light;
+    LightSample to = sampleTurn(point, path, turn, light);
+    // another instance may have answered already
+    bool asks = (light_masks[path] >> turn & 1u) == 0u;
+    if (isShadowed(point, to, asks)) atomicOr(light_masks[path], 1u << turn);
 }

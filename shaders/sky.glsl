@@ -22,7 +22,8 @@ vec3 ambientLight(vec3 normal) { return skyColor(normal) * params.sky_zenith.w; 
 vec3 sunsSeen(vec3 direction) {
     vec3 seen = vec3(0.0);
     if (!mayHaveLight(LIGHT_SUN)) return seen;
-    for (uint l = 0u; l < params.scene.x; l++) {
+    uint lights = ofLane(params.scene.x);
+    for (uint l = 0u; l < lights; l++) {
         Light light = loadLight(l);
         bool meets = lightKind(light) == LIGHT_SUN && meetsSun(light, direction);
         seen += meets ? lightRadiance(light) : vec3(0.0);

@@ -19,7 +19,8 @@ bool between(vec3 v, uint low, uint high) {
 // The scene's number of a surface's material.
 uint materialOf(Surface surface) {
     uint material = instance.materials.y + surface.material;
-    for (uint i = 0u; i < instance.materials.z; i++) {
+    uint ranges = ofLane(instance.materials.z);
+    for (uint i = 0u; i < ranges; i++) {
         uvec4 range = instance.color_range[i];
         if (between(surface.color, range.x, range.y)) material = range.z;
     }
@@ -27,10 +28,11 @@ uint materialOf(Surface surface) {
 }
 
 void main() {
-    uint index;
-    PathState path = currentPath(index);
-    uvec4 hit = index != NO_INDEX ? loadHit(index) : kNoHit;
-    if (hit.z == NO_INDEX || hit.w != instance.materials.x) return;
+    uint lane = balancedLane();
+    if (lane >= control.hit_groups.w) return;
+    uint index = loadQueue(hitListStart() + lane);
+    PathState path = pathOf(index);
+    uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
     Surface surface = surfaceAt(cubePoint(path.origin.xyz), cubeDirection(path.direction.xyz), hit);
     float t = surface.t / cubeScale();

@@ -2,4 +2,6 @@
 // First hits of the queued rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
 #include "trace_queued.glsl"

@@ -17,18 +17,6 @@ struct TraceHit {
     uint near; // the near splat, NO_INDEX when nothing is hit
 };
 
-// t is stored in stage units. What was hit before, and nearer, stays.
-void storeHit(uint path, TraceHit hit) {
-    if (hit.near == NO_INDEX && !hasStep(STEP_FRESH)) return;
-    imageStore(hit_texels, int(path),
-               uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.near, instance.materials.x));
-}
-
-// How far a path's ray may go, in cube units: to what was hit before.
-float reachOf(uint path) {
-    return hasStep(STEP_FRESH) ? 1e30 : uintBitsToFloat(loadHit(path).x) * cubeScale();
-}
-
 // A ray in cube units and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored,
 // and where normals are not oriented on those facing the other way as well. Only discs that the ray crosses the way it
 // left its surface are its own: from hollows it comes back to the same surface, sooner than own_t at grazing angles.

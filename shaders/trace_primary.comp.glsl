@@ -2,22 +2,25 @@
 // First hits of the camera rays in the tiles that a beam left over.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
 #include "bindings.glsl"
 #include "queue.glsl"
 #include "splat.glsl"
 #include "trace.glsl"
 #include "camera_ray.glsl"
+#include "append.glsl"
+#include "store_hit.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint lane = balancedLane();
-    if (lane >= control.tile_groups.w * TILE_PIXELS) return;
-    uint tile = loadQueue(lane / TILE_PIXELS);
-    uvec2 pixel = tilePixel(tile, lane % TILE_PIXELS);
-    uint index = pixelIndex(pixel);
-    if (index == NO_INDEX) return;
-    CameraRay ray = cameraRay(pixel);
-    storeHit(index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile), reachOf(index),
-                                   vec3(0.0), 0.0)));
+    bool queued = lane < control.tile_groups.w * TILE_PIXELS;
+    uint tile = loadQueue(queued ? lane / TILE_PIXELS : 0u), index = tile * TILE_PIXELS + lane % TILE_PIXELS;
+    bool live = queued && isPixel(index);
+    index = live ? index : 0u; // idle lanes work along: the list needs the whole subgroup
+    CameraRay ray = cameraRay(tilePixel(tile, lane % TILE_PIXELS));
+    storeHit(live, index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile),
+                                         live ? reachOf(index) : -1.0, vec3(0.0), 0.0)));
 }

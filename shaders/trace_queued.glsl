@@ -4,14 +4,19 @@
 #include "queue.glsl"
 #include "splat.glsl"
 #include "trace.glsl"
+#include "append.glsl"
+#include "store_hit.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
-    uint path = queuedIndex(balancedLane());
-    if (path == NO_INDEX) return;
+    uint lane = balancedLane();
+    uint path = hasStep(STEP_FRESH) ? queuedIndex(lane) : askedEntry(lane);
+    bool live = path != NO_INDEX;
+    path = live ? path : 0u; // idle lanes work along: the list needs the whole subgroup
     vec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);
     bool own = floatBitsToUint(left.w) >> PATH_OWNER_SHIFT == instance.materials.x;
-    storeHit(path, trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
-                                  reachOf(path), cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0)));
+    TraceHit hit = trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
+                                  live ? reachOf(path) : -1.0, cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0));
+    storeHit(live, path, hit);
 }

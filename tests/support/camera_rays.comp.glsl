@@ -13,6 +13,6 @@ void main() {
     if (lane >= bandLanes()) return;
     uvec2 pixel = tilePixel(lane / TILE_PIXELS, lane % TILE_PIXELS);
     CameraRay ray = cameraRay(pixel);
-    first_hits[lane] = vec4(ray.direction, uintBitsToFloat(pixelIndex(pixel)));
+    first_hits[lane] = vec4(ray.direction, 0.0);
     film[lane] = vec4(ray.origin, 0.0);
 }

@@ -55,8 +55,7 @@ struct RayCaster::State {
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
     double trace_seconds = 0;
-    std::vector<std::uint32_t> lane_pixels; ///< of the camera's view
-    std::vector<Ray> view_rays;             ///< one for each of lane_pixels
+    std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
 
     /// What no ray's program writes is as small as can be.
     void createBuffers() {
@@ -70,9 +69,9 @@ struct RayCaster::State {
             return buffer;
         };
         const std::uint64_t rays = batch_rays;
-        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams));
+        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        buffers.queues = texels("queue buffer", rays * sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+        buffers.queues = texels("queue buffer", 4 * rays * sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         buffers.paths = texels("path buffer", rays * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT);
         buffers.hits = texels("hit buffer", rays * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                               VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
@@ -80,8 +79,8 @@ struct RayCaster::State {
             texels("beam buffer", (rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT);
         buffers.film = storage("film buffer", rays * sizeof(gpu::vec4));
         buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
-        buffers.surfaces = storage("surface buffer", sizeof(gpu::SurfacePoint));
-        buffers.lit = storage("lit point buffer", sizeof(gpu::LitPoint));
+        buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT);
+        buffers.lit = texels("lit point buffer", sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
         no_caustics = emptyCaustics(device);
@@ -91,7 +90,7 @@ struct RayCaster::State {
     void queueInOrder() {
         std::vector<std::uint32_t> in_order(batch_rays);
         std::iota(in_order.begin(), in_order.end(), 0u);
-        uploadBuffer(device, buffers.queues, in_order.data(), buffers.queues.bytes);
+        uploadBuffer(device, buffers.queues, in_order.data(), in_order.size() * sizeof in_order[0]);
     }
 
     void createPrograms() {
@@ -173,17 +172,14 @@ struct RayCaster::State {
         downloadBuffer(device, buffers.first_hits, lanes.data(), pixels * sizeof lanes[0]);
         downloadBuffer(device, buffers.film, origins.data(), pixels * sizeof origins[0]);
         view_rays.clear();
-        lane_pixels.clear();
-        for (std::uint32_t lane = 0; lane < pixels; ++lane) {
+        for (std::uint32_t lane = 0; lane < pixels; ++lane)
             view_rays.push_back({vec(origins[lane]), vec(lanes[lane]), {}, 0});
-            lane_pixels.push_back(std::bit_cast<std::uint32_t>(lanes[lane].w));
-        }
         return view_rays;
     }
 
     /// Beams, then first hits; pixels whose beam misses keep NO_INDEX, which they get before the clock starts.
     double traceCamera() {
-        const auto pixels = static_cast<std::uint32_t>(lane_pixels.size());
+        const auto pixels = static_cast<std::uint32_t>(view_rays.size());
         const std::vector<gpu::uvec4> none(pixels,
                                            gpu::uvec4{std::bit_cast<std::uint32_t>(1e30f), NO_INDEX, NO_INDEX, 0});
         uploadBuffer(device, buffers.hits, none.data(), none.size() * sizeof none[0]);
@@ -264,14 +260,8 @@ std::vector<Ray> RayCaster::cameraRays(std::uint32_t size, const CameraRequest& 
 double RayCaster::traceCamera() { return state_->traceCamera(); }
 
 std::vector<CastHit> RayCaster::cameraHits() {
-    const std::vector<std::uint32_t>& pixels = state_->lane_pixels;
-    std::vector<Ray> rays(pixels.size());
-    for (std::size_t lane = 0; lane < pixels.size(); ++lane) rays.at(pixels[lane]) = state_->view_rays[lane];
-    load(rays);
-    std::vector<CastHit> by_pixel(pixels.size()), hits;
-    state_->readFlat(by_pixel);
-    for (const std::uint32_t pixel : pixels) hits.push_back(by_pixel[pixel]);
-    return hits;
+    load(state_->view_rays);
+    return loadedHits();
 }
 
 Vec3 RayCaster::lightPosition() const { return vec(state_->scene.light_rows.at(0).position); }
