@@ -12,8 +12,8 @@ namespace {
 /// Of a new measurement in the estimate. Slower than before is believed sooner than faster: a frame that comes late is
 /// worse than a coarse one.
 constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
-/// Edges are divided by powers of this, which makes areas halves and doubles.
-constexpr double kSizeStep = 1.4142135623730951;
+/// Edges are divided by powers of this, the fourth root of 2: two steps halve or double the area.
+constexpr double kSizeStep = 1.189207115002721;
 /// Below this the picture says nothing any more, however slow the tracer is.
 constexpr double kMostDivisor = 16;
 /// Share of the time that the next finer size may take at most to be chosen again.

@@ -60,6 +60,7 @@ Window::Window(const Options& options)
 }
 
 Window::~Window() {
+    save_.reset();
     turntable_.reset();
     bake_.reset();
     load_.reset();
@@ -98,7 +99,7 @@ std::vector<InputEvent> Window::gatherInput() {
     if (!replay_) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0, busy() || bake_ || turntable_);
+    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0, busy() || bake_ || turntable_ || save_ || screenshot_wanted_);
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
@@ -164,7 +165,7 @@ bool Window::frame() {
     present();
     noteTimes(start);
     for (const std::string& name : std::exchange(frame_shots_, {})) takeFrame(name);
-    return !quit_;
+    return !quit_ || (screenshot_wanted_ && live_); // who asked for a picture gets it
 }
 
 void Window::run() {

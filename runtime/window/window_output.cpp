@@ -5,14 +5,11 @@
 #include <filesystem>
 
 #include "pointrt/tool.hpp"
-#include "runtime/denoiser.h"
-#include "runtime/film_file.h"
 #include "runtime/film_signature.h"
 #include "runtime/image_png.h"
 #include "runtime/scene_write.h"
 #include "runtime/settings.h"
 #include "runtime/staging.h"
-#include "runtime/tonemap.h"
 #include "runtime/window/window_state.h"
 
 namespace pointrt {
@@ -58,13 +55,11 @@ void Window::takeScreenshot() {
     screenshot_wanted_ = false;
     try {
         const std::string name = freeName(stemOf(work_.scene.path), {".png", ".exr"});
-        Film film = live_->readFilm();
         const std::uint32_t samples = live_->progress().samples;
         const std::string signature = filmSignature(loaded_->scene, live_->view().settings, live_->view().camera);
-        writeSavedFilm(name + ".exr", {film, samples, work_.settings.seed, signature});
-        if (work_.denoise) denoisePicture(host_.device(), film);
-        writePng(name + ".png", developFilm(film, work_.look.exposure));
-        tell("saved " + name + ".png and " + name + ".exr, " + std::to_string(samples) + " samples");
+        save_ = std::make_unique<SaveJob>(host_.device(), name,
+                                          SavedFilm{live_->readFilm(), samples, work_.settings.seed, signature},
+                                          SaveLook{work_.look.exposure, work_.denoise});
     } catch (const Error& error) {
         tell(error.what(), true);
     }

@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 /// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
-constexpr double kMovingBudget_s = 0.014;
+constexpr double kMovingBudget_s = 0.016;
 /// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
 constexpr double kRestingBudget_s = 0.018;
 
@@ -52,11 +52,12 @@ void Window::updatePicture() {
     }
     work_.requests.look_changed = false;
     live_->setSamples(work_.samples_wanted);
-    if (work_.paused && !frame_moved_ && live_->progress().samples > 0) return;
+    // a picture that is to be saved has the same samples everywhere
+    if (work_.paused && !frame_moved_ && !screenshot_wanted_ && live_->progress().samples > 0) return;
     resolvePicks();
     if (live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s)) refineUndrawn();
     uploadPicture();
-    if (screenshot_wanted_ && live_->betweenSamples()) takeScreenshot();
+    if (screenshot_wanted_ && live_->betweenSamples() && !save_) takeScreenshot();
 }
 
 /// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as

@@ -84,6 +84,10 @@ void Window::pollJobs() {
         const std::unique_ptr<TurntableJob> done = std::move(turntable_);
         if (tellEnd(done->job())) tell("rendered " + work_.turntable_path);
     }
+    if (save_ && save_->job().ended()) {
+        const std::unique_ptr<SaveJob> done = std::move(save_);
+        if (tellEnd(done->job())) tell(done->done());
+    }
     if (load_ && load_->job().ended()) {
         const std::unique_ptr<LoadJob> load = std::move(load_);
         // a scene that the user asked for by name, and there is nothing else to show
@@ -91,6 +95,7 @@ void Window::pollJobs() {
         if (tellEnd(load->job())) showLoaded(load->take());
     }
     work_.job.reset();
+    if (save_) work_.job = save_->job().figures();
     if (turntable_) work_.job = turntable_->job().figures();
     if (bake_) work_.job = bake_->job().figures();
     if (refurnish_) work_.job = refurnish_->job().figures();

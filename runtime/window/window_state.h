@@ -19,6 +19,7 @@
 #include "runtime/window/load_job.h"
 #include "runtime/window/recording.h"
 #include "runtime/window/replay.h"
+#include "runtime/window/save_job.h"
 #include "runtime/window/turntable_job.h"
 #include "runtime/window/ui_input.h"
 #include "runtime/window/view_flight.h"
@@ -133,6 +134,7 @@ private:
     std::unique_ptr<RefurnishJob> refurnish_;
     std::unique_ptr<BakeJob> bake_;
     std::unique_ptr<TurntableJob> turntable_;
+    std::unique_ptr<SaveJob> save_;
     bool edits_wait_ = false; ///< what the panels say is not yet on the device
     /// What the user made of each room's lamps, to find it again.
     struct Lamps {
