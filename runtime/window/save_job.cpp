@@ -26,12 +26,10 @@ void save(Device& device, const std::string& name, SavedFilm& saved, SaveLook lo
 
 SaveJob::SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveLook look)
     : done_("saved " + name + ".png and " + name + ".exr, " + std::to_string(saved.samples) + " samples"),
-      worker_(device),
-      job_(
-          "Saving the picture",
-          [this, name, look, film = std::make_shared<SavedFilm>(std::move(saved))](JobControl& control) {
-              save(worker_.get(), name, *film, look, control);
-          },
-          false) {}
+      worker_(device), job_(
+                           "Saving the picture",
+                           [this, name, look, film = std::make_shared<SavedFilm>(std::move(saved))](
+                               JobControl& control) { save(worker_.get(), name, *film, look, control); },
+                           false) {}
 
 } // namespace pointrt

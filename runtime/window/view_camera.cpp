@@ -28,6 +28,7 @@ constexpr double kLeastOfCoordinate = 2e-11;
 constexpr double kStepsToHalve = 4;
 constexpr double kRadiiPerSecond = 0.5;
 constexpr double kFlyStepsPerSecond = 4; // orthographic
+constexpr double kStandingShare = 1e-9;  // more than rounding: a view that does not move stays as it is, to the bit
 
 double leastDistance(const ViewCamera& view) {
     return std::max(kLeastRadii * view.scene_radius, kLeastOfCoordinate * length(view.scene_centre));
@@ -51,10 +52,12 @@ ViewCamera withinReach(const ViewCamera& before, const ViewCamera& after) {
     return eye_within && length(after.pivot - after.scene_centre) <= limit ? after : before;
 }
 
-/// Orthographic rays begin at the eye: from here, none begins within the scene, however it is turned.
+/// Orthographic rays begin at the eye: from here, none begins within the scene, however it is turned, and no farther
+/// away: walls of a room stand there.
 ViewCamera standingOutside(ViewCamera view) {
     const double least = length(view.pivot - view.scene_centre) + view.scene_radius;
-    if (view.ortho_height > 0 && distanceToPivot(view) < least) view.eye = view.pivot - axesOf(view).forward * least;
+    const bool stands_right = std::abs(distanceToPivot(view) - least) <= kStandingShare * least;
+    if (view.ortho_height > 0 && !stands_right) view.eye = view.pivot - axesOf(view).forward * least;
     return view;
 }
 

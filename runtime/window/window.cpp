@@ -99,7 +99,8 @@ std::vector<InputEvent> Window::gatherInput() {
     if (!replay_) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0, busy() || bake_ || turntable_ || save_ || screenshot_wanted_);
+    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0,
+                                         busy() || bake_ || turntable_ || save_ || screenshot_wanted_);
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
@@ -118,9 +119,7 @@ void Window::drawInterface(double seconds) {
     host_.setCursor(uiCursor());
 }
 
-void Window::present() {
-    pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData());
-}
+void Window::present() { pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData()); }
 
 void Window::noteTimes(Clock::time_point start) {
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();

@@ -47,6 +47,7 @@ SceneDescription Window::sceneAsShown() const {
     settings.exposure = work_.look.exposure;
     settings.camera = requestOf(work_.camera);
     SceneDescription scene = work_.scene;
+    scene.up = sceneUp(work_.scene, work_.settings); // not that of the camera as it is now
     ownSurroundings(scene, settings);
     return describeRun(std::move(scene), settings, settings.camera.eye.value());
 }

@@ -160,8 +160,8 @@ void Window::restage() {
     }
     Camera camera = loaded_->camera;
     camera.eye = loaded_->staged_for;
-    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
     dropUnused(scene, fewest);
+    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
     work_.scene = staged_ = std::move(scene);
     for (const Lamps& each : lamps_)
         if (!has_own_light && each.room == work_.settings.room) {

@@ -116,8 +116,8 @@ private:
     Clock::time_point start_ = Clock::now(), last_frame_ = start_;
     std::uint32_t frame_ = 0;
     std::vector<std::string> frame_shots_; ///< to be taken of this frame
-    std::vector<InputEvent> early_input_; ///< seen before its frame
-    Clock::time_point looked_ = start_;   ///< for input, last
+    std::vector<InputEvent> early_input_;  ///< seen before its frame
+    Clock::time_point looked_ = start_;    ///< for input, last
     bool quit_ = false, any_input_ = true;
 
     ViewCamera home_;

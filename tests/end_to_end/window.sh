@@ -56,6 +56,26 @@ case_studio_follows_the_scene_not_the_camera() {
     cmp half-1.png file.png || fail "the window's picture is not the file's"
 }
 
+# From above a camera's up is not the scene's, on which sky and rooms stand.
+case_keeps_the_scenes_up() {
+    bakeHalf
+    replay "0 wait 1
+1 key down 7
+1 key up 7
+14 key down 5
+14 key up 5
+28 wait 4
+29 key down F12
+29 key up F12
+30 key down Control
+30 key down S
+31 key up S
+31 key up Control
+33 quit" --room mirror --lights 0 --spp 4
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+}
+
 case_records_what_it_is_told() {
     bakeHalf
     replay "$orbit
