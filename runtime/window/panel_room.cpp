@@ -22,9 +22,25 @@ void roomButton(Workspace& w, const char* name, std::optional<Room> room, const 
     if (shareButton(name, 4, w.settings.room == room, tip)) wish(w, room);
 }
 
+/// Scanners mostly call up Z, modellers Y.
+void drawUp(Workspace& w) {
+    const struct {
+        const char* name;
+        Vec3 axis;
+    } sides[] = {{"Y up", {0, 1, 0}}, {"Z up", {0, 0, 1}}, {"-Y up", {0, -1, 0}}, {"-Z up", {0, 0, -1}}};
+    bool first = true;
+    for (const auto& side : sides) {
+        if (!first) ImGui::SameLine();
+        first = false;
+        const bool stands = length(w.scene_up - side.axis) < 1e-6;
+        if (shareButton(side.name, 4, stands, "the side that the scan stands on")) w.requests.up = side.axis;
+    }
+}
+
 } // namespace
 
 void drawRoom(Workspace& w) {
+    drawUp(w);
     roomButton(w, "Studio", std::nullopt, "three soft lamps over a matte floor");
     ImGui::SameLine();
     roomButton(w, "Matte", Room::kMatte, "a grey room with lamps");

@@ -117,6 +117,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     work_.settings = loaded_->settings;
     work_.scene_min = scene.bounds.lo;
     work_.scene_max = scene.bounds.hi;
+    work_.scene_up = sceneUp(scene.description, work_.settings);
     work_.title = std::filesystem::path(scene.description.path).filename().string();
     work_.picks.clear();
     lamps_.clear();
@@ -170,6 +171,27 @@ void Window::restage() {
         }
 }
 
+/// Puts the scan on another side: the view, and what stands around, begin anew.
+void Window::setUp(Vec3 up) {
+    if (busy()) return;
+    const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
+    const Vec3 front = std::abs(up.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
+    CameraRequest request = requestOf(home_);
+    request.eye = centre + length(home_.eye - centre) * front;
+    request.target = centre;
+    request.up = up;
+    const ViewSize size = viewSize();
+    home_ = framedView(request, work_.scene_min, work_.scene_max, up, size.width / size.height);
+    flyTo(home_);
+    loaded_->described.up = work_.scene_up = up;
+    loaded_->staged_for = home_.eye;
+    loaded_->camera = cameraOf(home_);
+    staged_ = work_.scene;
+    lamps_.clear();
+    restage();
+    edits_wait_ = true;
+}
+
 void Window::refurnishLater() {
     edits_wait_ = false;
     refurnish_ = std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings);
@@ -192,6 +214,7 @@ void Window::editScene() {
 
 void Window::applyRequests() {
     Requests& asked = work_.requests;
+    if (asked.up && loaded_) setUp(*asked.up);
     editScene();
     if (asked.quit) quit_ = true;
     if (asked.cancel_job) cancelJob();

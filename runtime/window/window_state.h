@@ -83,6 +83,7 @@ private:
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
     void applyRequests();
     void editScene();
+    void setUp(Vec3 up);
     void cancelJob();
     void restage();
     void keepLamps(const std::optional<Room>& room);

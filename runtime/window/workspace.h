@@ -60,6 +60,7 @@ struct Requests {
     bool settings_changed = false; ///< settings were edited (integrator, bounces, room, shadows, caustics...)
     bool look_changed = false;     ///< look or denoise: the same light is shown another way
     bool dragging = false;         ///< an edit is under way: more of the same is to come
+    std::optional<Vec3> up;        ///< the scan stands on another side: an axis
     bool save_scene = false, screenshot = false, save_view = false, home = false, quit = false;
     bool cancel_job = false;
     std::optional<std::size_t> go_to_view, forget_view; ///< of scene.views
@@ -73,6 +74,7 @@ struct Workspace {
     Look look;
     bool denoise = true;
     ViewCamera camera;
+    Vec3 scene_up{0, 1, 0};    ///< what rooms stand on; unit length
     Vec3 scene_min, scene_max; ///< bounds of the scan, input coordinates
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
