@@ -11,9 +11,6 @@
 namespace pointrt {
 namespace {
 
-// From here on noise is hardly seen, and what the filter takes off is detail.
-constexpr std::uint32_t kClean = 256;
-
 /// Lights with a size cast soft shadows, which are sampled.
 bool isSoft(const LightDescription& light) {
     if (const auto* sun = std::get_if<SunLight>(&light)) return sun->radius_deg > 0;
@@ -41,7 +38,8 @@ void resolveCamera(const SceneChoices& said, const CameraRequest& filed, CameraR
     }
 }
 
-/// True where samples of a pixel differ by more than its edges.
+} // namespace
+
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
     switch (settings.integrator) {
     case Integrator::kPath:
@@ -54,8 +52,6 @@ bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
         return false;
     }
 }
-
-} // namespace
 
 SceneDescription describeScene(const Options& options) {
     SceneDescription scene;
@@ -121,7 +117,7 @@ SceneDescription describeRun(SceneDescription scene, const RenderSettings& setti
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples) {
     if (settings.denoise != DenoiseChoice::kAuto) return settings.denoise == DenoiseChoice::kOn;
-    return options.output.ends_with(".png") && samples < kClean && isNoisy(settings, scene);
+    return options.output.ends_with(".png") && samples < kCleanSamplesOfLight && isNoisy(settings, scene);
 }
 
 } // namespace pointrt

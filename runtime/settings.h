@@ -21,6 +21,12 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
 /// what addSurroundings has added for the eye staged_for.
 SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
 
+/// From here on noise is hardly seen, and what the denoiser takes off is detail.
+constexpr std::uint32_t kCleanSamplesOfLight = 256;
+
+/// True where samples of a pixel differ by more than its edges.
+bool isNoisy(const RenderSettings& settings, const SceneDescription& scene);
+
 /// True where the denoiser is to run on a picture with this many samples a pixel. scene: with its surroundings.
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples);

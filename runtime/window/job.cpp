@@ -46,6 +46,8 @@ void Job::run(const Work& work) {
         end(JobState::kDone);
     } catch (const JobCancelled&) {
         end(JobState::kCancelled);
+    } catch (const Error& error) {
+        end(JobState::kFailed, error.what(), error.code);
     } catch (const std::bad_alloc&) {
         end(JobState::kFailed, "out of memory");
     } catch (const std::exception& error) {
@@ -55,9 +57,10 @@ void Job::run(const Work& work) {
     }
 }
 
-void Job::end(JobState state, const std::string& error) {
+void Job::end(JobState state, const std::string& error, ExitCode code) {
     const std::lock_guard lock(control_.mutex_);
     control_.error_ = error;
+    control_.code_ = code;
     control_.state_ = state;
 }
 
@@ -69,6 +72,11 @@ JobState Job::state() const {
 std::string Job::error() const {
     const std::lock_guard lock(control_.mutex_);
     return control_.error_;
+}
+
+ExitCode Job::errorCode() const {
+    const std::lock_guard lock(control_.mutex_);
+    return control_.code_;
 }
 
 JobFigures Job::figures() const {

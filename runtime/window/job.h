@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "pointrt/tool.hpp"
 #include "runtime/window/workspace.h"
 
 namespace pointrt {
@@ -37,6 +38,7 @@ private:
     std::string detail_, error_;
     std::optional<double> share_;
     Clock::time_point start_ = Clock::now(), share_said_;
+    ExitCode code_ = ExitCode::kDone;
     JobState state_ = JobState::kRunning;
     std::stop_token stop_;
 };
@@ -59,11 +61,13 @@ public:
     bool ended() const { return state() != JobState::kRunning; }
     /// Why it failed; empty unless it did.
     std::string error() const;
+    /// What a program that ends with that error says.
+    ExitCode errorCode() const;
     JobFigures figures() const;
 
 private:
     void run(const Work& work);
-    void end(JobState state, const std::string& error = {});
+    void end(JobState state, const std::string& error = {}, ExitCode code = ExitCode::kCannotRun);
 
     const std::string what_;
     const bool can_cancel_;

@@ -7,6 +7,7 @@
 
 #include "runtime/film_readout.h"
 #include "runtime/frame_params.h"
+#include "runtime/settings.h"
 
 namespace pointrt {
 namespace {
@@ -21,9 +22,6 @@ constexpr double kRest_s = 0.12;
 constexpr double kLeast_s = 0.002;
 /// Of the time left, a slice is planned to take this share, so that a wrong guess is no late frame.
 constexpr double kPlanned = 0.8;
-/// From here on noise is hardly seen, and what the filter takes off is detail (settings.cpp).
-constexpr std::uint32_t kClean = 256;
-
 double since(std::chrono::steady_clock::time_point start) {
     return Seconds(std::chrono::steady_clock::now() - start).count();
 }
@@ -78,10 +76,13 @@ void LivePicture::setLook(const Look& look, bool denoise) {
     if (full_.width == 0) return;
     const bool lacks_hits = samples_ > 0 && !has_guides_ && hasHits();
     if (lacks_hits) return restart(false);
-    if (denoise && look.shown == SHOWN_BEAUTY && has_denoised_) return showDenoised();
-    showFilm();
-    denoise_due_ = denoise && stage_ != Stage::kDenoising;
-    if (stage_ == Stage::kResting) next();
+    const bool filtered = denoise && look.shown == SHOWN_BEAUTY && samples_ < kCleanSamplesOfLight;
+    if (filtered && denoised_samples_ > 0)
+        showDenoised();
+    else
+        showFilm();
+    denoise_due_ = filtered && stage_ != Stage::kDenoising && denoised_samples_ != samples_;
+    if (stage_ == Stage::kResting && denoisesNow()) begin(Stage::kDenoising);
 }
 
 void LivePicture::setSamples(std::uint32_t spp) {
@@ -112,7 +113,8 @@ void LivePicture::begin(Stage stage) {
     sample_.reset();
     row_ = 0;
     samples_ = 0;
-    has_guides_ = has_denoised_ = denoise_due_ = false;
+    has_guides_ = denoise_due_ = false;
+    denoised_samples_ = 0;
 }
 
 /// Where to go from a stage that is done.
@@ -125,7 +127,8 @@ void LivePicture::next() {
 
 /// At sample counts that are powers of two: in between the picture hardly changes.
 bool LivePicture::denoisesNow() const {
-    return view_.denoise && view_.look.shown == SHOWN_BEAUTY && has_guides_ && samples_ >= 2 && samples_ < kClean &&
+    return view_.denoise && view_.look.shown == SHOWN_BEAUTY && has_guides_ && samples_ >= 2 &&
+           samples_ < kCleanSamplesOfLight &&
            (denoise_due_ || std::has_single_bit(samples_) || samples_ == view_.settings.spp);
 }
 
@@ -138,12 +141,15 @@ bool LivePicture::work(double seconds) {
     }
     double left = seconds;
     while (stage_ != Stage::kResting && (left > kLeast_s || stage_ == Stage::kMoving)) {
+        if (mustShow()) return true;
         advance(left);
         if (stage_ == Stage::kMoving && samples_ > 0) return true;
         left = seconds - since(start);
     }
     return true;
 }
+
+bool LivePicture::mustShow() const { return !updates_.empty() && updates_.back().size != size_; }
 
 void LivePicture::advance(double seconds_left) {
     if (stage_ == Stage::kDenoising) return denoiseOn();
@@ -185,12 +191,13 @@ void LivePicture::finishSlice() {
     sample_.reset();
     row_ += rows;
     // where the denoiser is at work, the picture in between is its last one
-    if (samples_ == 0 || !view_.denoise || view_.look.shown != SHOWN_BEAUTY || samples_ >= kClean)
+    if (samples_ == 0 || !view_.denoise || view_.look.shown != SHOWN_BEAUTY || samples_ >= kCleanSamplesOfLight)
         showRows(first_row, rows, samples_ + 1);
     if (row_ < size_.height) return;
     row_ = 0;
     ++samples_;
     has_guides_ = hasHits();
+    if (samples_ == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on as it is
     next();
 }
 
@@ -217,14 +224,17 @@ void LivePicture::showRows(std::uint32_t first_row, std::uint32_t rows, std::uin
 void LivePicture::denoiseOn() {
     const VkCommandBuffer commands = beginCommands(device_);
     const FilmRange all = rangeOf(0, full_.height, samples_);
-    if (denoise_step_ == 0) recordResolve(commands, darkroom_, all, view_.look, true);
+    Look light = view_.look;
+    light.shown = SHOWN_BEAUTY;
+    if (denoise_step_ == 0) recordResolve(commands, darkroom_, all, light, true);
     recordDenoiseStep(commands, *darkroom_.denoiser, denoise_step_++);
     submitAndWait(device_, commands);
     if (denoise_step_ < kDenoiseSteps) return;
-    has_denoised_ = true;
+    denoised_samples_ = samples_;
     denoise_due_ = false;
     stage_ = samples_ < view_.settings.spp ? Stage::kFine : Stage::kResting;
-    if (view_.denoise && view_.look.shown == SHOWN_BEAUTY) showDenoised();
+    if (view_.denoise && view_.look.shown == SHOWN_BEAUTY) return showDenoised();
+    showFilm();
 }
 
 void LivePicture::showDenoised() {
@@ -237,15 +247,19 @@ void LivePicture::showDenoised() {
 LiveProgress LivePicture::progress() const {
     LiveProgress progress;
     progress.size = size_;
-    progress.samples = size_ == full_ ? samples_ : 0;
+    progress.samples = isWhole() ? samples_ : 0;
     progress.share = size_.height > 0 ? static_cast<double>(row_) / size_.height : 0;
     progress.resting = stage_ == Stage::kResting;
+    progress.denoising = stage_ == Stage::kDenoising;
     const auto rays = static_cast<double>(rays_.primary + rays_.shadow + rays_.secondary);
     progress.mrays_per_second = traced_seconds_ > 0 ? 1e-6 * rays / traced_seconds_ : 0;
     return progress;
 }
 
-bool LivePicture::betweenSamples() const { return samples_ > 0 && size_ == full_ && row_ == 0 && !sample_; }
+/// Quick pictures are of another light, whatever their size.
+bool LivePicture::isWhole() const { return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCoarse; }
+
+bool LivePicture::betweenSamples() const { return samples_ > 0 && isWhole() && row_ == 0 && !sample_; }
 
 std::optional<Pick> LivePicture::pick(std::uint32_t x, std::uint32_t y) {
     if (x >= full_.width || y >= full_.height) return std::nullopt;

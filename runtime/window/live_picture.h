@@ -40,6 +40,7 @@ struct LiveProgress {
     std::uint32_t samples = 0; ///< of every pixel of the whole picture
     double share = 0;          ///< of the next sample
     bool resting = false;      ///< nothing is left to do
+    bool denoising = false;    ///< the picture of these samples is being filtered
     double mrays_per_second = 0;
 };
 
@@ -69,6 +70,8 @@ public:
     /// What has become new since clearUpdates.
     const std::vector<PictureUpdate>& updates() const { return updates_; }
     void clearUpdates() { updates_.clear(); }
+    /// True where what is new must be shown before the work goes on: what follows has another size.
+    bool mustShow() const;
     const Buffer& pixels() const { return darkroom_.pixels; }
 
     LiveProgress progress() const;
@@ -93,6 +96,7 @@ private:
     void openSlice(double seconds_left);
     void finishSlice();
     void denoiseOn();
+    bool isWhole() const;
     void showFilm();
     void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
     void showDenoised();
@@ -110,12 +114,12 @@ private:
     Clock::time_point moved_{};
     PictureSize full_, size_, moving_size_;
     Pace moving_pace_, fine_pace_;
-    std::optional<BandSample> sample_; ///< the slice under way
-    std::uint32_t row_ = 0;            ///< the slice's first
-    std::uint32_t samples_ = 0;        ///< of every pixel of size_
-    bool has_guides_ = false;          ///< the whole film has first hits
-    bool has_denoised_ = false;        ///< of this view
-    bool denoise_due_ = false;         ///< after the next sample, whatever its number
+    std::optional<BandSample> sample_;   ///< the slice under way
+    std::uint32_t row_ = 0;              ///< the slice's first
+    std::uint32_t samples_ = 0;          ///< of every pixel of size_
+    bool has_guides_ = false;            ///< the whole film has first hits
+    std::uint32_t denoised_samples_ = 0; ///< of the denoiser's result, 0: none of this view
+    bool denoise_due_ = false;           ///< after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;
     double slice_seconds_ = 0, denoise_step_seconds_ = 0;
     RayCounts rays_;

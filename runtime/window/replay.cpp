@@ -3,9 +3,9 @@
 
 namespace pointrt {
 
-ReplayFrame Replay::next(std::uint32_t samples, bool busy) {
+ReplayFrame Replay::next(const PictureState& picture) {
     ReplayFrame frame;
-    if (wanted_samples_ && (busy || samples < *wanted_samples_)) return frame;
+    if (wanted_samples_ && (picture.busy || (picture.grows && picture.samples < *wanted_samples_))) return frame;
     wanted_samples_.reset();
     const std::vector<RecordedEvent>& events = recording_.events;
     for (; event_ < events.size() && events[event_].frame <= frame_; ++event_) {

@@ -17,6 +17,13 @@ struct ReplayFrame {
     bool quit = false;
 };
 
+/// Of the window's picture, for waiting.
+struct PictureState {
+    std::uint32_t samples = 0; ///< of every pixel
+    bool grows = false;        ///< more are to come
+    bool busy = false;         ///< a job is at work, or the picture is not shown yet
+};
+
 class Replay {
 public:
     explicit Replay(Recording recording) : recording_(std::move(recording)) {}
@@ -24,9 +31,9 @@ public:
     /// At the start.
     const ResizeEvent& window() const { return recording_.window; }
 
-    /// The next frame's. While the recording waits for samples (of every pixel, with the last frame's samples as
-    /// they are) or for a job, frames are empty and do not count. After the last event the window is to close.
-    ReplayFrame next(std::uint32_t samples, bool busy);
+    /// The next frame's. While the recording waits for samples, and there are more to come, or for a job, frames are
+    /// empty and do not count. After the last event the window is to close.
+    ReplayFrame next(const PictureState& picture);
 
 private:
     Recording recording_;

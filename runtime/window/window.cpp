@@ -18,6 +18,7 @@ namespace {
 /// Without anything to do the window looks for input this often: jobs and notices move on.
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
+/// Of replays and recordings, and of what moves by itself.
 constexpr double kReplayedFrame_s = 1.0 / 30;
 /// Of a new frame's time in the mean that the window shows: a second's worth at 30 frames a second.
 constexpr double kMeanShare = 1.0 / 30;
@@ -82,32 +83,47 @@ double Window::now() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
+/// Recordings go by the clock: frames of a replay are all as long.
+std::uint32_t Window::recordedFrame() const { return static_cast<std::uint32_t>(now() / kReplayedFrame_s + 0.5); }
+
 void Window::tell(const std::string& text, bool error) {
     work_.notices.push_back({text, error, now() + kNotice_s});
     if (options_.verbose || error) std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "", text.c_str());
 }
 
-bool Window::isIdle() const {
-    if (replay_ || flight_ || work_.job || !work_.notices.empty() || controls_.drag) return false;
-    if (length(flying_) > 0 || any_input_ || screenshot_wanted_ || pick_) return false;
-    return !live_ || work_.paused || live_->progress().resting;
+/// How long to wait for input: not at all where there is work, as long as the eye does not notice where something is
+/// shown that moves by itself.
+double Window::patience() const {
+    const bool traces = live_ && !refurnish_ && mayWork() && !live_->progress().resting;
+    if (replay_ || traces || flight_ || length(flying_) > 0 || any_input_ || screenshot_wanted_ || pick_) return 0;
+    return work_.job || !work_.notices.empty() || controls_.drag ? kReplayedFrame_s : kIdle_s;
 }
 
 std::vector<InputEvent> Window::gatherInput() {
     std::vector<InputEvent> events = std::exchange(early_input_, {});
-    if (events.empty()) events = host_.poll(isIdle() ? kIdle_s : 0);
+    if (events.empty()) events = host_.poll(patience());
     if (!replay_) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = replay_->next(live_ ? live_->progress().samples : 0,
-                                         busy() || bake_ || turntable_ || save_ || screenshot_wanted_);
+    ReplayFrame replayed = replay_->next(pictureState());
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
     }
-    frame_shots_ = std::move(replayed.screenshots);
+    for (std::string& name : replayed.screenshots) frame_shots_.push_back(std::move(name));
     quit_ |= replayed.quit;
     return events;
+}
+
+PictureState Window::pictureState() const {
+    PictureState state;
+    state.busy = busy() || bake_ || turntable_ || save_ || screenshot_wanted_ || edits_wait_;
+    if (!live_ || refurnish_) return state;
+    const LiveProgress progress = live_->progress();
+    state.busy |= progress.denoising;
+    state.samples = progress.samples;
+    state.grows = !progress.resting && !work_.paused;
+    return state;
 }
 
 void Window::drawInterface(double seconds) {
@@ -146,14 +162,14 @@ bool Window::frame() {
     last_frame_ = start;
     any_input_ = !events.empty();
     for (const InputEvent& event : events) {
-        if (recorder_) record(*recorder_, {frame_, event});
+        if (recorder_) record(*recorder_, {recordedFrame(), event});
         handle(event);
     }
     ++frame_;
     pollJobs();
     moveCamera(seconds);
     if (host_.minimised()) { // nobody sees it: go on slowly
-        host_.poll(kIdle_s);
+        early_input_ = host_.poll(kIdle_s);
         return !quit_;
     }
     if (host_.size().scale != text_scale_) fitText();
@@ -164,7 +180,7 @@ bool Window::frame() {
     present();
     noteTimes(start);
     for (const std::string& name : std::exchange(frame_shots_, {})) takeFrame(name);
-    return !quit_ || (screenshot_wanted_ && live_); // who asked for a picture gets it
+    return !quit_ || save_ || (screenshot_wanted_ && live_); // who asked for a picture gets it
 }
 
 void Window::run() {

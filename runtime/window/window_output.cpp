@@ -24,7 +24,8 @@ std::string freeName(const std::string& stem, const std::vector<std::string>& en
     for (int number = 1; number <= kMostNumber; ++number) {
         const std::string name = stem + "-" + std::to_string(number);
         bool taken = false;
-        for (const std::string& ending : endings) taken |= fs::exists(name + ending);
+        std::error_code ignored; // what cannot even be looked for will not be written, which says why
+        for (const std::string& ending : endings) taken |= fs::exists(name + ending, ignored);
         if (!taken) return name;
     }
     throw Error{ExitCode::kCannotWrite, stem + "-1 to " + stem + "-" + std::to_string(kMostNumber) + " are all taken"};
@@ -43,7 +44,8 @@ SceneDescription Window::sceneAsShown() const {
     settings.width = host_.pixels().width;
     settings.height = host_.pixels().height;
     settings.spp = work_.samples_wanted;
-    settings.denoise = work_.denoise ? DenoiseChoice::kOn : DenoiseChoice::kOff;
+    const bool filtered = work_.denoise && work_.samples_wanted < kCleanSamplesOfLight;
+    settings.denoise = filtered ? DenoiseChoice::kOn : DenoiseChoice::kOff;
     settings.exposure = work_.look.exposure;
     settings.camera = requestOf(work_.camera);
     SceneDescription scene = work_.scene;
@@ -58,9 +60,9 @@ void Window::takeScreenshot() {
         const std::string name = freeName(stemOf(work_.scene.path), {".png", ".exr"});
         const std::uint32_t samples = live_->progress().samples;
         const std::string signature = filmSignature(loaded_->scene, live_->view().settings, live_->view().camera);
-        save_ = std::make_unique<SaveJob>(host_.device(), name,
-                                          SavedFilm{live_->readFilm(), samples, work_.settings.seed, signature},
-                                          SaveLook{work_.look.exposure, work_.denoise});
+        save_ = std::make_unique<SaveJob>(
+            host_.device(), name, SavedFilm{live_->readFilm(), samples, work_.settings.seed, signature},
+            SaveLook{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight});
     } catch (const Error& error) {
         tell(error.what(), true);
     }

@@ -52,18 +52,21 @@ void Window::updatePicture() {
     }
     work_.requests.look_changed = false;
     live_->setSamples(work_.samples_wanted);
-    // a picture that is to be saved has the same samples everywhere
-    if (work_.paused && !frame_moved_ && !screenshot_wanted_ && live_->progress().samples > 0) return;
     resolvePicks();
-    if (live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s)) refineUndrawn();
+    if (mayWork() && live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s)) refineUndrawn();
     uploadPicture();
     if (screenshot_wanted_ && live_->betweenSamples() && !save_) takeScreenshot();
+}
+
+/// Paused, only what the user waits for goes on: a first picture, one to be saved, and a slice that a pick waits for.
+bool Window::mayWork() const {
+    return !work_.paused || frame_moved_ || screenshot_wanted_ || pick_ || live_->progress().samples == 0;
 }
 
 /// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as
 /// often as ever.
 void Window::refineUndrawn() {
-    while (!frame_moved_ && !any_input_ && !controls_.drag && !flight_ && !work_.job && !live_->progress().resting) {
+    while (!frame_moved_ && !any_input_ && !controls_.drag && !flight_ && !work_.job && !live_->mustShow()) {
         const Clock::time_point now = Clock::now();
         if (std::chrono::duration<double>(now - last_frame_).count() > kUndrawn_s || live_->betweenSamples()) return;
         report_.resting_ms.push_back(std::chrono::duration<double, std::milli>(now - looked_).count());
@@ -77,6 +80,8 @@ void Window::refineUndrawn() {
 void Window::uploadPicture() {
     if (live_->updates().empty()) return;
     const PixelSize canvas = host_.pixels();
+    if (canvas.width != shown_pixels_.width || canvas.height != shown_pixels_.height)
+        return live_->clearUpdates(); // the window has changed meanwhile: its picture comes with the next frame
     const VkCommandBuffer commands = beginCommands(host_.device());
     std::optional<PictureSize> scaled;
     for (const PictureUpdate& update : live_->updates())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loading scenes, and keeping them as the panels have them.
 #include <filesystem>
+#include <utility>
 
 #include "pointrt/tool.hpp"
 #include "runtime/scene_file.h"
@@ -31,11 +32,15 @@ void dropUnused(SceneDescription& scene, std::size_t fewest) {
 
 } // namespace
 
-bool Window::busy() const { return load_ || refurnish_ || !loaded_; }
+bool Window::busy() const { return load_ || refurnish_ || next_path_; }
 
+/// What is being loaded is given up; what is being relit is not, for a moment.
 void Window::open(const std::string& path) {
-    if (refurnish_ || turntable_) return tell("not while " + work_.job->what + " is under way", true);
-    load_.reset();
+    next_path_ = path;
+    if (load_) load_->job().cancel();
+}
+
+void Window::startLoad(const std::string& path) {
     Options options = options_;
     options.scene = path;
     if (loaded_) { // what the command line says of the camera is of its scene
@@ -56,7 +61,7 @@ void Window::drop(const std::vector<std::string>& paths) {
             if (paths.size() > 1) tell("opening the first of " + std::to_string(paths.size()) + " files");
             return open(paths.front());
         }
-        if (bake_) return tell("one scan after the other: " + work_.job->what + " is under way", true);
+        if (bake_) return tell("one scan after the other: " + bake_->job().figures().what + " is under way", true);
         const BakePlan plan = planBake(paths);
         if (plan.is_there) return open(plan.output);
         bake_ = std::make_unique<BakeJob>(plan);
@@ -66,6 +71,7 @@ void Window::drop(const std::vector<std::string>& paths) {
 }
 
 void Window::pollJobs() {
+    const bool was_busy = busy();
     const auto tellEnd = [&](const Job& job) {
         if (job.state() == JobState::kFailed) tell(job.error(), true);
         if (job.state() == JobState::kCancelled) tell(job.figures().what + ": cancelled");
@@ -86,14 +92,21 @@ void Window::pollJobs() {
     }
     if (save_ && save_->job().ended()) {
         const std::unique_ptr<SaveJob> done = std::move(save_);
+        if (done->job().state() == JobState::kFailed && quit_)
+            throw Error{done->job().errorCode(), done->job().error()};
         if (tellEnd(done->job())) tell(done->done());
     }
     if (load_ && load_->job().ended()) {
         const std::unique_ptr<LoadJob> load = std::move(load_);
-        // a scene that the user asked for by name, and there is nothing else to show
-        if (load->job().state() == JobState::kFailed && !loaded_) throw Error{ExitCode::kBadInput, load->job().error()};
+        // what the command line named; of files that are dropped on an empty window there may be others
+        const bool first = !std::exchange(first_has_loaded_, true);
+        if (load->job().state() == JobState::kFailed && first)
+            throw Error{load->job().errorCode(), load->job().error()};
         if (tellEnd(load->job())) showLoaded(load->take());
     }
+    if (next_path_ && !load_ && !refurnish_) startLoad(*std::exchange(next_path_, std::nullopt));
+    // a replay must not go on before what has ended here
+    if (was_busy && !busy() && recorder_) record(*recorder_, {recordedFrame(), WaitStep{1}});
     work_.job.reset();
     if (save_) work_.job = save_->job().figures();
     if (turntable_) work_.job = turntable_->job().figures();
@@ -129,7 +142,8 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     work_.look = {SHOWN_BEAUTY, work_.settings.exposure, 4 * length(scene.bounds.hi - scene.bounds.lo),
                   scene.stage.scale};
     work_.samples_wanted = options_.choices.spp || scene.description.spp ? work_.settings.spp : kRestingSamples;
-    work_.denoise = work_.settings.denoise != DenoiseChoice::kOff;
+    work_.denoise = work_.settings.denoise == DenoiseChoice::kOn ||
+                    (work_.settings.denoise == DenoiseChoice::kAuto && isNoisy(work_.settings, work_.scene));
     flight_.reset();
     shown_camera_.reset();
     edits_wait_ = false;
@@ -173,7 +187,7 @@ void Window::restage() {
 
 /// Puts the scan on another side: the view, and what stands around, begin anew.
 void Window::setUp(Vec3 up) {
-    if (busy()) return;
+    if (busy()) return tell("not while a scene is being loaded or relit", true);
     const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
     const Vec3 front = std::abs(up.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
     CameraRequest request = requestOf(home_);
@@ -201,7 +215,7 @@ void Window::refurnishLater() {
 void Window::editScene() {
     Requests& asked = work_.requests;
     edits_wait_ |= asked.scene_changed || asked.settings_changed;
-    if (busy()) return;
+    if (busy() || !loaded_) return;
     if (work_.settings.room != staged_room_ || work_.settings.lights != staged_lights_) restage();
     const bool can_wait = !asked.dragging;
     if (edits_wait_ && refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings)) {

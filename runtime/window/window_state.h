@@ -60,7 +60,9 @@ private:
     void drawInterface(double seconds);
     void present();
     void noteTimes(Clock::time_point start);
-    bool isIdle() const;
+    double patience() const;
+    PictureState pictureState() const;
+    std::uint32_t recordedFrame() const;
     double now() const;
     void fitText();
     void tell(const std::string& text, bool error = false);
@@ -78,6 +80,7 @@ private:
 
     // window_scene.cpp
     void open(const std::string& path);
+    void startLoad(const std::string& path);
     void drop(const std::vector<std::string>& paths);
     void pollJobs();
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
@@ -93,6 +96,7 @@ private:
     // window_picture.cpp
     void beginPicture();
     void updatePicture();
+    bool mayWork() const;
     void refineUndrawn();
     void uploadPicture();
     void fillHud();
@@ -131,11 +135,13 @@ private:
     std::optional<PickRequest> pick_;
 
     std::unique_ptr<LoadedScene> loaded_;
+    std::optional<std::string> next_path_; ///< to be loaded as soon as that can begin
     std::unique_ptr<LoadJob> load_;
     std::unique_ptr<RefurnishJob> refurnish_;
     std::unique_ptr<BakeJob> bake_;
     std::unique_ptr<TurntableJob> turntable_;
     std::unique_ptr<SaveJob> save_;
+    bool first_has_loaded_ = false;
     bool edits_wait_ = false; ///< what the panels say is not yet on the device
     /// What the user made of each room's lamps, to find it again.
     struct Lamps {

@@ -173,6 +173,29 @@ TEST_P(LivePictureTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     EXPECT_GT(normal & 255, 200u);
 }
 
+TEST_P(LivePictureTest, DenoisesAtRestWhenToldTo) {
+    view.settings.first_hits = true;
+    live->setView(view, false);
+    finish();
+    const std::vector<std::uint32_t> noisy = shownPixels();
+    live->setLook(view.look, true);
+    finish();
+    EXPECT_NE(shownPixels(), noisy);
+    live->setLook(view.look, false);
+    finish();
+    EXPECT_EQ(shownPixels(), noisy);
+}
+
+/// The quick picture of something that moves is no sample of it, even where it is as large.
+TEST_P(LivePictureTest, QuickPicturesAreNoSamples) {
+    view.settings.width = view.settings.height = 8;
+    live->setView(view, true);
+    live->work(kSlice_s);
+    EXPECT_EQ(live->progress().size, (PictureSize{8, 8}));
+    EXPECT_EQ(live->progress().samples, 0u);
+    EXPECT_FALSE(live->betweenSamples());
+}
+
 /// The look may change at any time, in the midst of a sample; the light stays.
 TEST_P(LivePictureTest, AnotherLookIsNoOtherLight) {
     view.settings.first_hits = true;
