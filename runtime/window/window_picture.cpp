@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 /// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
-constexpr double kMovingBudget_s = 0.016;
+constexpr double kMovingBudget_s = 0.015;
 /// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
 constexpr double kRestingBudget_s = 0.018;
 
