@@ -106,7 +106,8 @@ TEST_P(LivePictureTest, IsTheHeadlessPicture) {
     int worst = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
         for (std::uint32_t c = 0; c < 3; ++c)
-            worst = std::max(worst, std::abs(static_cast<int>(words[i] >> (16 - 8 * c) & 255) - developed.pixels[3 * i + c]));
+            worst = std::max(worst,
+                             std::abs(static_cast<int>(words[i] >> (16 - 8 * c) & 255) - developed.pixels[3 * i + c]));
     EXPECT_LE(worst, 1); // where the device's powers round another way
 }
 
