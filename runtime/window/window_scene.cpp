@@ -159,6 +159,9 @@ void Window::keepLamps(const std::optional<Room>& room) {
 /// one room would not reach into another. A scene file's own are in every room.
 void Window::restage() {
     const bool has_own_light = !loaded_->described.lights.empty() || loaded_->described.sky;
+    // left to the rule, hard lamps are not filtered: it would blur what mirrors show
+    const bool by_rule =
+        work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, staged_);
     keepLamps(staged_room_);
     if (work_.settings.lights != staged_lights_) // another number of them: no longer those there were
         std::erase_if(lamps_, [&](const Lamps& each) { return each.room == work_.settings.room; });
@@ -183,6 +186,7 @@ void Window::restage() {
             work_.scene.lights = each.lights;
             work_.scene.sky = each.sky;
         }
+    if (by_rule) work_.denoise = isNoisy(work_.settings, work_.scene);
 }
 
 /// Puts the scan on another side: the view, and what stands around, begin anew.
