@@ -9,8 +9,6 @@
 namespace pointrt {
 namespace {
 
-bool showsLight(Integrator integrator) { return integrator != Integrator::kNormal && integrator != Integrator::kDepth; }
-
 /// One set an instance: all programs declare the same bindings (shaders/bindings.glsl).
 void createBindings(Device& device, BandTracer& tracer) {
     const StagedScene& scene = *tracer.scene;

@@ -11,6 +11,11 @@
 namespace pointrt {
 
 enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
+/// The others show surfaces as they are, whatever lights them.
+constexpr bool showsLight(Integrator integrator) {
+    return integrator != Integrator::kNormal && integrator != Integrator::kDepth;
+}
+
 enum class Room { kNone, kMirror, kMatte };
 enum class DenoiseChoice { kAuto, kOn, kOff };
 
@@ -30,6 +35,7 @@ struct Camera {
     Vec3 eye, right, up, forward;
     double fov_deg = 40;     ///< vertical
     double ortho_height = 0; ///< above 0: parallel projection, the height in input units that the picture shows
+    bool operator==(const Camera&) const = default;
 };
 
 struct RenderSettings {

@@ -49,13 +49,6 @@ std::string number(double value) {
     return text;
 }
 
-std::string object(const std::vector<std::pair<const char*, std::string>>& members) {
-    std::string json = "{";
-    for (const auto& [name, value] : members)
-        json += (json.size() > 1 ? ",\n  " : "\n  ") + jsonText(name) + ": " + value;
-    return json + "\n}\n";
-}
-
 /// Of at least one value.
 double median(const std::vector<double>& sorted) {
     const std::size_t half = sorted.size() / 2;
@@ -78,6 +71,13 @@ std::string jsonText(const std::string& text) {
     return json + "\"";
 }
 
+std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members) {
+    std::string json = "{";
+    for (const auto& [name, value] : members)
+        json += (json.size() > 1 ? ",\n  " : "\n  ") + jsonText(name) + ": " + value;
+    return json + "\n}\n";
+}
+
 std::string reportJson(const Report& report) {
     std::vector<double> sorted = report.frame_ms;
     std::sort(sorted.begin(), sorted.end());
@@ -88,21 +88,21 @@ std::string reportJson(const Report& report) {
     const std::string rays = "{\"primary\": " + std::to_string(report.rays.primary) +
                              ", \"shadow\": " + std::to_string(report.rays.shadow) +
                              ", \"secondary\": " + std::to_string(report.rays.secondary) + "}";
-    return object({{"device", jsonText(report.device)},
-                   {"width", std::to_string(report.width)},
-                   {"height", std::to_string(report.height)},
-                   {"integrator", jsonText(report.integrator)},
-                   {"spp", std::to_string(report.spp)},
-                   {"samples", std::to_string(report.samples)},
-                   {"noise", number(report.noise)},
-                   {"splats", std::to_string(report.splats)},
-                   {"device_bytes", std::to_string(report.device_bytes)},
-                   {"load_seconds", number(report.load_seconds)},
-                   {"first_frame_seconds", number(report.first_frame_seconds)},
-                   {"frame_ms", times},
-                   {"denoise_ms", number(report.denoise_ms)},
-                   {"rays", rays},
-                   {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
+    return jsonObject({{"device", jsonText(report.device)},
+                       {"width", std::to_string(report.width)},
+                       {"height", std::to_string(report.height)},
+                       {"integrator", jsonText(report.integrator)},
+                       {"spp", std::to_string(report.spp)},
+                       {"samples", std::to_string(report.samples)},
+                       {"noise", number(report.noise)},
+                       {"splats", std::to_string(report.splats)},
+                       {"device_bytes", std::to_string(report.device_bytes)},
+                       {"load_seconds", number(report.load_seconds)},
+                       {"first_frame_seconds", number(report.first_frame_seconds)},
+                       {"frame_ms", times},
+                       {"denoise_ms", number(report.denoise_ms)},
+                       {"rays", rays},
+                       {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
 }
 
 void writeText(const std::string& path, const std::string& text) {

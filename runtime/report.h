@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/render.h"
@@ -32,6 +33,9 @@ std::string reportJson(const Report& report);
 
 /// text as a JSON string, with its quotes.
 std::string jsonText(const std::string& text);
+
+/// A member a line; values are JSON already.
+std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members);
 
 /// text to path, or to standard output for "-". Throws Error kCannotWrite "PATH: reason".
 void writeText(const std::string& path, const std::string& text);

@@ -155,12 +155,11 @@ Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
 
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low,
                      Vec3 high) {
-    const bool views_only = settings.integrator == Integrator::kNormal || settings.integrator == Integrator::kDepth;
     const std::optional<Room> room = settings.room ? settings.room : scene.room;
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
     const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
-    if (bare && !room && !settings.lights && !views_only) return addStudio(scene, staging);
+    if (bare && !room && !settings.lights && showsLight(settings.integrator)) return addStudio(scene, staging);
     if (room && *room != Room::kNone) addRoom(scene, staging, *room);
     if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
 }

@@ -36,15 +36,14 @@ Percentiles percentilesOf(std::vector<double> values_ms) {
 }
 
 std::string windowReportJson(const WindowReport& report) {
-    std::string json = "{\n  \"device\": " + jsonText(report.device) + ",\n";
-    json +=
-        "  \"width\": " + std::to_string(report.width) + ",\n  \"height\": " + std::to_string(report.height) + ",\n";
-    json += "  \"moving_frame_ms\": " + percentilesJson(percentilesOf(report.moving_ms)) + ",\n";
-    json += "  \"refining_frame_ms\": " + percentilesJson(percentilesOf(report.resting_ms)) + ",\n";
-    json += "  \"moving_pixels\": " + percentilesJson(percentilesOf(report.moving_pixels)) + ",\n";
-    json += "  \"first_picture_seconds\": " + secondsJson(report.first_picture_s) + ",\n";
-    json += "  \"clean_picture_seconds\": " + secondsJson(report.clean_s) + "\n}\n";
-    return json;
+    return jsonObject({{"device", jsonText(report.device)},
+                       {"width", std::to_string(report.width)},
+                       {"height", std::to_string(report.height)},
+                       {"moving_frame_ms", percentilesJson(percentilesOf(report.moving_ms))},
+                       {"refining_frame_ms", percentilesJson(percentilesOf(report.resting_ms))},
+                       {"moving_pixels", percentilesJson(percentilesOf(report.moving_pixels))},
+                       {"first_picture_seconds", secondsJson(report.first_picture_s)},
+                       {"clean_picture_seconds", secondsJson(report.clean_s)}});
 }
 
 } // namespace pointrt

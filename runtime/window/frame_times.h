@@ -20,8 +20,8 @@ Percentiles percentilesOf(std::vector<double> values_ms);
 struct WindowReport {
     std::string device;
     std::uint32_t width = 0, height = 0; ///< pixels, at the end
-    std::vector<double>
-        moving_ms; ///< frames in which the view changed: from the input's arrival to its picture's display
+    /// Frames in which the view changed: from the input's arrival to its picture's display.
+    std::vector<double> moving_ms;
     std::vector<double> resting_ms;    ///< frames in which the picture got finer
     std::vector<double> moving_pixels; ///< of those pictures
     double first_picture_s = -1;       ///< from the process's start to the first picture of the scene

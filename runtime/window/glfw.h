@@ -43,7 +43,6 @@ namespace pointrt {
     X(glfwSetWindowCloseCallback)                                                                                      \
     X(glfwSetWindowContentScaleCallback)                                                                               \
     X(glfwSetWindowIconifyCallback)                                                                                    \
-    X(glfwSetWindowRefreshCallback)                                                                                    \
     X(glfwSetWindowSize)                                                                                               \
     X(glfwSetWindowTitle)                                                                                              \
     X(glfwSetWindowUserPointer)                                                                                        \

@@ -71,8 +71,6 @@ void Host::adopt(const ResizeEvent& size) {
     resizeCanvas(device_, presenter_, pixels_.width, pixels_.height);
 }
 
-bool Host::takeDamage() { return desktop_ && pointrt::takeDamage(*desktop_); }
-
 std::string Host::clipboard() { return desktop_ ? clipboardText(*desktop_) : memory_clipboard_; }
 
 void Host::setClipboard(const std::string& text) {

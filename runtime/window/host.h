@@ -44,7 +44,6 @@ public:
     std::vector<InputEvent> poll(double timeout_s);
     /// Input from elsewhere may change the size: the window follows.
     void resize(const ResizeEvent& size);
-    bool takeDamage();
 
     std::string clipboard();
     void setClipboard(const std::string& text);

@@ -20,8 +20,7 @@ ProgramKinds kindsOf(const StagedScene& scene, const RenderSettings& settings) {
 }
 
 bool wantsPhotons(const LoadedScene& loaded) {
-    const Integrator integrator = loaded.settings.integrator;
-    return castsCaustics(loaded.scene) && integrator != Integrator::kNormal && integrator != Integrator::kDepth;
+    return castsCaustics(loaded.scene) && showsLight(loaded.settings.integrator);
 }
 
 void begin(JobControl& control, const char* stage, double share) {

@@ -81,7 +81,6 @@ void setCallbacks(GLFWwindow* window) {
     g.glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { onSize(w); });
     g.glfwSetWindowIconifyCallback(window, [](GLFWwindow* w, int) { onSize(w); });
     g.glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { onSize(w); });
-    g.glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { inboxOf(w).damaged = true; });
 }
 
 int glfwShape(CursorShape shape) {
@@ -140,8 +139,6 @@ std::vector<InputEvent> pollEvents(PlatformWindow& window, double timeout_second
 }
 
 void wakePlatform() { glfw().glfwPostEmptyEvent(); }
-
-bool takeDamage(PlatformWindow& window) { return std::exchange(window.inbox->damaged, false); }
 
 ResizeEvent windowSize(const PlatformWindow& window) { return sizeOf(window.handle); }
 

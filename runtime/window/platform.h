@@ -23,7 +23,6 @@ constexpr std::size_t kCursorShapes = 6;
 /// What a window's callbacks leave for the next poll.
 struct PlatformInbox {
     std::vector<InputEvent> events;
-    bool damaged = false;
 };
 
 struct PlatformWindow {
@@ -49,9 +48,6 @@ void destroyPlatformWindow(PlatformWindow& window);
 std::vector<InputEvent> pollEvents(PlatformWindow& window, double timeout_seconds = 0);
 /// Ends the wait of pollEvents. From any thread, while there is a window.
 void wakePlatform();
-
-/// True once after the desktop lost part of what the window shows: present again.
-bool takeDamage(PlatformWindow& window);
 
 /// The size as an event, 0 x 0 while minimised; the first size does not come by pollEvents.
 ResizeEvent windowSize(const PlatformWindow& window);

@@ -17,11 +17,6 @@ constexpr double kRestingBudget_s = 0.018;
 /// As long as nothing happens, the interface is drawn this often.
 constexpr double kUndrawn_s = 0.1;
 
-bool same(const Camera& a, const Camera& b) {
-    return a.eye == b.eye && a.right == b.right && a.up == b.up && a.forward == b.forward && a.fov_deg == b.fov_deg &&
-           a.ortho_height == b.ortho_height;
-}
-
 } // namespace
 
 void Window::beginPicture() {
@@ -36,7 +31,7 @@ void Window::updatePicture() {
     const Camera camera = cameraOf(work_.camera);
     const PixelSize pixels = host_.pixels();
     const bool resized = pixels.width != shown_pixels_.width || pixels.height != shown_pixels_.height;
-    if (!shown_camera_ || !same(camera, *shown_camera_) || resized || restart_) {
+    if (shown_camera_ != camera || resized || restart_) {
         LiveView view{work_.settings, camera, work_.look, work_.denoise};
         view.settings.width = pixels.width;
         view.settings.height = pixels.height;

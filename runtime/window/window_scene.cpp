@@ -141,7 +141,7 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
                                   scene.bounds.hi, sceneUp(scene.description, work_.settings));
     work_.look = {SHOWN_BEAUTY, work_.settings.exposure, 4 * length(scene.bounds.hi - scene.bounds.lo),
                   scene.stage.scale};
-    work_.samples_wanted = options_.choices.spp || scene.description.spp ? work_.settings.spp : kRestingSamples;
+    work_.samples_wanted = options_.choices.spp || scene.description.spp ? work_.settings.spp : kCleanSamplesOfLight;
     work_.denoise = work_.settings.denoise == DenoiseChoice::kOn ||
                     (work_.settings.denoise == DenoiseChoice::kAuto && isNoisy(work_.settings, work_.scene));
     flight_.reset();

@@ -29,9 +29,6 @@ struct ImGuiContext;
 
 namespace pointrt {
 
-/// Samples after which a picture rests where nobody says otherwise: noise is hardly seen from there on.
-constexpr std::uint32_t kRestingSamples = 256;
-
 class Window {
 public:
     explicit Window(const Options& options);
@@ -73,7 +70,6 @@ private:
     void obey(Action action);
     void moveCamera(double seconds);
     void flyTo(const ViewCamera& view);
-    void pickAt(double x, double y, bool centre);
     void stepFile(int step);
     void goToView(const NamedView& view);
     ViewSize viewSize() const;

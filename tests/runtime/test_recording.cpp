@@ -11,6 +11,7 @@
 
 #include "pointrt/tool.hpp"
 #include "runtime/window/recording_words.h"
+#include "temporary_folder.h"
 
 namespace pointrt {
 namespace {
@@ -231,12 +232,8 @@ TEST(Recording, WritesNothingItsReaderRefuses) {
 
 class RecordingFile : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "pointrt-recording-XXXXXX").string();
-        folder = mkdtemp(name.data());
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-    std::filesystem::path folder;
+    const test::TemporaryFolder owned;
+    const std::filesystem::path& folder = owned.path;
 };
 
 TEST_F(RecordingFile, HasEveryLineBeforeItIsClosed) {
