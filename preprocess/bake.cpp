@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "format/index/build_index.h"
 #include "pointrt/tool.hpp"
 #include "preprocess/interrupt.h"
 #include "preprocess/octree/write.h"
@@ -89,13 +90,31 @@ MaterialRow materialRow(const BakeOptions& options, bool has_color) {
     return row;
 }
 
-void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report) {
+TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
+    try {
+        return buildTracingIndex(sections.info, sections.view, {threadCount(options.threads), progress});
+    } catch (const Error& error) {
+        throw Error(error.code, sourceName(options) + ": " + error.what() + "; --compact leaves it out");
+    }
+}
+
+void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report,
+           Progress& progress) {
     ProContent content;
     content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
     content.metadata = metadataJson(options);
     content.pruned = options.prune;
+    const ProSections sections = makeSections(splats, octree, content);
+    TracingIndex index;
+    pro_index index_view{};
+    if (options.index) {
+        progress.begin("index", report.splats);
+        index = buildIndexNamed(sections, options, [&](double share) { progress.update(share); });
+        index_view = indexView(index);
+    }
+    progress.begin("write", report.splats);
     const InterruptGuard guard;
-    report.octree = writePro(options.output, splats, octree, content);
+    report.octree = writePro(options.output, sections, options.index ? &index_view : nullptr);
 }
 
 } // namespace
@@ -128,8 +147,7 @@ BakeReport bake(const BakeOptions& options) {
         report.harm_allowed = options.probes.harm;
         report.pruning = pruneOctree(packed, options.probes, octree, show);
     }
-    progress.begin("write", report.splats);
-    store(options, packed, octree, report);
+    store(options, packed, octree, report, progress);
     progress.finish();
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();

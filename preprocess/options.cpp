@@ -65,6 +65,9 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.add_option("input", options.inputs, "Scan files, merged into one cloud; - reads standard input")->required();
     app.add_option("-o,--output", options.output, "The .pro to write")->required()->type_name("FILE");
     app.add_flag("-f,--force", options.force, "Overwrite the output");
+    app.add_flag_callback(
+        "--compact", [&] { options.index = false; },
+        "Leave the tracing index out: a file a quarter the size, which pointrt-view opens more slowly");
     app.add_option("--input-format", options.read.format,
                    "Format: ply, pcd, xyz, obj, off, drc or conf (default: by content)")
         ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}).description(""))

@@ -27,6 +27,7 @@ struct BakeOptions {
     OctreeOptions octree;
     bool prune = true;
     PruneOptions probes;
+    bool index = true;      ///< write the tracing index
     float reflectivity = 0; ///< of the material, 0 to 1
 };
 

@@ -34,7 +34,7 @@ Constants constantsFor(const StagedScene& scene, const RenderSettings& settings)
 }
 
 Constants constantsFor(const StagedScene& scene, const Instance& instance, Constants constants) {
-    constants.uneven = scene.files[instance.file].grid_frame.uneven;
+    constants.uneven = scene.files[instance.file].index.uneven;
     constants.oriented = instance.oriented;
     return constants;
 }

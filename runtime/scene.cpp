@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/scene.h"
 
+#include <array>
 #include <cstdio>
+#include <iterator>
+#include <span>
 
+#include "pointrt/pro_index_layout.h"
 #include "pointrt/tool.hpp"
-#include "runtime/bricks.h"
-#include "runtime/cell_skips.h"
-#include "runtime/entry_grid.h"
 
 namespace pointrt {
 
@@ -18,7 +19,7 @@ ExitCode exitCodeFor(pro_result result) {
 
 void mapFile(Scene& scene) {
     pro_message message{};
-    const pro_result result = pro_open(scene.path.c_str(), 0, &scene.file, &message);
+    const pro_result result = pro_open(scene.path.c_str(), PRO_OPEN_TRACE, &scene.file, &message);
     if (result != PRO_OK) throw Error(exitCodeFor(result), scene.path + ": " + message.text);
     pro_get_info(scene.file, &scene.info);
     pro_get_view(scene.file, &scene.view);
@@ -37,13 +38,6 @@ Buffer texelBuffer(Device& device, Scene& scene, const char* what, const void* d
     return buffer;
 }
 
-/// The same for words; a copy's original is let go.
-Buffer wordBuffer(Device& device, Scene& scene, const char* what, Words& words, VkFormat format) {
-    Buffer buffer = texelBuffer(device, scene, what, words.data(), words.size() * sizeof words[0], format);
-    if (!buffer.imported) Words().swap(words); // {} would keep the memory
-    return buffer;
-}
-
 void uploadSections(Device& device, Scene& scene) {
     const pro_info& info = scene.info;
     const pro_view& view = scene.view;
@@ -51,21 +45,53 @@ void uploadSections(Device& device, Scene& scene) {
     scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
 }
 
-void uploadTraversal(Device& device, Scene& scene) {
-    EntryGrid& grid = scene.grid_frame;
-    Bricks& bricks = scene.bricks;
-    grid = frameEntryGrid(scene.info, scene.view);
-    bricks = buildBricks(scene.info, scene.view, grid);
-    fillEntryGrid(grid, bricks.corners);
-    fillCellSkips(grid, bricks.corners.size(), bricks.words);
-    std::vector<Corner>().swap(bricks.corners);
-    scene.grid_words = wordBuffer(device, scene, "grid buffer", grid.words, VK_FORMAT_R32_UINT);
-    scene.brick_words = wordBuffer(device, scene, "brick buffer", bricks.words, VK_FORMAT_R32_UINT);
-    scene.cells = wordBuffer(device, scene, "cell buffer", bricks.cells, VK_FORMAT_R32G32_UINT);
-    scene.slabs = wordBuffer(device, scene, "slab buffer", bricks.slabs, VK_FORMAT_R32_UINT);
-    scene.near = wordBuffer(device, scene, "near splat buffer", bricks.near, VK_FORMAT_R32G32B32A32_UINT);
-    scene.lists = wordBuffer(device, scene, "list buffer", bricks.lists, VK_FORMAT_R32G32B32A32_UINT);
-    scene.blend_ranges = wordBuffer(device, scene, "blend range buffer", bricks.blend_ranges, VK_FORMAT_R32G32_UINT);
+struct IndexBuffer {
+    Buffer Scene::*buffer;
+    const char* what;
+    VkFormat format;
+};
+constexpr IndexBuffer kIndexBuffers[] = {{&Scene::grid_words, "grid buffer", VK_FORMAT_R32_UINT},
+                                         {&Scene::brick_words, "brick buffer", VK_FORMAT_R32_UINT},
+                                         {&Scene::cells, "cell buffer", VK_FORMAT_R32G32_UINT},
+                                         {&Scene::slabs, "slab buffer", VK_FORMAT_R32_UINT},
+                                         {&Scene::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT},
+                                         {&Scene::lists, "list buffer", VK_FORMAT_R32G32B32A32_UINT},
+                                         {&Scene::blend_ranges, "blend range buffer", VK_FORMAT_R32G32_UINT}};
+
+/// In the order of kIndexBuffers.
+std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(const pro_index& index) {
+    const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
+        return std::span(data, static_cast<std::size_t>(count * each));
+    };
+    const std::uint64_t grid_words = std::uint64_t{index.size[0]} * index.size[1] * index.size[2];
+    const std::uint64_t brick_words = std::uint64_t{index.brick_count} * BRICK_WORDS;
+    return {words(index.grid, grid_words, 1),
+            words(index.bricks, brick_words + std::uint64_t{index.group_count} * GROUP_WORDS, 1),
+            words(index.cells, index.cell_count, CELL_WORDS),
+            words(index.slabs, index.cell_count, 1),
+            words(index.near_splats, index.near_count, NEAR_WORDS),
+            words(index.lists, index.list_count, 1),
+            words(index.blend_ranges, index.cell_count, BLEND_RANGE_WORDS)};
+}
+
+void uploadIndex(Device& device, Scene& scene) {
+    const auto words = wordsOf(scene.index);
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const IndexBuffer& each = kIndexBuffers[k];
+        scene.*each.buffer = texelBuffer(device, scene, each.what, words[k].data(), words[k].size_bytes(), each.format);
+    }
+}
+
+/// Of a file without an index; what was copied to the device is let go.
+void buildAndUploadIndex(Device& device, Scene& scene) {
+    scene.built = buildTracingIndex(scene.info, scene.view);
+    scene.index = indexView(scene.built);
+    uploadIndex(device, scene);
+    Bricks& bricks = scene.built.bricks;
+    Words* const words[] = {&scene.built.grid.words, &bricks.words,       &bricks.cells, &bricks.slabs, &bricks.near,
+                            &bricks.lists,           &bricks.blend_ranges};
+    for (std::size_t k = 0; k < std::size(words); ++k)
+        if (!(scene.*kIndexBuffers[k].buffer).imported) Words().swap(*words[k]); // {} would keep the memory
 }
 
 } // namespace
@@ -76,15 +102,19 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     try {
         mapFile(scene);
         uploadSections(device, scene);
-        uploadTraversal(device, scene);
+        if (pro_get_index(scene.file, &scene.index))
+            uploadIndex(device, scene);
+        else
+            buildAndUploadIndex(device, scene);
     } catch (...) {
         destroyScene(device, scene);
         throw;
     }
     if (verbose)
-        std::fprintf(stderr, "%s: %u splats, %s, entry grid of %u x %u x %u cells\n", path.c_str(),
+        std::fprintf(stderr, "%s: %u splats, %s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
                      scene.info.splat_count, scene.splats.imported ? "mapped pages imported" : "sections uploaded",
-                     scene.grid_frame.size[0], scene.grid_frame.size[1], scene.grid_frame.size[2]);
+                     scene.built.grid.size[0] == 0 ? "from the file" : "built", scene.index.size[0],
+                     scene.index.size[1], scene.index.size[2]);
     return scene;
 }
 
@@ -111,8 +141,8 @@ void destroyScene(Device& device, Scene& scene) {
     for (Buffer* buffer : {&scene.splats, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near, &scene.lists,
                            &scene.blend_ranges, &scene.grid_words})
         destroyBuffer(device, *buffer);
-    scene.bricks = {};
-    scene.grid_frame = {};
+    scene.built = {};
+    scene.index = {};
     if (scene.file) pro_close(scene.file);
     scene.file = nullptr;
 }

@@ -5,28 +5,28 @@
 #include <string>
 #include <vector>
 
+#include "format/index/build_index.h"
 #include "pointrt/pro.h"
-#include "runtime/bricks.h"
 #include "runtime/device.h"
-#include "runtime/entry_grid.h"
 #include "runtime/program.h"
 #include "runtime/resources.h"
 
 namespace pointrt {
 
-/// One .pro on the device: sections and what is made of them (bricks and the entry grid), all read as texel buffers.
+/// One .pro on the device: its splats and its tracing index, all read as texel buffers.
 struct Scene {
     std::string path;
     pro_file* file = nullptr;
     pro_info info{};
     pro_view view{};
-    EntryGrid grid_frame; ///< its words, and the bricks, are here only where the device reads them here
-    Bricks bricks;
+    pro_index index{};  ///< frame and counts; its pointers hold for an index from the file
+    TracingIndex built; ///< of a file without an index, as far as the device reads it here
     Buffer splats, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
     std::uint64_t device_bytes = 0;
 };
 
-/// Maps, validates and uploads (or imports) path. Throws Error: kBadInput "FILE: reason" or kCannotRun.
+/// Maps, validates and uploads (or imports) path; of a file with an index its view has no octree, of one without the
+/// index is built. Throws Error: kBadInput "FILE: reason" or kCannotRun.
 Scene loadScene(Device& device, const std::string& path, bool verbose);
 /// A scene of nothing: small buffers for programs that must be given some.
 Scene blankScene(Device& device);

@@ -33,7 +33,7 @@ std::uint32_t fileNumber(Device& device, StagedScene& scene, const std::string& 
 gpu::InstanceParams placeInstance(const Stage& stage, const Scene& file, const Placement& placement,
                                   std::uint32_t number) {
     const std::array<gpu::vec4, 3> rows = cubeFromStage(stage, placement, file.info);
-    const EntryGrid& grid = file.grid_frame;
+    const pro_index& grid = file.index;
     const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
     gpu::InstanceParams params{};
     params.row_x = rows[0];

@@ -5,7 +5,7 @@
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "params.h"
 #include "features.glsl"
-#include "brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 #include "pointrt/pro_layout.h"
 
 // One instance's.

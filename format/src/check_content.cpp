@@ -32,7 +32,8 @@ bool isUtf8(std::string_view text) {
     return true;
 }
 
-void checkContent(const pro_info& info, const pro_view& view, Level level, Findings& findings) {
+void checkContent(const pro_info& info, const Content& content, Level level, Findings& findings) {
+    const pro_view& view = content.view;
     const bool tree = view.nodes && checkTree(info, view, findings);
     if (findings.stopped()) return;
     const bool leaves = view.leaves && checkLeaves(info, view, findings);
@@ -44,7 +45,9 @@ void checkContent(const pro_info& info, const pro_view& view, Level level, Findi
     if (view.materials) checkMaterials(info, view, findings);
     if (findings.stopped()) return;
     if (view.order) checkOrder(info, view, level, findings);
-    if (level == Level::kOpen) return;
+    if (findings.stopped()) return;
+    if (isWhole(content.index)) checkIndex(info, content.index, findings);
+    if (level != Level::kVerify) return;
     if (leaves && refs) checkRefsOfLeaves(info, view, findings);
     if (tree && leaves && splats) checkCentres(info, view, findings);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))

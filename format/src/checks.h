@@ -5,11 +5,13 @@
 #include <string_view>
 
 #include "findings.h"
+#include "header.h"
 
 namespace pointrt::format {
 
-/// kOpen makes every index reachable through a view safe. kVerify adds what only a correct bake needs.
-enum class Level { kOpen, kVerify };
+/// kOpen makes every index reachable through a view safe. kVerify adds what only a correct bake needs. kTrace is kOpen
+/// for what PRO_OPEN_TRACE leaves.
+enum class Level { kTrace, kOpen, kVerify };
 
 /// Header values: counts, finite numbers, ranges.
 void checkRanges(const pro_info& info, Findings& findings);
@@ -41,7 +43,15 @@ void checkOrder(const pro_info& info, const pro_view& view, Level level, Finding
 /// META.
 bool isUtf8(std::string_view text);
 
-/// All of the above that the pointers in view allow; null sections are left out.
-void checkContent(const pro_info& info, const pro_view& view, Level level, Findings& findings);
+/// The index's frame and counts, apart from what they count. Its pointers are not looked at.
+bool checkIndexFrame(const pro_index& index, Findings& findings);
+
+/// GRID to BLND: every word that a tracer follows leads to one cell, skips go on, lists are in range. Needs a frame
+/// that passed checkIndexFrame and all pointers.
+void checkIndex(const pro_info& info, const pro_index& index, Findings& findings);
+
+/// All of the above that the pointers in content allow; null sections, and an index in parts, are left out. The frame
+/// of a whole one must have passed checkIndexFrame.
+void checkContent(const pro_info& info, const Content& content, Level level, Findings& findings);
 
 } // namespace pointrt::format

@@ -25,6 +25,7 @@ enum class Finding : std::uint32_t {
     kBlendSlab = 1012,
     kFrame = 1013,
     kBounds = 1014,
+    kGridFrame = 1015,
 
     kTableShape = 2001,
     kRequiredUnknown = 2002,
@@ -38,6 +39,7 @@ enum class Finding : std::uint32_t {
     kTableReserved = 2010,
     kPadding = 2011,
     kSectionChecksum = 2012,
+    kIndexIncomplete = 2013,
 
     kRootGroup = 3001,
     kGroupNumber = 3002,
@@ -70,6 +72,15 @@ enum class Finding : std::uint32_t {
     kMetadataUtf8 = 8001,
 
     kOutOfMemory = 9001,
+
+    kGridBrick = 9101,
+    kEmptySkip = 9102,
+    kBrickWord = 9103,
+    kGroupDepth = 9104,
+    kCellRange = 9105,
+    kCellCodes = 9106,
+    kListSplat = 9107,
+    kBlendRange = 9108,
 };
 
 /// Receives findings. With stop_at_first only the first is passed on.
@@ -97,6 +108,11 @@ struct Tally {
 
     void hit(std::uint64_t place) {
         if (places++ == 0) first = place;
+    }
+    /// Adds the places of a tally of what comes later.
+    void join(const Tally& later) {
+        if (places == 0) first = later.first;
+        places += later.places;
     }
     /// Adds the finding when there was a hit: "WHAT FIRST: reason (and N more)".
     void addTo(Findings& findings, Finding finding, const char* what, const char* reason) const;

@@ -3,6 +3,8 @@
 
 #include <bit>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -48,7 +50,52 @@ std::array<char, 5> kindName(std::uint32_t kind) {
     return name;
 }
 
-std::uint64_t promisedCount(std::uint32_t kind, const pro_info& info, const pro_view& view) {
+namespace {
+
+constexpr std::uint32_t kBrickGroups = BRICK_WORDS / GROUP_WORDS;
+constexpr std::uint32_t kNearOfElement = 2, kListedOfElement = 4;
+
+/// Calls visit(field) for a known kind, where field(content) is the section's pointer in a Content.
+template <typename Visit>
+void visitPointer(std::uint32_t kind, Visit&& visit) {
+    switch (kind) {
+    case PRO_KIND_NODE:
+        return visit([](auto& content) -> auto& { return content.view.nodes; });
+    case PRO_KIND_LEAF:
+        return visit([](auto& content) -> auto& { return content.view.leaves; });
+    case PRO_KIND_REFS:
+        return visit([](auto& content) -> auto& { return content.view.refs; });
+    case PRO_KIND_SPLT:
+        return visit([](auto& content) -> auto& { return content.view.splats; });
+    case PRO_KIND_MATL:
+        return visit([](auto& content) -> auto& { return content.view.materials; });
+    case PRO_KIND_ORDR:
+        return visit([](auto& content) -> auto& { return content.view.order; });
+    case PRO_KIND_META:
+        return visit([](auto& content) -> auto& { return content.view.metadata; });
+    case PRO_KIND_GRID:
+        return visit([](auto& content) -> auto& { return content.index.grid; });
+    case PRO_KIND_BRIK:
+        return visit([](auto& content) -> auto& { return content.index.bricks; });
+    case PRO_KIND_CELL:
+        return visit([](auto& content) -> auto& { return content.index.cells; });
+    case PRO_KIND_SLAB:
+        return visit([](auto& content) -> auto& { return content.index.slabs; });
+    case PRO_KIND_NEAR:
+        return visit([](auto& content) -> auto& { return content.index.near_splats; });
+    case PRO_KIND_LIST:
+        return visit([](auto& content) -> auto& { return content.index.lists; });
+    case PRO_KIND_BLND:
+        return visit([](auto& content) -> auto& { return content.index.blend_ranges; });
+    default:
+        return;
+    }
+}
+
+} // namespace
+
+std::uint64_t elementCount(std::uint32_t kind, const pro_info& info, const Content& content) {
+    const pro_index& index = content.index;
     switch (kind) {
     case PRO_KIND_NODE:
         return info.node_count;
@@ -61,60 +108,52 @@ std::uint64_t promisedCount(std::uint32_t kind, const pro_info& info, const pro_
         return info.splat_count;
     case PRO_KIND_MATL:
         return info.material_count;
+    case PRO_KIND_GRID:
+        return gridWords(index);
+    case PRO_KIND_BRIK:
+        return std::uint64_t{index.brick_count} * kBrickGroups + index.group_count;
+    case PRO_KIND_CELL:
+    case PRO_KIND_SLAB:
+    case PRO_KIND_BLND:
+        return index.cell_count;
+    case PRO_KIND_NEAR:
+        return index.near_count / kNearOfElement;
+    case PRO_KIND_LIST:
+        return index.list_count / kListedOfElement;
     default:
-        return view.metadata_bytes;
+        return content.view.metadata_bytes;
     }
 }
 
-void setSection(pro_view& view, std::uint32_t kind, const std::byte* data, std::uint64_t count) {
-    const void* start = data;
-    switch (kind) {
-    case PRO_KIND_NODE:
-        view.nodes = static_cast<const std::uint32_t*>(start);
-        break;
-    case PRO_KIND_LEAF:
-        view.leaves = static_cast<const std::uint32_t*>(start);
-        break;
-    case PRO_KIND_REFS:
-        view.refs = static_cast<const std::uint32_t*>(start);
-        break;
-    case PRO_KIND_SPLT:
-        view.splats = static_cast<const std::uint32_t*>(start);
-        break;
-    case PRO_KIND_MATL:
-        view.materials = static_cast<const float*>(start);
-        break;
-    case PRO_KIND_ORDR:
-        view.order = static_cast<const std::uint32_t*>(start);
-        break;
-    case PRO_KIND_META:
-        view.metadata = static_cast<const char*>(start);
-        view.metadata_bytes = count;
-        break;
-    default:
-        break;
-    }
+void setSection(Content& content, std::uint32_t kind, const std::byte* data, std::uint64_t count) {
+    visitPointer(kind, [&](auto field) {
+        auto& pointer = field(content);
+        pointer = static_cast<std::remove_reference_t<decltype(pointer)>>(static_cast<const void*>(data));
+    });
+    pro_index& index = content.index;
+    const auto words = static_cast<std::uint32_t>(count);
+    if (kind == PRO_KIND_META) content.view.metadata_bytes = count;
+    if (kind == PRO_KIND_BRIK) index.group_count = words - index.brick_count * kBrickGroups;
+    if (kind == PRO_KIND_CELL) index.cell_count = words;
+    if (kind == PRO_KIND_NEAR) index.near_count = words * kNearOfElement;
+    if (kind == PRO_KIND_LIST) index.list_count = words * kListedOfElement;
 }
 
-const void* sectionData(const pro_view& view, std::uint32_t kind) {
-    switch (kind) {
-    case PRO_KIND_NODE:
-        return view.nodes;
-    case PRO_KIND_LEAF:
-        return view.leaves;
-    case PRO_KIND_REFS:
-        return view.refs;
-    case PRO_KIND_SPLT:
-        return view.splats;
-    case PRO_KIND_MATL:
-        return view.materials;
-    case PRO_KIND_ORDR:
-        return view.order;
-    case PRO_KIND_META:
-        return view.metadata;
-    default:
-        return nullptr;
-    }
+const void* sectionData(const Content& content, std::uint32_t kind) {
+    const void* data = nullptr;
+    visitPointer(kind, [&](auto field) { data = field(content); });
+    return data;
+}
+
+bool isWhole(const pro_index& index) {
+    return index.grid && index.bricks && index.cells && index.slabs && index.near_splats && index.lists &&
+           index.blend_ranges;
+}
+
+std::uint64_t gridWords(const pro_index& index) {
+    const std::uint64_t layer = std::uint64_t{index.size[0]} * index.size[1];
+    const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    return index.size[2] != 0 && layer > most / index.size[2] ? most : layer * index.size[2];
 }
 
 pro_info loadInfo(const std::byte* header) {
@@ -163,6 +202,28 @@ void storeInfo(std::byte* header, const pro_info& info) {
         store(header, PRO_OFF_BOUNDS_MIN + 8 * axis, info.bounds_min[axis]);
         store(header, PRO_OFF_BOUNDS_MAX + 8 * axis, info.bounds_max[axis]);
     }
+}
+
+pro_index loadFrame(const std::byte* header) {
+    pro_index index{};
+    index.shift = loadU32(header, PRO_OFF_GRID_SHIFT);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        index.origin[axis] = loadU32(header, PRO_OFF_GRID_ORIGIN + 4 * axis);
+        index.size[axis] = loadU32(header, PRO_OFF_GRID_SIZE + 4 * axis);
+    }
+    index.uneven = loadU32(header, PRO_OFF_GRID_UNEVEN);
+    index.brick_count = loadU32(header, PRO_OFF_BRICK_COUNT);
+    return index;
+}
+
+void storeFrame(std::byte* header, const pro_index& index) {
+    storeU32(header, PRO_OFF_GRID_SHIFT, index.shift);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        storeU32(header, PRO_OFF_GRID_ORIGIN + 4 * axis, index.origin[axis]);
+        storeU32(header, PRO_OFF_GRID_SIZE + 4 * axis, index.size[axis]);
+    }
+    storeU32(header, PRO_OFF_GRID_UNEVEN, index.uneven);
+    storeU32(header, PRO_OFF_BRICK_COUNT, index.brick_count);
 }
 
 Section loadSection(const std::byte* header, std::uint32_t index) {

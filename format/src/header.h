@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "pointrt/pro.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt::format {
 
@@ -17,38 +18,64 @@ struct Section {
     std::uint32_t flags = 0;
 };
 
-/// What version 1.0 says of a kind.
+/// kIndex: all of these or none.
+enum class Presence { kMandatory, kOptional, kIndex };
+
+/// What the format says of a kind.
 struct KindRule {
     std::uint32_t kind;
     std::uint32_t stride;
-    bool mandatory;
+    Presence presence;
+    bool traced = true; ///< tracers with an index read it
 };
-inline constexpr std::array<KindRule, 7> kKindRules = {{
-    {PRO_KIND_NODE, 4, true},
-    {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, true},
-    {PRO_KIND_REFS, 4, true},
-    {PRO_KIND_SPLT, 4 * PRO_SPLAT_WORDS, true},
-    {PRO_KIND_MATL, 4 * PRO_MATERIAL_FLOATS, true},
-    {PRO_KIND_ORDR, 4, false},
-    {PRO_KIND_META, 1, false},
+inline constexpr std::array<KindRule, 14> kKindRules = {{
+    {PRO_KIND_NODE, 4, Presence::kMandatory, false},
+    {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, Presence::kMandatory, false},
+    {PRO_KIND_REFS, 4, Presence::kMandatory, false},
+    {PRO_KIND_SPLT, 4 * PRO_SPLAT_WORDS, Presence::kMandatory},
+    {PRO_KIND_MATL, 4 * PRO_MATERIAL_FLOATS, Presence::kMandatory},
+    {PRO_KIND_ORDR, 4, Presence::kOptional, false},
+    {PRO_KIND_META, 1, Presence::kOptional, false},
+    {PRO_KIND_GRID, 4, Presence::kIndex},
+    {PRO_KIND_BRIK, 4 * GROUP_WORDS, Presence::kIndex},
+    {PRO_KIND_CELL, 4 * CELL_WORDS, Presence::kIndex},
+    {PRO_KIND_SLAB, 4, Presence::kIndex},
+    {PRO_KIND_NEAR, 2 * 4 * NEAR_WORDS, Presence::kIndex},
+    {PRO_KIND_LIST, 4 * 4, Presence::kIndex},
+    {PRO_KIND_BLND, 4 * BLEND_RANGE_WORDS, Presence::kIndex},
 }};
 
-/// Null for kinds that version 1.0 does not know.
+/// What sections hold, whichever they are; null pointers are sections that are not there.
+struct Content {
+    pro_view view{};
+    pro_index index{}; ///< its frame comes from the header
+};
+
+/// Null for kinds that the format does not know.
 const KindRule* findRule(std::uint32_t kind);
 
 /// The kind's four characters for messages, with '?' for what cannot be printed.
 std::array<char, 5> kindName(std::uint32_t kind);
 
-/// Elements that the header promises for a kind; view.metadata_bytes for META.
-std::uint64_t promisedCount(std::uint32_t kind, const pro_info& info, const pro_view& view);
+/// Elements of a kind, as the header and the content's own counts have it.
+std::uint64_t elementCount(std::uint32_t kind, const pro_info& info, const Content& content);
 
-/// Points view's field for kind at data; count is used for META.
-void setSection(pro_view& view, std::uint32_t kind, const std::byte* data, std::uint64_t count);
-const void* sectionData(const pro_view& view, std::uint32_t kind);
+/// Points the content's field for kind at data, and sets the count where it is one of the content's own.
+void setSection(Content& content, std::uint32_t kind, const std::byte* data, std::uint64_t count);
+const void* sectionData(const Content& content, std::uint32_t kind);
+
+/// Whether all pointers of the index are set.
+bool isWhole(const pro_index& index);
+
+/// Words of the grid as the frame has them, 2^64 - 1 at most.
+std::uint64_t gridWords(const pro_index& index);
 
 /// Header bytes (PRO_HEADER_BYTES of them) to structs and back. Nothing is checked.
 pro_info loadInfo(const std::byte* header);
 void storeInfo(std::byte* header, const pro_info& info);
+/// The index's frame: all but counts of sections and pointers.
+pro_index loadFrame(const std::byte* header);
+void storeFrame(std::byte* header, const pro_index& index);
 Section loadSection(const std::byte* header, std::uint32_t index);
 void storeSection(std::byte* header, std::uint32_t index, const Section& section);
 std::uint32_t loadU32(const std::byte* bytes, std::size_t offset);

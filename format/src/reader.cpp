@@ -29,7 +29,8 @@ pro_result resultOf(std::uint32_t finding) {
 pro_result parse(pro_file& file, std::uint32_t open_flags, pro_message* message) {
     pro_message first{};
     Findings findings(keepFinding, &first, true);
-    file.parsed = validate(file.bytes, Level::kOpen, !(open_flags & PRO_OPEN_SKIP_CHECKSUMS), findings);
+    const Level level = open_flags & PRO_OPEN_TRACE ? Level::kTrace : Level::kOpen;
+    file.parsed = validate(file.bytes, level, !(open_flags & PRO_OPEN_SKIP_CHECKSUMS), findings);
     if (findings.count() == 0) return PRO_OK;
     if (message) *message = first;
     return resultOf(first.finding);
@@ -86,7 +87,12 @@ void pro_close(pro_file* file) { delete file; }
 
 void pro_get_info(const pro_file* file, pro_info* info) { *info = file->parsed.info; }
 
-void pro_get_view(const pro_file* file, pro_view* view) { *view = file->parsed.view; }
+void pro_get_view(const pro_file* file, pro_view* view) { *view = file->parsed.content.view; }
+
+int pro_get_index(const pro_file* file, pro_index* index) {
+    *index = file->parsed.content.index;
+    return file->parsed.indexed ? 1 : 0;
+}
 
 const void* pro_bytes(const pro_file* file, size_t* bytes) {
     if (bytes) *bytes = file->bytes.size();

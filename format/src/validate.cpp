@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "header.h"
+#include "parallel.h"
 
 namespace pointrt::format {
 
 namespace {
 
 using Bytes = std::span<const std::byte>;
+
+/// Smaller files are checked sooner than threads start.
+constexpr std::size_t kThreadsBytes = std::size_t{1} << 20;
 
 bool allZero(Bytes bytes) {
     return std::all_of(bytes.begin(), bytes.end(), [](std::byte value) { return value == std::byte{0}; });
@@ -43,7 +47,8 @@ void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
         findings.add(Finding::kHeaderChecksum, "the header's checksum does not match");
     checkRanges(info, findings);
     if (info.version_minor > PRO_VERSION_MINOR) return; // later minors may use reserved bytes and flags
-    if (!allZero(bytes.subspan(PRO_FIELDS_END, PRO_TABLE_OFFSET - PRO_FIELDS_END)))
+    const std::size_t fields_end = info.version_minor == 0 ? PRO_FIELDS_END_1_0 : PRO_FIELDS_END;
+    if (!allZero(bytes.subspan(fields_end, PRO_TABLE_OFFSET - fields_end)))
         findings.add(Finding::kHeaderReserved, "reserved header bytes are not 0");
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
 }
@@ -115,10 +120,26 @@ void checkPadding(Bytes bytes, const std::vector<Section>& sorted, Findings& fin
     places.addTo(findings, Finding::kPadding, "the padding from byte", "not all 0");
 }
 
+/// Whether a section's count is one that its kind can have; checkIndex knows more of an index's.
+bool countFits(const Section& section, const Parsed& parsed) {
+    switch (section.kind) {
+    case PRO_KIND_META:
+        return true;
+    case PRO_KIND_BRIK:
+    case PRO_KIND_CELL:
+    case PRO_KIND_SLAB:
+    case PRO_KIND_NEAR:
+    case PRO_KIND_LIST:
+    case PRO_KIND_BLND:
+        return section.count <= PRO_INDEX_LISTED_MAX / section.stride * sizeof(std::uint32_t);
+    default:
+        return section.count == elementCount(section.kind, parsed.info, parsed.content);
+    }
+}
+
 /// Whether a section of a kind in kKindRules may be used.
 bool checkKnown(const Section& section, const KindRule& rule, const Parsed& parsed, Findings& findings) {
-    const bool counted = section.kind == PRO_KIND_META || section.count == promisedCount(section.kind, parsed.info, {});
-    if (section.stride == rule.stride && counted) return true;
+    if (section.stride == rule.stride && countFits(section, parsed)) return true;
     findings.add(Finding::kSectionCount, "%s: %llu elements of %u bytes, not what the header promises",
                  kindName(section.kind).data(), static_cast<unsigned long long>(section.count), section.stride);
     return false;
@@ -135,26 +156,68 @@ std::vector<Section> checkSections(Bytes bytes, const std::vector<Section>& tabl
         if (!checkPlace(section, bytes.size(), findings)) continue;
         placed.push_back(section);
         if (!rule || !checkKnown(section, *rule, parsed, findings)) continue;
-        if (sectionData(parsed.view, section.kind))
+        if (sectionData(parsed.content, section.kind))
             findings.add(Finding::kSectionTwice, "section %s stands twice", name.data());
-        setSection(parsed.view, section.kind, bytes.data() + section.offset, section.count);
+        setSection(parsed.content, section.kind, bytes.data() + section.offset, section.count);
     }
     for (const KindRule& rule : kKindRules) {
         const bool listed =
             std::any_of(table.begin(), table.end(), [&](const Section& s) { return s.kind == rule.kind; });
-        if (rule.mandatory && !listed)
+        if (rule.presence == Presence::kMandatory && !listed)
             findings.add(Finding::kSectionMissing, "section %s is missing", kindName(rule.kind).data());
     }
     checkOverlap(placed, findings);
     return placed;
 }
 
-void checkChecksums(Bytes bytes, const std::vector<Section>& sections, Level level, Findings& findings) {
-    for (const Section& section : sections) {
-        if (level == Level::kOpen && !findRule(section.kind)) continue; // skipped sections are not read at all
-        if (checksum(bytes.data() + section.offset, section.length) != section.xxh3)
-            findings.add(Finding::kSectionChecksum, "%s: its checksum does not match", kindName(section.kind).data());
+/// The index's sections against one another and their frame; placed ones must have been set. Leaves a whole index set,
+/// or none.
+void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed& parsed, Findings& findings) {
+    pro_index& index = parsed.content.index;
+    const auto listed = std::count_if(placed.begin(), placed.end(), [](const Section& section) {
+        const KindRule* rule = findRule(section.kind);
+        return rule && rule->presence == Presence::kIndex;
+    });
+    const std::size_t before = findings.count();
+    if (listed == 0) {
+        if (!allZero(bytes.subspan(PRO_FIELDS_END_1_0, PRO_FIELDS_END - PRO_FIELDS_END_1_0)) &&
+            parsed.info.version_minor > 0)
+            findings.add(Finding::kGridFrame, "an entry grid without its sections");
+    } else if (!isWhole(index)) {
+        findings.add(Finding::kIndexIncomplete, "the tracing index is not whole");
+    } else if (checkIndexFrame(index, findings)) {
+        for (const Section& section : placed)
+            if (section.count != elementCount(section.kind, parsed.info, parsed.content) && findRule(section.kind))
+                findings.add(Finding::kSectionCount, "%s: %llu elements do not fit the rest of the index",
+                             kindName(section.kind).data(), static_cast<unsigned long long>(section.count));
     }
+    parsed.indexed = listed > 0 && findings.count() == before;
+    if (!parsed.indexed) index = {};
+}
+
+/// Lets go of what a tracer does not read.
+void dropUntraced(std::vector<Section>& placed, Content& content) {
+    std::erase_if(placed, [](const Section& section) {
+        const KindRule* rule = findRule(section.kind);
+        return !rule || !rule->traced;
+    });
+    for (const KindRule& rule : kKindRules)
+        if (!rule.traced) setSection(content, rule.kind, nullptr, 0);
+}
+
+void checkChecksums(Bytes bytes, std::vector<Section> sections, Level level, Findings& findings) {
+    // skipped sections are not read at all
+    if (level != Level::kVerify)
+        std::erase_if(sections, [](const Section& section) { return !findRule(section.kind); });
+    std::vector<char> wrong(sections.size());
+    const auto compare = [&](std::size_t k) {
+        wrong[k] = checksum(bytes.data() + sections[k].offset, sections[k].length) != sections[k].xxh3;
+    };
+    forAll(sections.size(), compare, bytes.size() < kThreadsBytes ? 1 : 0);
+    for (std::size_t k = 0; k < sections.size(); ++k)
+        if (wrong[k])
+            findings.add(Finding::kSectionChecksum, "%s: its checksum does not match",
+                         kindName(sections[k].kind).data());
 }
 
 } // namespace
@@ -163,18 +226,22 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     Parsed parsed;
     if (!checkIdentity(bytes, findings)) return parsed;
     parsed.info = loadInfo(bytes.data());
+    if (parsed.info.version_minor > 0) parsed.content.index = loadFrame(bytes.data());
     checkHeader(bytes, parsed.info, findings);
     if (findings.stopped()) return parsed;
     const std::vector<Section> table = loadTable(bytes, findings);
     if (parsed.info.version_minor <= PRO_VERSION_MINOR) checkTableReserved(bytes, table, findings);
     if (findings.stopped()) return parsed;
     const std::size_t before = findings.count();
-    const std::vector<Section> placed = checkSections(bytes, table, parsed, findings);
+    std::vector<Section> placed = checkSections(bytes, table, parsed, findings);
     if (findings.stopped()) return parsed;
+    checkIndexSections(bytes, placed, parsed, findings);
+    if (findings.stopped()) return parsed;
+    if (level == Level::kTrace && parsed.indexed) dropUntraced(placed, parsed.content);
     if (checksums) checkChecksums(bytes, placed, level, findings);
     if (findings.stopped()) return parsed;
     if (level == Level::kVerify && findings.count() == before) checkPadding(bytes, placed, findings);
-    checkContent(parsed.info, parsed.view, level, findings);
+    checkContent(parsed.info, parsed.content, level, findings);
     return parsed;
 }
 

@@ -10,7 +10,8 @@ namespace pointrt::format {
 
 struct Parsed {
     pro_info info{};
-    pro_view view{}; ///< only sections without findings are set
+    Content content;      ///< only sections without findings are set
+    bool indexed = false; ///< there is a whole index
 };
 
 /// Visits the findings of a whole file; with a sink that stops, returns soon after the first.

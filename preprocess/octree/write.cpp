@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/octree/write.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -21,15 +20,17 @@ std::vector<std::uint32_t> leafWords(const std::vector<Leaf>& leaves) {
     return words;
 }
 
-OctreeCounts countOctree(const PackedSplats& splats, const Octree& octree, std::uint64_t node_words) {
+OctreeCounts countOctree(const ProSections& sections) {
+    const pro_info& info = sections.info;
     OctreeCounts counts;
-    counts.filled_leaves = octree.leaves.size();
-    counts.nodes = node_words - (PRO_GROUP_SIZE - 1); // the root's group is padded
-    const std::uint64_t inner = node_words / PRO_GROUP_SIZE - 1;
+    counts.filled_leaves = info.leaf_count;
+    counts.nodes = info.node_count - (PRO_GROUP_SIZE - 1); // the root's group is padded
+    const std::uint64_t inner = info.node_count / PRO_GROUP_SIZE - 1;
     counts.empty_leaves = counts.nodes - inner - counts.filled_leaves;
-    counts.border_leaves = static_cast<std::uint64_t>(std::count_if(
-        octree.leaves.begin(), octree.leaves.end(), [](const Leaf& leaf) { return leaf.member_count == 0; }));
-    counts.references = splats.words.size() + octree.refs.size();
+    for (std::size_t word = PRO_LEAF_COUNTS; word < sections.leaves.size(); word += PRO_LEAF_WORDS)
+        counts.border_leaves += (sections.leaves[word] & PRO_LEAF_MEMBER_MASK) == 0;
+    counts.references = std::uint64_t{info.splat_count} + info.ref_count;
+    counts.max_depth = info.max_depth;
     return counts;
 }
 
@@ -45,30 +46,33 @@ pro_info makeInfo(const PackedSplats& splats, const Octree& octree, const ProCon
 
 } // namespace
 
-OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree,
-                      const ProContent& content) {
-    pro_info info = makeInfo(splats, octree, content);
-    const auto nodes = encodeNodes(octree.leaves, info.max_depth);
-    info.node_count = static_cast<std::uint32_t>(nodes.size());
-    const auto leaves = leafWords(octree.leaves);
-    pro_view view{};
-    view.nodes = nodes.data();
-    view.leaves = leaves.data();
+ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content) {
+    ProSections sections;
+    pro_info& info = sections.info;
+    info = makeInfo(splats, octree, content);
+    sections.nodes = encodeNodes(octree.leaves, info.max_depth);
+    sections.leaves = leafWords(octree.leaves);
+    info.node_count = static_cast<std::uint32_t>(sections.nodes.size());
+    pro_view& view = sections.view;
+    view.nodes = sections.nodes.data();
+    view.leaves = sections.leaves.data();
     view.refs = octree.refs.data();
     view.splats = splats.words.front().data();
     view.materials = content.materials.front().data();
     view.order = splats.input_index.data();
     view.metadata = content.metadata.data();
     view.metadata_bytes = content.metadata.size();
+    return sections;
+}
 
+OctreeCounts writePro(const std::string& path, const ProSections& sections, const pro_index* index) {
     pro_message message{};
-    const pro_result result = pro_write(path.c_str(), &info, &view, &message);
+    const pro_result result = pro_write_indexed(path.c_str(), &sections.info, &sections.view, index, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
     // what the writer refuses to write is a scan that no .pro can hold
     const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;
     if (result != PRO_OK) throw Error(code, path + ": " + message.text);
-    OctreeCounts counts = countOctree(splats, octree, nodes.size());
-    counts.max_depth = info.max_depth;
+    OctreeCounts counts = countOctree(sections);
     counts.file_bytes = std::filesystem::file_size(path);
     return counts;
 }

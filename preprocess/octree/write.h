@@ -27,9 +27,17 @@ struct OctreeCounts {
     std::uint64_t file_bytes = 0;
 };
 
+/// All sections but the index, for pro_write; points into what it was made of, too.
+struct ProSections {
+    pro_info info{};
+    pro_view view{};
+    std::vector<std::uint32_t> nodes, leaves;
+};
+ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content);
+
 /// Writes path, over what is there. Throws Error (kCannotWrite, or kBadInput where the cloud's scale does not fit the
 /// format) and leaves nothing behind on failure.
-OctreeCounts writePro(const std::string& path, const PackedSplats& splats, const Octree& octree,
-                      const ProContent& content);
+/// @param index may be null
+OctreeCounts writePro(const std::string& path, const ProSections& sections, const pro_index* index);
 
 } // namespace pointrt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bricks of small scenes: every disc is on the list of every cell that it crosses, by cutting discs with cells exactly.
-#include "runtime/bricks.h"
+#include "format/index/bricks.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "runtime/cell_skips.h"
+#include "format/index/cell_skips.h"
 #include "runtime/vec.h"
 #include "tests/format/scene_builder.h"
 

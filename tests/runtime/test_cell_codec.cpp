@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the shaders read of a cell (decoded here as in shaders/trace.glsl) against the discs that were written.
-#include "runtime/cell_codec.h"
+#include "format/index/cell_codec.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include "pointrt/pro_index_layout.h"
 #include "runtime/vec.h"
-#include "shaders/brick_layout.h"
 
 namespace pointrt {
 namespace {
@@ -73,8 +73,8 @@ CellAsRead readCell(const CellWords& words) {
 Vec3 toVec3(const Vector& v) { return {v[0], v[1], v[2]}; }
 Vector toVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
-Disc makeDisc(Vec3 center, Vec3 normal, double radius) {
-    Disc disc;
+CellDisc makeDisc(Vec3 center, Vec3 normal, double radius) {
+    CellDisc disc;
     disc.center = toVector(center);
     disc.normal = toVector(normalize(normal));
     disc.radius = static_cast<float>(radius);
@@ -84,9 +84,9 @@ Disc makeDisc(Vec3 center, Vec3 normal, double radius) {
     return disc;
 }
 
-CellWords encode(const std::vector<Disc>& discs, const CellBox& box, std::uint32_t first = 0) {
-    std::vector<const Disc*> pointers;
-    for (const Disc& disc : discs) pointers.push_back(&disc);
+CellWords encode(const std::vector<CellDisc>& discs, const CellBox& box, std::uint32_t first = 0) {
+    std::vector<const CellDisc*> pointers;
+    for (const CellDisc& disc : discs) pointers.push_back(&disc);
     CellWords words;
     encodeCell(pointers, box, first, words);
     return words;
@@ -112,7 +112,7 @@ public:
     /// In the cell, in edges.
     Vec3 point() { return {uniform(-0.5, 0.5), uniform(-0.5, 0.5), uniform(-0.5, 0.5)}; }
     /// Through a random point of the cell; radius in edges.
-    Disc through(Vec3 normal, double radius) {
+    CellDisc through(Vec3 normal, double radius) {
         const Vec3 across = normalize(cross(normal, direction()));
         const double distance = radius * std::sqrt(uniform(0, 0.99));
         return makeDisc(fromEdges(point() + across * distance), normal, radius * kEdge);
@@ -136,7 +136,7 @@ void expectRadius(double read, double written) {
 TEST(CellCodec, KeepsDiscsToHalfACode) {
     RandomDiscs random(1);
     for (int round = 0; round < 2000; ++round) {
-        std::vector<Disc> discs;
+        std::vector<CellDisc> discs;
         const int count = 1 + round % 6;
         for (int k = 0; k < count; ++k)
             discs.push_back(random.through(random.direction(), std::pow(10.0, random.uniform(-1.5, 0.9))));
@@ -172,7 +172,7 @@ TEST(CellCodec, KeepsNormalsAlongAxes) {
 
 TEST(CellCodec, PadsOddNumbers) {
     RandomDiscs random(2);
-    std::vector<Disc> discs;
+    std::vector<CellDisc> discs;
     for (int k = 0; k < 3; ++k) discs.push_back(random.through(random.direction(), 0.5));
     const CellWords words = encode(discs, kBox, 4'000'000'000u);
     EXPECT_EQ(words.cells[CELL_FIRST], 4'000'000'000u);
@@ -212,7 +212,7 @@ TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     for (int round = 0; round < 500; ++round) {
         const double radius = std::pow(10.0, random.uniform(1, 3));
         const Vec3 normal = random.direction();
-        const Disc disc = random.through(normal, radius);
+        const CellDisc disc = random.through(normal, radius);
         const NearDisc near = readCell(encode({disc}, kBox)).discs[0];
         const Vec3 center = inEdges(toVec3(disc.center)), unit = normalize(near.normal);
         expectRadius(near.radius, kLargest);
@@ -229,7 +229,7 @@ TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
 }
 
 /// How far, in edges, a disc's points in the cell, slack included, stick out of the planes; random points of it.
-double beyondSlab(const CellAsRead& cell, const Disc& disc, RandomDiscs& random) {
+double beyondSlab(const CellAsRead& cell, const CellDisc& disc, RandomDiscs& random) {
     const Vec3 normal = normalize(toVec3(disc.normal)), center = inEdges(toVec3(disc.center));
     const double radius = disc.radius / kEdge, side = 0.5 + kBox.slack / kEdge;
     double beyond = 0;
@@ -248,7 +248,7 @@ double beyondSlab(const CellAsRead& cell, const Disc& disc, RandomDiscs& random)
 TEST(CellSlabs, HoldAllDiscs) {
     RandomDiscs random(4);
     for (int round = 0; round < 3000; ++round) {
-        std::vector<Disc> discs;
+        std::vector<CellDisc> discs;
         const Vec3 main_normal = random.direction();
         const double spread = round % 3; // a sheet, a bent one, anything
         for (int k = 0; k < 1 + round % 5; ++k) {
@@ -256,7 +256,7 @@ TEST(CellSlabs, HoldAllDiscs) {
             discs.push_back(random.through(k % 2 ? normal * -1 : normal, std::pow(10.0, random.uniform(-2, 1))));
         }
         const CellAsRead cell = readCell(encode(discs, kBox));
-        for (const Disc& disc : discs) ASSERT_LE(beyondSlab(cell, disc, random), 1e-6) << round;
+        for (const CellDisc& disc : discs) ASSERT_LE(beyondSlab(cell, disc, random), 1e-6) << round;
     }
 }
 
@@ -267,7 +267,7 @@ TEST(CellSlabs, HoldHugeDiscsNearlyAlongThem) {
     for (int round = 0; round < 3000; ++round) {
         const double tilt = std::pow(10.0, random.uniform(-3.6, -2)), radius = std::pow(10.0, random.uniform(0, 3));
         const Vec3 axis = round % 2 ? Vec3{0, 0, -1} : Vec3{1, -1, 0};
-        const Disc disc = random.through(normalize(axis + random.direction() * tilt), radius);
+        const CellDisc disc = random.through(normalize(axis + random.direction() * tilt), radius);
         const CellAsRead cell = readCell(encode({disc}, kBox));
         ASSERT_LE(beyondSlab(cell, disc, random), 1e-6) << "radius " << radius << " edges, tilt " << tilt;
     }
@@ -277,7 +277,7 @@ TEST(CellSlabs, AreTightAroundASheet) {
     RandomDiscs random(6);
     for (int round = 0; round < 500; ++round) {
         const Vec3 normal = random.direction(), start = random.point() * 0.5;
-        std::vector<Disc> discs;
+        std::vector<CellDisc> discs;
         for (int k = 0; k < 8; ++k) {
             const Vec3 inside = random.point();
             const Vec3 center = inside - normal * dot(normal, inside - start); // on one plane

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far rays may skip, in the grid and in its bricks, against a count of all filled cells in the cubes claimed.
-#include "runtime/entry_grid.h"
+#include "format/index/entry_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "runtime/bricks.h"
-#include "runtime/cell_skips.h"
+#include "format/index/bricks.h"
+#include "format/index/cell_skips.h"
 #include "tests/format/scene_builder.h"
 
 namespace pointrt {

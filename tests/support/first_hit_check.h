@@ -13,7 +13,7 @@
 
 namespace pointrt::test {
 
-// Rays are tested against near splats (shaders/brick_layout.h), whose rounding these bound; the distance to the disc
+// Rays are tested against near splats (pointrt/pro_index_layout.h), whose rounding these bound; the distance to the disc
 // that is chosen is exact again. Float errors of Embree and of that distance are much smaller: kFloatError.
 
 /// By how much the radius may be off, in radii: its square by half a step of 2^-5, which the root halves.
@@ -26,7 +26,7 @@ constexpr double kNearNormal = std::numbers::sqrt2 / 2 / 127;
 /// rounded down to a multiple of a quarter of a power of two.
 constexpr double kNearPosition = (std::numbers::sqrt3 / 2 + 0.0111) / 511 * 1.25;
 /// Discs beyond 8 cell edges are bent to that radius: rims are off by up to this share of an edge
-/// (runtime/cell_codec.cpp).
+/// (format/index/cell_codec.cpp).
 constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
 
 /// Where a ray meets a plane is off by up to this over the slope, in cube units: four roundings (difference, product,

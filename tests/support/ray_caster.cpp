@@ -94,7 +94,7 @@ struct RayCaster::State {
     }
 
     void createPrograms() {
-        const std::uint32_t uneven = file().grid_frame.uneven, oriented = scene.instances[0].oriented;
+        const std::uint32_t uneven = file().index.uneven, oriented = scene.instances[0].oriented;
         trace = createProgram(device, "trace", trace_spv, {uneven, oriented});
         any_hit = createProgram(device, "any_hit", any_hit_spv, {uneven, oriented});
         trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven, oriented});
@@ -283,10 +283,10 @@ std::vector<CastHit> RayCaster::loadedHits() {
 double RayCaster::traceSeconds() const { return state_->trace_seconds; }
 const std::string& RayCaster::deviceName() const { return state_->device.name; }
 double RayCaster::cellEdge() const {
-    const int grid_shift = static_cast<int>(state_->file().grid_frame.shift);
+    const int grid_shift = static_cast<int>(state_->file().index.shift);
     return std::ldexp(1.0 / BRICK_SIDE, grid_shift - static_cast<int>(PRO_POSITION_BITS));
 }
-bool RayCaster::isUneven() const { return state_->file().grid_frame.uneven; }
+bool RayCaster::isUneven() const { return state_->file().index.uneven; }
 std::uint64_t RayCaster::sceneDeviceBytes() const { return state_->scene.device_bytes; }
 
 } // namespace pointrt::test

@@ -98,7 +98,8 @@ Built writeScene(const std::string& path, Splats splats, const BuildOptions& opt
     content.materials = options.materials.empty() ? std::vector{matteRow(1, 1, 1)} : options.materials;
     content.metadata = "{}";
     content.pruned = options.prune;
-    writePro(path, built.packed, built.octree, content);
+    const ProSections sections = makeSections(built.packed, built.octree, content);
+    writePro(path, sections, nullptr);
     return built;
 }
 

@@ -13,7 +13,7 @@
 #include "runtime/camera.h"
 #include "runtime/image_exr.h"
 #include "runtime/staging.h"
-#include "shaders/brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 #include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the

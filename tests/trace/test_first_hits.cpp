@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "shaders/brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 #include "tests/support/first_hit_check.h"
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/reference.h"

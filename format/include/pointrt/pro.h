@@ -51,7 +51,8 @@ typedef struct pro_info {
     double bounds_min[3], bounds_max[3]; /* input units */
 } pro_info;
 
-/* The sections, pointing into the file's bytes. order is NULL and metadata_bytes 0 where absent. */
+/* The sections, pointing into the file's bytes. order is NULL and metadata_bytes 0 where absent.
+ * Neither this nor pro_info grows within a major version: programs may be older than a shared library. */
 typedef struct pro_view {
     const uint32_t* nodes;  /* [node_count] */
     const uint32_t* leaves; /* [leaf_count][4] */
@@ -62,6 +63,25 @@ typedef struct pro_view {
     const char* metadata;   /* JSON, not terminated */
     uint64_t metadata_bytes;
 } pro_view;
+
+/* The tracing index, made of the octree once so that a tracer need not (words: pro_index_layout.h, rules: SPEC.md).
+ * All of its indices are in range; whether it lists every disc that crosses a cell is up to who made it. */
+typedef struct pro_index {
+    uint32_t shift;     /* log2 of a grid cell's edge in position steps */
+    uint32_t origin[3]; /* of the lowest grid cell, in grid cells */
+    uint32_t size[3];   /* of the grid, in cells */
+    uint32_t uneven;    /* 1: brick words may name groups; 0: there are none */
+    uint32_t brick_count, group_count, cell_count;
+    uint32_t near_count;          /* even */
+    uint32_t list_count;          /* words, a multiple of 4 */
+    const uint32_t* grid;         /* [size[2]][size[1]][size[0]] */
+    const uint32_t* bricks;       /* [brick_count][64], behind them [group_count][8] */
+    const uint32_t* cells;        /* [cell_count][2] */
+    const uint32_t* slabs;        /* [cell_count] */
+    const uint32_t* near_splats;  /* [near_count][2] */
+    const uint32_t* lists;        /* [list_count] */
+    const uint32_t* blend_ranges; /* [cell_count][2] */
+} pro_index;
 
 /* A splat in plain numbers: cube units, unit normal, sRGB bytes. */
 typedef struct pro_splat {
@@ -74,8 +94,10 @@ typedef struct pro_splat {
 
 typedef struct pro_file pro_file;
 
-/* PRO_OPEN_SKIP_CHECKSUMS leaves the sections' XXH3 out; the structure is checked all the same. */
-enum { PRO_OPEN_SKIP_CHECKSUMS = 1 };
+/* PRO_OPEN_SKIP_CHECKSUMS leaves the sections' XXH3 out; the structure is checked all the same.
+ * PRO_OPEN_TRACE is for tracers: of a file with an index, NODE, LEAF, REFS, ORDR and META are neither checked nor read,
+ * and their pointers in the view are NULL. */
+enum { PRO_OPEN_SKIP_CHECKSUMS = 1, PRO_OPEN_TRACE = 2 };
 
 /* Maps path read-only and validates it. On success *file is set and must be closed with pro_close; otherwise it is
  * NULL. message may be NULL. The file must not be written in place or cut short while it is open. */
@@ -88,6 +110,8 @@ PRO_API void pro_close(pro_file* file);
 
 PRO_API void pro_get_info(const pro_file* file, pro_info* info);
 PRO_API void pro_get_view(const pro_file* file, pro_view* view);
+/* Returns 1, or 0 and zeros where the file has no index. */
+PRO_API int pro_get_index(const pro_file* file, pro_index* index);
 /* The whole file as mapped (page aligned when it came from pro_open). */
 PRO_API const void* pro_bytes(const pro_file* file, size_t* bytes);
 
@@ -103,6 +127,10 @@ PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, s
  * pro_open first: what it would refuse is PRO_BAD_ARGUMENT here, and the message has the finding's number.
  * The same content gives the same bytes. */
 PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message);
+
+/* The same with a tracing index, which makes the file version 1.1; NULL is pro_write. */
+PRO_API pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view,
+                                     const pro_index* index, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */
 PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);

@@ -42,6 +42,7 @@ public:
         file_.reset(file);
         pro_get_info(file, &info_);
         pro_get_view(file, &view_);
+        has_index_ = pro_get_index(file, &index_) == 1;
     }
 
     const pro_info& info() const { return info_; }
@@ -65,6 +66,8 @@ public:
     std::span<const std::uint32_t> order() const { return {view_.order, view_.order ? info_.splat_count : 0}; }
     /// UTF-8 JSON, or empty.
     std::string_view metadata() const { return {view_.metadata, view_.metadata_bytes}; }
+    /// The tracing index; nullptr where the file has none.
+    const pro_index* index() const { return has_index_ ? &index_ : nullptr; }
     /// The whole file, page aligned.
     std::span<const std::byte> bytes() const {
         std::size_t size = 0;
@@ -86,12 +89,16 @@ private:
     std::unique_ptr<pro_file, Close> file_;
     pro_info info_{};
     pro_view view_{};
+    pro_index index_{};
+    bool has_index_ = false;
 };
 
-/// pro_write; throws Error (kCannotWrite) with "FILE: reason" when the file cannot be written.
-inline void writePro(const std::string& path, const pro_info& info, const pro_view& view) {
+/// pro_write_indexed; throws Error (kCannotWrite) with "FILE: reason" when the file cannot be written.
+/// @param index may be null
+inline void writePro(const std::string& path, const pro_info& info, const pro_view& view,
+                     const pro_index* index = nullptr) {
     pro_message message{};
-    checkPro(pro_write(path.c_str(), &info, &view, &message), path, message);
+    checkPro(pro_write_indexed(path.c_str(), &info, &view, index, &message), path, message);
 }
 
 } // namespace pointrt

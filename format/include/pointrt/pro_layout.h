@@ -12,6 +12,14 @@
  *                   MATL  float[material_count][16]
  *                   ORDR  uint32[splat_count]     input index of each splat
  *                   META  bytes                   UTF-8 JSON, provenance
+ *                 and, since 1.1, all or none of the tracing index (pro_index_layout.h):
+ *                   GRID  uint32[]                entry grid, x fastest
+ *                   BRIK  uint32[][8]             bricks of 64 words, then groups of 8
+ *                   CELL  uint32[][2]             near splats of each listed cell
+ *                   SLAB  uint32[]                two planes around each listed cell's discs
+ *                   NEAR  uint32[][4]             near splats, two to an element
+ *                   LIST  uint32[][4]             splats, four to an element
+ *                   BLND  uint32[][2]             what only blends in each listed cell
  *
  * All values are little-endian. Positions and lengths are in units of the cube edge ("cube units"):
  * input coordinate = origin + scale * cube coordinate, with origin and scale in double.
@@ -20,7 +28,7 @@
 #define POINTRT_PRO_LAYOUT_H
 
 #define PRO_VERSION_MAJOR 1
-#define PRO_VERSION_MINOR 0
+#define PRO_VERSION_MINOR 1
 
 /* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
@@ -50,7 +58,13 @@
 #define PRO_OFF_SCALE 104          /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112     /* double[3], splat centres, input coordinates */
 #define PRO_OFF_BOUNDS_MAX 136     /* double[3] */
-#define PRO_FIELDS_END 160
+#define PRO_OFF_GRID_SHIFT 160     /* uint32, since 1.1 like all up to BRICK_COUNT; 0 without an index */
+#define PRO_OFF_GRID_ORIGIN 164    /* uint32[3], lowest cell */
+#define PRO_OFF_GRID_SIZE 176      /* uint32[3], cells */
+#define PRO_OFF_GRID_UNEVEN 188    /* uint32, 0 or 1 */
+#define PRO_OFF_BRICK_COUNT 192    /* uint32 */
+#define PRO_FIELDS_END 196
+#define PRO_FIELDS_END_1_0 160     /* of version 1.0 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -79,6 +93,13 @@
 #define PRO_KIND_MATL 0x4C54414Du
 #define PRO_KIND_ORDR 0x5244524Fu
 #define PRO_KIND_META 0x4154454Du
+#define PRO_KIND_GRID 0x44495247u
+#define PRO_KIND_BRIK 0x4B495242u
+#define PRO_KIND_CELL 0x4C4C4543u
+#define PRO_KIND_SLAB 0x42414C53u
+#define PRO_KIND_NEAR 0x5241454Eu
+#define PRO_KIND_LIST 0x5453494Cu
+#define PRO_KIND_BLND 0x444E4C42u
 
 /*
  * NODE: one word. 0 is an empty leaf; with PRO_NODE_INNER set the other bits are the number of the
@@ -133,6 +154,13 @@
 #define PRO_RADIUS_MIN 8.67361737988403547e-19f /* 2^-60: no splat is smaller, so that its square is a normal float */
 
 #define PRO_MAX_DEPTH PRO_POSITION_BITS
+
+/* The entry grid's cells are cubes of the octree. */
+#define PRO_GRID_SHIFT_MIN 7u          /* log2 of their edge in position steps: a brick's cells keep 32 of them */
+#define PRO_GRID_WORDS_MAX 0x1000000u  /* 2^24, whose numbers shaders compute in floats */
+#define PRO_INDEX_HALVINGS_MAX 12u     /* groups below a brick's cell, at most */
+#define PRO_INDEX_BLEND_MAX 0xFFFFu    /* splats that only blend in a cell, at most */
+#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, which shaders address with signed integers */
 
 /* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */
 #define PRO_MATERIAL_FLOATS 16u

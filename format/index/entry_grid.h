@@ -8,15 +8,15 @@
 #include <span>
 #include <vector>
 
+#include "format/index/node_walk.h"
+#include "format/index/page_vector.h"
 #include "pointrt/pro.h"
-#include "runtime/node_walk.h"
-#include "runtime/page_vector.h"
-#include "shaders/brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
-/// Covers the cells of one depth of the octree; x runs fastest. Layout of the words: shaders/brick_layout.h. What is
-/// outside the grid is empty.
+/// Covers the cells of one depth of the octree; x runs fastest. Layout of the words: pointrt/pro_index_layout.h. What
+/// is outside the grid is empty.
 struct EntryGrid {
     std::uint32_t shift = 0;               ///< log2 of a cell's edge in position steps
     std::array<std::uint32_t, 3> origin{}; ///< of the lowest cell, in cells from the cube's corner
@@ -39,7 +39,7 @@ constexpr std::uint8_t skipCode(std::uint32_t cells) {
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view);
 
 /// Writes the words of a grid without any. corners: of its filled cells, in position steps; brick k is the one at
-/// corners[k].
-void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners);
+/// corners[k]. threads: at most; 0 is all cores.
+void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t threads = 0);
 
 } // namespace pointrt

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/cell_codec.h"
+#include "format/index/cell_codec.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "shaders/brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
@@ -30,7 +30,7 @@ struct Place {
     float radius;
 };
 
-Place placeIn(const Disc& disc, const CellBox& box) {
+Place placeIn(const CellDisc& disc, const CellBox& box) {
     const float edges = 0.5f / box.half_edge;
     Place place{{}, disc.radius * edges};
     for (std::size_t axis = 0; axis < 3; ++axis) place.center[axis] = (disc.center[axis] - box.middle[axis]) * edges;
@@ -44,9 +44,9 @@ Place placeIn(const Disc& disc, const CellBox& box) {
 }
 
 /// Not of unit length. Normals may be on either side.
-Vector meanNormal(std::span<const Disc* const> discs) {
+Vector meanNormal(std::span<const CellDisc* const> discs) {
     Vector mean = discs[0]->normal;
-    for (const Disc* disc : discs.subspan(1))
+    for (const CellDisc* disc : discs.subspan(1))
         mean = sum(mean, dot(mean, disc->normal) < 0 ? -1.0f : 1.0f, disc->normal);
     return mean;
 }
@@ -74,7 +74,7 @@ float quarterOctaveBelow(float value) {
 }
 
 /// Planes along the mean normal, rounded, outside of all discs and slack.
-std::uint32_t slabWord(std::span<const Disc* const> discs, const CellBox& box) {
+std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box) {
     const Vector mean = meanNormal(discs);
     const float length = std::sqrt(dot(mean, mean));
     std::array<std::int32_t, 3> codes{};
@@ -85,7 +85,7 @@ std::uint32_t slabWord(std::span<const Disc* const> discs, const CellBox& box) {
     }
     const float edges = 0.5f / box.half_edge;
     float lo = std::numeric_limits<float>::infinity(), hi = -lo;
-    for (const Disc* disc : discs) {
+    for (const CellDisc* disc : discs) {
         const float height = dot(normal, sum(disc->center, -1, box.middle));
         // not by 1 - cos^2, which cancels where a disc is nearly along the planes
         const Vector sine = cross(normal, disc->normal);
@@ -136,10 +136,10 @@ float reachOf(std::span<const Place> places) {
 
 } // namespace
 
-void encodeCell(std::span<const Disc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out) {
+void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out) {
     std::vector<Place> places;
     places.reserve(discs.size());
-    for (const Disc* disc : discs) places.push_back(placeIn(*disc, box));
+    for (const CellDisc* disc : discs) places.push_back(placeIn(*disc, box));
     const float codes = quarterOctaveBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(places)));
     for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
     if (discs.size() % 2) out.near.insert(out.near.end(), NEAR_WORDS, 0u); // its normal of 0 is never hit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the discs of a cell are written for the tracer: near splats, and the two planes that hold them all
-// (layout: shaders/brick_layout.h).
+// (layout: pointrt/pro_index_layout.h).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ using Vector = std::array<float, 3>;
 inline float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// A splat, in any unit. reach is the half size of its disc's bounding box, slab half the height in which it blends.
-struct Disc {
+struct CellDisc {
     std::uint32_t splat = 0;
     Vector center{}, normal{}, reach{};
     float radius = 0, slab = 0;
@@ -35,6 +35,6 @@ struct CellWords {
 };
 
 /// Appends a cell with these discs (not empty, at most CELL_COUNT_MASK). first: the index of its first near splat.
-void encodeCell(std::span<const Disc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out);
+void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out);
 
 } // namespace pointrt

@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/bricks.h"
+#include "format/index/bricks.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <limits>
+#include <mutex>
 #include <type_traits>
 
+#include "format/index/cell_codec.h"
+#include "format/index/cell_meeting.h"
+#include "format/index/node_walk.h"
+#include "format/src/parallel.h"
+#include "pointrt/pro_index_layout.h"
 #include "pointrt/tool.hpp"
-#include "runtime/cell_codec.h"
-#include "runtime/cell_meeting.h"
-#include "runtime/node_walk.h"
-#include "runtime/parallel.h"
-#include "shaders/brick_layout.h"
 
 namespace pointrt {
 
 namespace {
-
-/// Shaders address the lists with signed integers.
-constexpr std::size_t kListedMost = std::numeric_limits<std::int32_t>::max();
 
 /// Cells and groups that a brick's word can name.
 constexpr std::size_t kCellsMost = std::size_t{1} << (32 - CELL_INDEX_SHIFT);
@@ -36,7 +33,7 @@ constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 /// halves' lists together would be longer by more than this factor: where discs are as large as the cell it is 4 or
 /// more.
 constexpr std::size_t kDiscsMost = 48;
-constexpr std::uint32_t kHalvingsMost = 12;
+constexpr std::uint32_t kHalvingsMost = PRO_INDEX_HALVINGS_MAX;
 constexpr std::size_t kListsMost = 3;
 /// Cells to cut are at least this many slacks wide to a side: a half's corner with its slack stays within an edge of
 /// its centre, as far as slab heights reach.
@@ -55,14 +52,14 @@ struct Source {
     std::uint32_t shift = 0; ///< log2 of its edge in position steps
 };
 
-using Discs = std::vector<const Disc*>;
+using Discs = std::vector<const CellDisc*>;
 
 /// What a cell lists: discs that cross it, and those whose slabs alone do.
 struct CellLists {
     Discs hittable, blending;
 };
 
-void offer(const Disc& disc, const CellBox& box, CellLists& lists) {
+void offer(const CellDisc& disc, const CellBox& box, CellLists& lists) {
     if (!mayMeet(disc, box, disc.slab)) return;
     (mayMeet(disc, box, 0.0f) ? lists.hittable : lists.blending).push_back(&disc);
 }
@@ -79,7 +76,7 @@ public:
     void run(const Source& source) {
         gather(source);
         Discs all;
-        for (const Disc& disc : discs_) all.push_back(&disc);
+        for (const CellDisc& disc : discs_) all.push_back(&disc);
         cut(all, source, {});
     }
 
@@ -99,7 +96,7 @@ private:
             }
             Discs inside;
             std::copy_if(discs.begin(), discs.end(), std::back_inserter(inside),
-                         [&](const Disc* disc) { return mayMeet(*disc, box, disc->slab); });
+                         [&](const CellDisc* disc) { return mayMeet(*disc, box, disc->slab); });
             if (!inside.empty()) cut(inside, child, at);
         }
     }
@@ -107,7 +104,7 @@ private:
     /// A brick, unless all its cells would be empty.
     void build(const Discs& discs, const Corner& corner, const Vector& offset) {
         for (CellLists& cell : cells_) cell.hittable.clear(), cell.blending.clear();
-        for (const Disc* disc : discs) spread(*disc, offset);
+        for (const CellDisc* disc : discs) spread(*disc, offset);
         if (std::all_of(cells_.begin(), cells_.end(), [](const CellLists& cell) { return cell.hittable.empty(); }))
             return;
         part_.corners.push_back(corner);
@@ -129,8 +126,8 @@ private:
         gatherBelow(source.node, source.corner);
         if (!(source.node & PRO_NODE_INNER)) return;
         // leaves side by side share splats
-        const auto less = [](const Disc& a, const Disc& b) { return a.splat < b.splat; };
-        const auto same = [](const Disc& a, const Disc& b) { return a.splat == b.splat; };
+        const auto less = [](const CellDisc& a, const CellDisc& b) { return a.splat < b.splat; };
+        const auto same = [](const CellDisc& a, const CellDisc& b) { return a.splat == b.splat; };
         std::sort(discs_.begin(), discs_.end(), less);
         discs_.erase(std::unique(discs_.begin(), discs_.end(), same), discs_.end());
     }
@@ -153,7 +150,7 @@ private:
         pro_splat plain;
         pro_splat_decode(view_.splats + std::size_t{splat} * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step,
                          &plain);
-        Disc disc;
+        CellDisc disc;
         disc.splat = splat;
         disc.radius = plain.radius * edges_;
         disc.slab = info_.blend_slab * disc.radius;
@@ -171,7 +168,7 @@ private:
     }
 
     /// Puts a disc on the lists of the cells that it reaches into, of the brick at offset.
-    void spread(const Disc& disc, const Vector& offset) {
+    void spread(const CellDisc& disc, const Vector& offset) {
         const CellSets sets = cellsMet(disc, offset, slack_);
         for (std::uint64_t left = sets.by_disc; left != 0; left &= left - 1)
             cells_[static_cast<std::size_t>(std::countr_zero(left))].hittable.push_back(&disc);
@@ -199,8 +196,8 @@ private:
             boxes[h] = {box.middle, 0.5f * box.half_edge, box.slack};
             for (std::uint32_t axis = 0; axis < 3; ++axis)
                 boxes[h].middle[axis] += (h >> axis & 1 ? 0.5f : -0.5f) * box.half_edge;
-            for (const Disc* disc : lists.hittable) offer(*disc, boxes[h], halves[h]);
-            for (const Disc* disc : lists.blending) offer(*disc, boxes[h], halves[h]);
+            for (const CellDisc* disc : lists.hittable) offer(*disc, boxes[h], halves[h]);
+            for (const CellDisc* disc : lists.blending) offer(*disc, boxes[h], halves[h]);
             listed += halves[h].hittable.size();
         }
         if (listed > kListsMost * lists.hittable.size()) return kEmptyWord;
@@ -212,15 +209,15 @@ private:
     }
 
     std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
-        if (lists.hittable.size() > CELL_COUNT_MASK)
-            throw Error(ExitCode::kCannotRun, "a cell lists more splats than this viewer can hold");
+        if (lists.hittable.size() > CELL_COUNT_MASK || lists.blending.size() > PRO_INDEX_BLEND_MAX)
+            throw Error(ExitCode::kCannotRun, "discs crowd: a cell of the tracing index would list more than 65535");
         const auto cell = static_cast<std::uint32_t>(part_.slabs.size());
         encodeCell(lists.hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_);
-        for (const Disc* disc : lists.hittable) part_.lists.push_back(disc->splat);
+        for (const CellDisc* disc : lists.hittable) part_.lists.push_back(disc->splat);
         part_.lists.resize(part_.near.size() / NEAR_WORDS);
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(part_.blending.size()));
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(lists.blending.size()));
-        for (const Disc* disc : lists.blending) part_.blending.push_back(disc->splat);
+        for (const CellDisc* disc : lists.blending) part_.blending.push_back(disc->splat);
         return cell << CELL_INDEX_SHIFT;
     }
 
@@ -231,7 +228,7 @@ private:
     float edges_; ///< of cells to a cube unit
     float slack_;
     std::uint32_t halvings_; ///< at most
-    std::vector<Disc> discs_;
+    std::vector<CellDisc> discs_;
     std::array<CellLists, BRICK_WORDS> cells_;
 };
 
@@ -268,10 +265,10 @@ void relocate(Part& part, const Offsets& before) {
 
 /// Whether their numbers fit the words that name them.
 void requireFit(const Offsets& total) {
-    if (total.blending > kListedMost)
-        throw Error(ExitCode::kCannotRun, "the cells list more than 2^31 splats, too many for this viewer");
+    if (total.blending > PRO_INDEX_LISTED_MAX - 3) // rounded up to texels of four
+        throw Error(ExitCode::kCannotRun, "the tracing index would list more than 2^31 splats");
     if (std::max(total.cells, total.groups) > kCellsMost)
-        throw Error(ExitCode::kCannotRun, "more than 2^27 cells, too many for this viewer");
+        throw Error(ExitCode::kCannotRun, "the tracing index would have more than 2^27 cells");
 }
 
 /// Puts the parts behind one another: bricks, then groups; discs, then what only blends.
@@ -306,18 +303,24 @@ Bricks join(std::vector<Part>& parts) {
 
 } // namespace
 
-Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid) {
+Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid, const IndexOptions& options) {
     std::vector<Source> sources;
     forNodes({view.nodes, info.node_count}, PRO_POSITION_BITS - grid.shift,
              [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) {
                  sources.push_back({node, corner, shift});
              });
     std::vector<Part> parts((sources.size() + kRunNodes - 1) / kRunNodes);
-    forAll(parts.size(), [&](std::size_t k) {
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto buildPart = [&](std::size_t k) {
         BrickBuilder builder(info, view, grid, parts[k]);
         const std::size_t end = std::min(sources.size(), (k + 1) * kRunNodes);
         for (std::size_t s = k * kRunNodes; s < end; ++s) builder.run(sources[s]);
-    });
+        if (!options.progress) return;
+        const std::lock_guard lock(telling);
+        options.progress(static_cast<double>(++done) / static_cast<double>(parts.size()));
+    };
+    forAll(parts.size(), buildPart, options.threads);
     return join(parts);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/cell_meeting.h"
+#include "format/index/cell_meeting.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 
-#include "shaders/brick_layout.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
@@ -15,7 +15,7 @@ namespace {
 /// The boxes by axis for all cells, then planes and spheres of what is left.
 class BrickMeeting {
 public:
-    BrickMeeting(const Disc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
+    BrickMeeting(const CellDisc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
         for (std::uint32_t axis = 0; axis < 3; ++axis)
             for (std::uint32_t k = 0; k < BRICK_SIDE; ++k) {
                 const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
@@ -61,14 +61,14 @@ private:
     }
 
     using PerCell = std::array<std::array<float, BRICK_SIDE>, 3>;
-    const Disc& disc_;
+    const CellDisc& disc_;
     float half_, widest_ = 0;
     PerCell along_, beyond_, outside_;
 };
 
 } // namespace
 
-bool mayMeet(const Disc& disc, const CellBox& box, float slab) {
+bool mayMeet(const CellDisc& disc, const CellBox& box, float slab) {
     const float half = box.half_edge + box.slack;
     float along = 0, widest = 0, beyond = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -82,7 +82,7 @@ bool mayMeet(const Disc& disc, const CellBox& box, float slab) {
     return std::fabs(along) <= half * widest + slab && beyond <= disc.radius * disc.radius + slab * slab;
 }
 
-CellSets cellsMet(const Disc& disc, const Vector& offset, float slack) {
+CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack) {
     return BrickMeeting(disc, offset, slack).cells();
 }
 

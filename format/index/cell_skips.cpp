@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/cell_skips.h"
+#include "format/index/cell_skips.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
-#include "runtime/parallel.h"
-#include "shaders/brick_layout.h"
+#include "format/src/parallel.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
@@ -115,11 +115,12 @@ private:
 
 } // namespace
 
-void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words) {
+void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads) {
     std::array<std::vector<std::uint8_t>, 8> skips;
-    forAll(8, [&](std::size_t octant) {
+    const auto fillOctant = [&](std::size_t octant) {
         skips[octant] = OctantSkips(grid, brick_count, words, static_cast<std::uint32_t>(octant)).run();
-    });
+    };
+    forAll(8, fillOctant, threads);
     const std::size_t count = skips[0].size();
     for (std::size_t w = 0; w < count; ++w) {
         if ((words[w] & SKIP_MASK) == 0) continue;

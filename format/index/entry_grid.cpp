@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/entry_grid.h"
+#include "format/index/entry_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "runtime/parallel.h"
-#include "shaders/brick_layout.h"
+#include "format/src/parallel.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
@@ -16,13 +16,12 @@ namespace {
 /// for each leaf: 6 bytes a splat of an even scan, of some 90 splats a leaf.
 constexpr std::uint64_t kWordsPerLeaf = 128;
 /// A brick's cells keep an edge of 32 position steps: planes and walks allow for 1.5 steps around a cell (kSlackSteps).
-constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - 7;
+constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - PRO_GRID_SHIFT_MIN;
 constexpr std::uint64_t kWordsLeast = 1u << 15;
-constexpr std::uint64_t kWordsMost = 1u << 24; ///< whose numbers shaders compute in floats (shaders/octree.glsl)
 
 /// Leaves above the grid are cut into its cells, where their splats are on more lists. That may make all lists longer
-/// by this factor; and cells below which the octree has leaves are cut further (runtime/bricks.cpp) where the lists of
-/// those would make rays test more discs by this factor.
+/// by this factor; and cells below which the octree has leaves are cut further (format/index/bricks.cpp) where the
+/// lists of those would make rays test more discs by this factor.
 constexpr double kLongerMost = 1.6, kCrowdedMost = 1.1;
 
 using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< of the leaves at each depth
@@ -122,7 +121,8 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
 } // namespace
 
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
-    const std::uint64_t most = std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, kWordsMost);
+    const std::uint64_t most =
+        std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, std::uint64_t{PRO_GRID_WORDS_MAX});
     const std::span<const std::uint32_t> nodes(view.nodes, info.node_count);
     const MemberCounts members = countMembers(info, view);
     std::uint32_t depth = std::min(preferredDepth(members), kDeepest);
@@ -132,7 +132,7 @@ EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
     return grid;
 }
 
-void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners) {
+void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t threads) {
     std::vector<char> filled(wordCount(grid));
     grid.words.assign(filled.size(), 0);
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -143,8 +143,10 @@ void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners) {
         grid.words[word] = static_cast<std::uint32_t>(k) << GRID_BRICK_SHIFT;
     }
     std::array<std::vector<std::uint8_t>, 8> skips;
-    forAll(8,
-           [&](std::size_t octant) { skips[octant] = skipsTowards(filled, grid, static_cast<std::uint32_t>(octant)); });
+    const auto fillOctant = [&](std::size_t octant) {
+        skips[octant] = skipsTowards(filled, grid, static_cast<std::uint32_t>(octant));
+    };
+    forAll(8, fillOctant, threads);
     for (std::size_t c = 0; c < filled.size(); ++c)
         for (std::uint32_t octant = 0; octant < 8 && !filled[c]; ++octant)
             grid.words[c] |= std::uint32_t{skipCode(skips[octant][c])} << (SKIP_BITS * octant);

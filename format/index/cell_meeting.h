@@ -4,13 +4,13 @@
 
 #include <cstdint>
 
-#include "runtime/cell_codec.h"
+#include "format/index/cell_codec.h"
 
 namespace pointrt {
 
 /// Whether disc (slab 0) or slab (its half height) can meet the cell: its bounding box, its planes and its sphere all
 /// do.
-bool mayMeet(const Disc& disc, const CellBox& box, float slab);
+bool mayMeet(const CellDisc& disc, const CellBox& box, float slab);
 
 /// Cells of a brick, a bit each.
 struct CellSets {
@@ -19,6 +19,6 @@ struct CellSets {
 
 /// mayMeet for all cells of a brick at once. Lengths are in edges of its cells; offset is its lowest corner, slack by
 /// how much cells are taken larger.
-CellSets cellsMet(const Disc& disc, const Vector& offset, float slack);
+CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack);
 
 } // namespace pointrt

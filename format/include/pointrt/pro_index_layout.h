@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The entry grid, its bricks and their cells: what the viewer makes of the octree of a .pro. Valid in C++ and GLSL.
-#ifndef POINTRT_SHADERS_BRICK_LAYOUT_H
-#define POINTRT_SHADERS_BRICK_LAYOUT_H
+// The tracing index: the entry grid, its bricks and their cells, made of the octree by format/index and kept in a .pro's
+// optional sections. Valid in C99, C++ and GLSL.
+#ifndef POINTRT_PRO_INDEX_LAYOUT_H
+#define POINTRT_PRO_INDEX_LAYOUT_H
 
 // A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how many cells
 // around and including it are empty towards octant k (bit 0 of k: x rising, bit 1: y, bit 2: z), at least: the larger

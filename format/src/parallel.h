@@ -12,8 +12,9 @@
 namespace pointrt {
 
 /// Runs work(k) for k in [0, count), in any order; rethrows the first exception.
+/// @param threads at most so many, this one among them; 0 is all cores
 template <typename Work>
-void forAll(std::size_t count, const Work& work) {
+void forAll(std::size_t count, const Work& work, std::size_t threads = 0) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
     std::exception_ptr failure;
@@ -24,9 +25,11 @@ void forAll(std::size_t count, const Work& work) {
             if (!failed.exchange(true)) failure = std::current_exception();
         }
     };
-    std::vector<std::jthread> threads(std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency())));
-    for (auto& thread : threads) thread = std::jthread(loop);
-    threads.clear();
+    if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(count, threads)) - 1);
+    for (auto& thread : others) thread = std::jthread(loop);
+    loop();
+    others.clear();
     if (failure) std::rethrow_exception(failure);
 }
 

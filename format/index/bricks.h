@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The file's leaves are wide, because every border costs references; rays want short lists. So each filled cell of the
+// entry grid becomes a brick of 4 x 4 x 4 cells, with a list for each cell that a disc crosses.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "format/index/entry_grid.h"
+#include "format/index/page_vector.h"
+#include "pointrt/pro.h"
+
+namespace pointrt {
+
+/// The words that the shaders read (layout: pointrt/pro_index_layout.h).
+struct Bricks {
+    std::vector<Corner> corners; ///< of each brick, lowest, in position steps
+    std::uint32_t brick_count = 0;
+    Words words;        ///< BRICK_WORDS for each brick, then groups; empty ones kEmptyWord
+    Words cells;        ///< CELL_WORDS for each listed cell
+    Words slabs;        ///< one for each listed cell
+    Words near;         ///< NEAR_WORDS for each disc that crosses a cell, each cell's padded to even
+    Words lists;        ///< the splats of near, then those that only blend; whole texels of four
+    Words blend_ranges; ///< BLEND_RANGE_WORDS for each listed cell: first in lists, count
+};
+
+struct IndexOptions {
+    std::size_t threads = 0;              ///< at most; 0 is all cores
+    std::function<void(double)> progress; ///< share done in [0, 1]; from any thread, one at a time
+};
+
+/// An empty word before its skips are known: one cell in each direction.
+constexpr std::uint32_t kEmptyWord = 0x11111111u;
+
+/// Builds the bricks of a validated file, for all cells of its grid that discs cross. Throws std::bad_alloc, or Error
+/// (kCannotRun) when the lists outgrow their words.
+Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid, const IndexOptions& options = {});
+
+} // namespace pointrt

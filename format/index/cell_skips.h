@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far rays may go from a brick's empty cell before anything can be near.
+#pragma once
+
+#include <cstdint>
+
+#include "format/index/entry_grid.h"
+#include "format/index/page_vector.h"
+
+namespace pointrt {
+
+/// Writes the skips of the bricks' empty cells (pointrt/pro_index_layout.h), which see into the bricks and grid cells
+/// around. words: BRICK_WORDS for each of brick_count bricks, in the grid's order, empty ones kEmptyWord; what follows
+/// stays. threads: at most; 0 is all cores.
+void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads = 0);
+
+} // namespace pointrt

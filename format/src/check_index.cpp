@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "checks.h"
+#include "parallel.h"
+#include "pointrt/pro_index_layout.h"
+
+namespace pointrt::format {
+
+namespace {
+
+constexpr std::uint32_t kBrickGroups = BRICK_WORDS / GROUP_WORDS;
+constexpr std::uint64_t kNumbersMost = std::uint64_t{1} << (32 - CELL_INDEX_SHIFT);
+constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< so are larger ones, infinite, negative or no number
+
+/// Words of LIST that a thread checks at once.
+constexpr std::size_t kRunWords = std::size_t{1} << 20;
+
+bool isEmpty(std::uint32_t word) { return (word & SKIP_MASK) != 0; }
+
+/// The borrow of subtracting 1 from each nibble (Mycroft 1987).
+bool hasZeroNibble(std::uint32_t word) { return ((word - 0x11111111u) & ~word & 0x88888888u) != 0; }
+
+/// What the checks found, each in its own, so that they can run side by side.
+struct IndexTallies {
+    Tally grid_brick, grid_skip, brick_skip, brick_word, group_depth, cell_range, cell_codes, list_splat, blend_range;
+    bool bricks_missing = false, words_missing = false, near_missing = false, lists_missing = false;
+};
+
+void checkGrid(const pro_index& index, IndexTallies& tallies) {
+    std::vector<char> named(index.brick_count);
+    std::uint64_t filled = 0;
+    const std::uint64_t count = gridWords(index);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const std::uint32_t word = index.grid[i], brick = word >> GRID_BRICK_SHIFT;
+        if (isEmpty(word)) {
+            if (hasZeroNibble(word)) tallies.grid_skip.hit(i);
+            continue;
+        }
+        if (brick >= index.brick_count || named[brick])
+            tallies.grid_brick.hit(i);
+        else
+            named[brick] = 1;
+        ++filled;
+    }
+    tallies.bricks_missing = filled < index.brick_count;
+}
+
+/// Bricks and groups are one tree for each brick's word: from the bricks' words in order, cells are met in order, and
+/// groups are left in order. So no cell and no group is named twice, and a walk ends.
+class BrickWalk {
+public:
+    BrickWalk(const pro_index& index, IndexTallies& tallies)
+        : index_(index), tallies_(tallies), first_group_(std::uint64_t{index.brick_count} * kBrickGroups) {}
+
+    void run() {
+        const std::uint64_t count = std::uint64_t{index_.brick_count} * BRICK_WORDS;
+        for (std::uint64_t i = 0; i < count; ++i)
+            if (!pass(i, 0)) return;
+        tallies_.words_missing = next_cell_ != index_.cell_count || next_group_ != index_.group_count;
+    }
+
+private:
+    /// False where nothing further can be told.
+    bool pass(std::uint64_t i, std::uint32_t halvings) {
+        const std::uint32_t word = index_.bricks[i];
+        if (isEmpty(word)) {
+            if (hasZeroNibble(word)) tallies_.brick_skip.hit(i);
+            return true;
+        }
+        if (word & CELL_INNER) return passGroup(i, word >> CELL_INDEX_SHIFT, halvings + 1);
+        if (word >> CELL_INDEX_SHIFT != next_cell_ || next_cell_ >= index_.cell_count)
+            return fail(tallies_.brick_word, i);
+        ++next_cell_;
+        return true;
+    }
+
+    bool passGroup(std::uint64_t i, std::uint64_t group, std::uint32_t halvings) {
+        if (halvings > PRO_INDEX_HALVINGS_MAX) return fail(tallies_.group_depth, i);
+        if (group < first_group_ || group - first_group_ >= index_.group_count) return fail(tallies_.brick_word, i);
+        for (std::uint32_t half = 0; half < GROUP_WORDS; ++half)
+            if (!pass(group * GROUP_WORDS + half, halvings)) return false;
+        if (group - first_group_ != next_group_) return fail(tallies_.brick_word, i);
+        ++next_group_;
+        return true;
+    }
+
+    static bool fail(Tally& tally, std::uint64_t i) {
+        tally.hit(i);
+        return false;
+    }
+
+    const pro_index& index_;
+    IndexTallies& tallies_;
+    std::uint64_t first_group_, next_cell_ = 0, next_group_ = 0;
+};
+
+void checkCells(const pro_index& index, IndexTallies& tallies) {
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < index.cell_count; ++i) {
+        const std::uint32_t* cell = index.cells + i * CELL_WORDS;
+        const std::uint32_t count = cell[CELL_COUNT] & CELL_COUNT_MASK, codes = cell[CELL_COUNT] >> CELL_CODES_SHIFT;
+        if (cell[CELL_FIRST] != next || count == 0) tallies.cell_range.hit(i);
+        if (codes == 0 || codes >= kHalfInfinity) tallies.cell_codes.hit(i);
+        next += (count + 1) / 2 * 2;
+    }
+    tallies.near_missing = next != index.near_count;
+}
+
+void checkBlendRanges(const pro_index& index, IndexTallies& tallies) {
+    std::uint64_t next = index.near_count;
+    for (std::uint64_t i = 0; i < index.cell_count; ++i) {
+        const std::uint32_t* range = index.blend_ranges + i * BLEND_RANGE_WORDS;
+        if (range[0] != next || range[1] > PRO_INDEX_BLEND_MAX) tallies.blend_range.hit(i);
+        next += range[1];
+    }
+    tallies.lists_missing = (next + 3) / 4 * 4 != index.list_count;
+}
+
+/// The words from first on, kRunWords at most.
+Tally checkListed(const pro_info& info, const pro_index& index, std::size_t first) {
+    Tally tally;
+    const std::size_t end = std::min<std::size_t>(index.list_count, first + kRunWords);
+    std::uint32_t largest = 0;
+    for (std::size_t i = first; i < end; ++i) largest = std::max(largest, index.lists[i]);
+    if (largest < info.splat_count) return tally; // what vectors tell fast
+    for (std::size_t i = first; i < end; ++i)
+        if (index.lists[i] >= info.splat_count) tally.hit(i);
+    return tally;
+}
+
+void report(const IndexTallies& tallies, const pro_index& index, Findings& findings) {
+    tallies.grid_brick.addTo(findings, Finding::kGridBrick, "grid word", "its brick is past the last or named before");
+    if (tallies.bricks_missing)
+        findings.add(Finding::kGridBrick, "the grid does not name all of %u bricks", index.brick_count);
+    tallies.grid_skip.addTo(findings, Finding::kEmptySkip, "grid word", "empty and skips nothing in a direction");
+    tallies.brick_skip.addTo(findings, Finding::kEmptySkip, "brick word", "empty and skips nothing in a direction");
+    tallies.brick_word.addTo(findings, Finding::kBrickWord, "brick word", "does not name the next cell or group");
+    if (tallies.words_missing)
+        findings.add(Finding::kBrickWord, "bricks do not name all of %u cells and %u groups", index.cell_count,
+                     index.group_count);
+    tallies.group_depth.addTo(findings, Finding::kGroupDepth, "brick word", "its group lies too deep");
+    tallies.cell_range.addTo(findings, Finding::kCellRange, "cell", "empty, or does not follow the cell before it");
+    if (tallies.near_missing)
+        findings.add(Finding::kCellRange, "cells do not add up to %u near splats", index.near_count);
+    tallies.cell_codes.addTo(findings, Finding::kCellCodes, "cell", "its position codes are no number above 0");
+    tallies.list_splat.addTo(findings, Finding::kListSplat, "listed splat", "past the last splat");
+    tallies.blend_range.addTo(findings, Finding::kBlendRange, "cell",
+                              "what blends in it is too much, or does not follow the cell before it");
+    if (tallies.lists_missing)
+        findings.add(Finding::kBlendRange, "what blends does not end with %u listed splats", index.list_count);
+}
+
+void checkCounts(const pro_index& index, Findings& findings) {
+    const std::uint64_t groups = std::uint64_t{index.brick_count} * kBrickGroups + index.group_count;
+    if (index.brick_count == 0 || groups > kNumbersMost || (index.uneven == 0 && index.group_count > 0))
+        findings.add(Finding::kSectionCount, "an index of %u bricks and %u groups", index.brick_count,
+                     index.group_count);
+    if (index.cell_count == 0 || index.cell_count > kNumbersMost)
+        findings.add(Finding::kSectionCount, "an index of %u cells, not 1 to 2^27", index.cell_count);
+    if (index.near_count % 2 != 0 || index.list_count % 4 != 0 || index.near_count > index.list_count ||
+        index.list_count > PRO_INDEX_LISTED_MAX)
+        findings.add(Finding::kSectionCount, "an index of %u near splats and %u listed ones", index.near_count,
+                     index.list_count);
+}
+
+} // namespace
+
+bool checkIndexFrame(const pro_index& index, Findings& findings) {
+    const std::size_t before = findings.count();
+    bool inside = index.shift >= PRO_GRID_SHIFT_MIN && index.shift <= PRO_POSITION_BITS && index.uneven <= 1;
+    for (std::size_t axis = 0; axis < 3 && inside; ++axis)
+        inside = index.size[axis] > 0 &&
+                 std::uint64_t{index.origin[axis]} + index.size[axis] <= 1u << (PRO_POSITION_BITS - index.shift);
+    if (!inside || gridWords(index) > PRO_GRID_WORDS_MAX)
+        findings.add(Finding::kGridFrame, "an entry grid of %u x %u x %u cells, edge 2^%u, is not inside the cube",
+                     index.size[0], index.size[1], index.size[2], index.shift);
+    checkCounts(index, findings);
+    return findings.count() == before;
+}
+
+void checkIndex(const pro_info& info, const pro_index& index, Findings& findings) {
+    IndexTallies tallies;
+    std::vector<Tally> listed((std::size_t{index.list_count} + kRunWords - 1) / kRunWords);
+    const std::array<std::function<void()>, 4> whole = {
+        [&] { BrickWalk(index, tallies).run(); }, [&] { checkGrid(index, tallies); },
+        [&] { checkCells(index, tallies); }, [&] { checkBlendRanges(index, tallies); }};
+    forAll(
+        whole.size() + listed.size(),
+        [&](std::size_t k) {
+            if (k < whole.size())
+                whole[k]();
+            else
+                listed[k - whole.size()] = checkListed(info, index, (k - whole.size()) * kRunWords);
+        },
+        index.list_count < kRunWords ? 1 : 0);
+    for (const Tally& run : listed) tallies.list_splat.join(run);
+    report(tallies, index, findings);
+}
+
+} // namespace pointrt::format
