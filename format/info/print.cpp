@@ -34,6 +34,18 @@ std::string levelsText(const Summary& summary) {
     return text;
 }
 
+std::string indexText(const Summary& summary, const pro_index* index) {
+    if (!index) return "none; viewers build it when they load";
+    const auto& size = index->size;
+    std::string text =
+        fmt::format("{}, {:.1f} bytes a splat; grid of {} x {} x {}, {} bricks, ", humanBytes(summary.index_bytes),
+                    static_cast<double>(summary.index_bytes) / summary.info.splat_count, size[0], size[1], size[2],
+                    index->brick_count);
+    if (index->group_count > 0) text += fmt::format("{} groups, ", index->group_count);
+    return text + fmt::format("{} cells, {:.2f} near splats a cell", index->cell_count,
+                              static_cast<double>(index->near_count) / index->cell_count);
+}
+
 std::string sectionsText(const Summary& summary) {
     std::string text = fmt::format("\n{:>7} {:>12} {:>14} {:>14}\n", "section", "elements", "bytes each", "at byte");
     for (const SectionSummary& section : summary.sections)
@@ -76,6 +88,15 @@ Json levelsJson(const Summary& summary) {
     return levels;
 }
 
+/// Null where the file has none.
+Json indexJson(const Summary& summary, const pro_index* index) {
+    if (!index) return nullptr;
+    return {{"bytes", summary.index_bytes}, {"grid", {index->size[0], index->size[1], index->size[2]}},
+            {"bricks", index->brick_count}, {"groups", index->group_count},
+            {"cells", index->cell_count},   {"near_splats", index->near_count},
+            {"listed", index->list_count}};
+}
+
 Json materialsJson(const ProFile& file) {
     Json materials = Json::array();
     const auto floats = file.materials();
@@ -116,6 +137,7 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
                      double{info.radius_max} * info.scale, 100 * s.radius_error));
     line("position error", fmt::format("at most {:.3g} input units", s.position_error));
     line("blending slab", fmt::format("{:.3g} radii to each side", info.blend_slab));
+    line("tracing index", indexText(s, file.index()));
     line("colour", yesNo(info.flags, PRO_FLAG_COLOR));
     line("oriented", yesNo(info.flags, PRO_FLAG_ORIENTED));
     line("pruned", yesNo(info.flags, PRO_FLAG_PRUNED));
@@ -146,6 +168,7 @@ std::string summaryJson(const Summary& s, const ProFile& file) {
     json["radius_max"] = info.radius_max * info.scale;
     json["radius_error"] = s.radius_error;
     json["position_error"] = s.position_error;
+    json["index"] = indexJson(s, file.index());
     json["levels"] = levelsJson(s);
     json["sections"] = sectionsJson(s);
     json["materials"] = materialsJson(file);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 namespace pointrt {
 
@@ -50,6 +52,15 @@ std::vector<SectionSummary> listSections(std::span<const std::byte> bytes) {
     return sections;
 }
 
+/// A file that opens has all of them or none.
+std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
+    constexpr std::string_view kKinds[] = {"GRID", "BRIK", "CELL", "SLAB", "NEAR", "LIST", "BLND"};
+    std::uint64_t bytes = 0;
+    for (const SectionSummary& section : sections)
+        if (std::find(std::begin(kKinds), std::end(kKinds), section.kind) != std::end(kKinds)) bytes += section.bytes;
+    return bytes;
+}
+
 std::uint64_t countBorderLeaves(std::span<const std::uint32_t> leaves) {
     std::uint64_t count = 0;
     for (std::size_t i = PRO_LEAF_COUNTS; i < leaves.size(); i += PRO_LEAF_WORDS)
@@ -64,6 +75,7 @@ Summary summarize(const ProFile& file) {
     const pro_info& info = summary.info = file.info();
     summary.levels = countLevels(file.nodes());
     summary.sections = listSections(file.bytes());
+    if (file.index()) summary.index_bytes = indexBytes(summary.sections);
     summary.nodes = 1;
     for (const LevelSummary& level : summary.levels) {
         summary.nodes += PRO_GROUP_SIZE * level.inner;

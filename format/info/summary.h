@@ -30,6 +30,7 @@ struct Summary {
     std::uint64_t empty_leaves = 0;
     std::uint64_t border_leaves = 0; ///< filled with references only
     std::uint64_t references = 0;    ///< members + refs
+    std::uint64_t index_bytes = 0;   ///< of the tracing index's sections, 0 without one
     double references_per_splat = 0, bytes_per_splat = 0;
     double position_error = 0; ///< largest distance of a stored from a given position, input units
     double radius_error = 0;   ///< largest growth of a radius, as a share of it

@@ -31,6 +31,8 @@ MappedFile::~MappedFile() {
     if (data_) munmap(const_cast<std::byte*>(data_), size_);
 }
 
+void MappedFile::letGo() const { madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); }
+
 pro_result MappedFile::map(const char* path, pro_message* message) {
     // O_NONBLOCK: a named pipe must be refused, not waited for
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);

@@ -21,6 +21,9 @@ public:
     /// Maps path once. PRO_CANNOT_READ with a reason in message for what is no regular file or is empty.
     pro_result map(const char* path, pro_message* message);
 
+    /// Takes the pages out of this process's memory, though not out of the file cache; they come back when touched.
+    void letGo() const;
+
     std::span<const std::byte> bytes() const { return {data_, size_}; }
 
 private:

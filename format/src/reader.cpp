@@ -65,6 +65,7 @@ pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_
         if (const pro_result result = opened->mapped.map(path, message)) return result;
         opened->bytes = opened->mapped.bytes();
         if (const pro_result result = parse(*opened, open_flags, message)) return result;
+        if (open_flags & PRO_OPEN_TRACE) opened->mapped.letGo(); // rays see half of a scan, a copy none of it again
         *file = opened.release();
         return PRO_OK;
     });

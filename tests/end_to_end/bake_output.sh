@@ -95,7 +95,7 @@ case_progress_lines() {
     grep -Evq '^progress [01]\.[0-9]{4} [a-z]+ [0-9]+$' stderr && fail "not a progress line"
     cut -d ' ' -f 2 stderr | sort -c || fail "the share goes back"
     [ "$(cut -d ' ' -f 3 stderr | uniq | tr '\n' ' ')" = \
-        "read neighbors normals orientation radii quantize octree prune write " ] || fail "other stages"
+        "read neighbors normals orientation radii quantize octree prune index write " ] || fail "other stages"
     expectError 2 "json" pointrt-bake sphere.xyz -o out/other.pro --progress json
 }
 
@@ -133,6 +133,26 @@ case_same_bytes_for_any_thread_count() {
         expectDone pointrt-bake -q sphere.xyz -o "out/$threads.pro" -j "$threads"
         cmp out/1.pro "out/$threads.pro"
     done
+}
+
+# The index may be left out, and nothing else changes: the octree's sections are the same bytes.
+case_compact() {
+    local end
+    sphere 20000 >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/whole.pro --stats stats.json
+    expectKeys stats.json seconds.index
+    expectDone pointrt-bake -q sphere.xyz -o out/compact.pro --compact --stats stats.json
+    [ -z "$(jsonValue stats.json seconds.index)" ] || fail "an index was built for nothing"
+    [ "$(jsonValue stats.json bytes)" = "$(stat -c %s out/compact.pro)" ] || fail "bytes is not the size of the file"
+    [ "$(stat -c %s out/whole.pro)" -gt $((3 * $(stat -c %s out/compact.pro))) ] || fail "not much smaller"
+    end=$(stat -c %s out/compact.pro)
+    cmp <(tail -c +4097 out/compact.pro) <(head -c "$end" out/whole.pro | tail -c +4097)
+    expectDone pointrt-info out/whole.pro --verify
+    expectDone pointrt-info out/compact.pro --verify
+    expectDone pointrt-info out/whole.pro --json
+    [ "$(jsonValue stdout version)" = 1.1 ] || fail "not version 1.1"
+    expectDone pointrt-info out/compact.pro --json
+    [ "$(jsonValue stdout version)" = 1.0 ] || fail "not version 1.0"
 }
 
 runCase "$@"

@@ -45,6 +45,40 @@ case_wrong_usage() {
     expectError 2 "--exposure" pointrt-view scene.pro -o out/a.exr --exposure 1
 }
 
+# expectSamePictures CLOUD: of the bake with a tracing index, which is used, and of the one without, which builds it.
+expectSamePictures() {
+    local bake
+    expectDone pointrt-bake -q "$1" --outliers keep -o whole.pro -f
+    expectDone pointrt-bake -q "$1" --outliers keep -o compact.pro -f --compact
+    for bake in whole compact; do
+        expectDone pointrt-view -v "$bake.pro" -o "out/$bake.png" --size 96x64 --spp 1
+        grep -q "tracing index $([ $bake = whole ] && echo "from the file" || echo built)" stderr || fail "$bake: which index?"
+    done
+    cmp out/whole.png out/compact.png
+    rm out/*
+}
+
+case_the_index_shows_the_same_picture() {
+    sphere 5000 >even.xyz
+    expectSamePictures even.xyz
+    # crowded in the middle, where cells are cut into groups
+    sphere 15000 | awk '{ k = NR % 5 < 3 ? 0.02 : 1; print k * $1, k * $2, k * $3 }' >uneven.xyz
+    expectSamePictures uneven.xyz
+    expectDone pointrt-info whole.pro --json
+    [ "$(jsonValue stdout index.groups)" -gt 0 ] || fail "no groups were tried"
+}
+
+case_damaged_index() {
+    local offset size
+    bakeSphere
+    size=$(stat -c %s scene.pro)
+    for offset in $((size * 3 / 10)) $((size / 2)) $((size * 9 / 10)); do
+        cp scene.pro damaged.pro
+        printf '\377\377\377\377' | dd of=damaged.pro bs=1 seek="$offset" conv=notrunc status=none
+        expectError 1 "damaged.pro: .*checksum" pointrt-view damaged.pro -o out/a.png --size 32x32
+    done
+}
+
 case_wrong_suffix() {
     bakeSphere
     expectError 2 "out/a.jpeg: " pointrt-view scene.pro -o out/a.jpeg

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pointrt/pro.h"
+#include "pointrt/pro_index_layout.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -104,17 +105,51 @@ struct OpenResult {
     pro_message message;
 };
 
+/// From a brick's word to its cells, as a tracer would go on.
+inline std::uint64_t touchWord(const pro_index& index, std::uint32_t word, std::uint64_t& walked) {
+    if (++walked > 1000000) throw std::logic_error("a walk without end");
+    if ((word & SKIP_MASK) != 0) return 0;
+    std::uint64_t sum = 0;
+    if (word & CELL_INNER) {
+        const std::size_t first = std::size_t{word >> CELL_INDEX_SHIFT} * GROUP_WORDS;
+        for (std::size_t k = 0; k < GROUP_WORDS; ++k) sum += touchWord(index, index.bricks[first + k], walked);
+        return sum;
+    }
+    const std::size_t at = word >> CELL_INDEX_SHIFT;
+    const std::uint32_t* cell = index.cells + at * CELL_WORDS;
+    const std::uint32_t* range = index.blend_ranges + at * BLEND_RANGE_WORDS;
+    const std::uint32_t count = cell[CELL_COUNT] & CELL_COUNT_MASK;
+    for (std::uint32_t k = 0; k < (count + 1) / 2 * 2; ++k)
+        sum +=
+            index.near_splats[(std::size_t{cell[CELL_FIRST]} + k) * NEAR_WORDS + 1] + index.lists[cell[CELL_FIRST] + k];
+    for (std::uint32_t k = 0; k < range[1]; ++k) sum += index.lists[std::size_t{range[0]} + k];
+    return sum + index.slabs[at];
+}
+
+/// Follows every index of a tracing index.
+inline std::uint64_t touchIndex(const pro_info& info, const pro_view& view, const pro_index& index) {
+    std::uint64_t sum = 0, walked = 0;
+    for (std::size_t i = 0; i < std::size_t{index.size[0]} * index.size[1] * index.size[2]; ++i) {
+        const std::uint32_t word = index.grid[i];
+        for (std::size_t k = 0; k < BRICK_WORDS && (word & SKIP_MASK) == 0; ++k)
+            sum += touchWord(index, index.bricks[std::size_t{word >> GRID_BRICK_SHIFT} * BRICK_WORDS + k], walked);
+    }
+    for (std::size_t i = 0; i < index.list_count; ++i)
+        sum += view.splats[std::size_t{index.lists[i]} * PRO_SPLAT_WORDS];
+    return sum + info.splat_count;
+}
+
 /// Follows every index a view offers, as a renderer would, so that a sanitizer sees the one that is out of range.
 inline std::uint64_t touchEverything(const pro_info& info, const pro_view& view) {
     std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < info.node_count; ++i) {
+    for (std::size_t i = 0; i < info.node_count && view.nodes; ++i) {
         const std::uint32_t node = view.nodes[i];
         if (node & PRO_NODE_INNER)
             sum += view.nodes[(node & PRO_NODE_GROUP_MASK) * PRO_GROUP_SIZE + 7];
         else if (node != PRO_NODE_EMPTY)
             sum += view.leaves[(node - 1) * PRO_LEAF_WORDS + 3];
     }
-    for (std::size_t i = 0; i < info.leaf_count; ++i) {
+    for (std::size_t i = 0; i < info.leaf_count && view.leaves; ++i) {
         const std::uint32_t* leaf = view.leaves + i * PRO_LEAF_WORDS;
         const std::uint32_t members = leaf[2] & PRO_LEAF_MEMBER_MASK, references = leaf[2] >> PRO_LEAF_REF_SHIFT;
         for (std::uint32_t k = 0; k < members; ++k) sum += view.splats[(leaf[0] + k) * PRO_SPLAT_WORDS];
@@ -144,6 +179,8 @@ inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
         pro_get_view(file, &view);
         [[maybe_unused]] static volatile std::uint64_t sink;
         sink = touchEverything(info, view);
+        pro_index index;
+        if (pro_get_index(file, &index)) sink = touchIndex(info, view, index);
         pro_close(file);
     } else if (findings == 0) {
         throw std::logic_error("refused, yet without findings");

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "file_bytes.h"
-#include "tiny_scene.h"
+#include "tiny_index.h"
 
 namespace {
 
@@ -39,6 +39,45 @@ TEST(Golden, SameContentIsWrittenAsTheSameBytes) {
     const ProFile golden(kTinyV10);
     writePro(folder / "from_file.pro", golden.info(), golden.view());
     EXPECT_EQ(readBytes(folder / "from_file.pro"), readBytes(kTinyV10));
+}
+
+const std::string kTinyV11 = POINTRT_GOLDEN_DIR "/tiny_v1_1.pro";
+
+TEST(Golden, Version11Reads) {
+    const ProFile file(kTinyV11);
+    EXPECT_EQ(file.info().version_minor, 1u);
+    EXPECT_EQ(file.nodes()[8], 1u);
+    ASSERT_NE(file.index(), nullptr);
+    const pro_index& index = *file.index();
+    EXPECT_EQ(index.shift, 20u);
+    EXPECT_EQ(index.size[0], 2u);
+    EXPECT_EQ(index.uneven, 1u);
+    EXPECT_EQ(index.brick_count, 1u);
+    EXPECT_EQ(index.group_count, 2u);
+    EXPECT_EQ(index.cell_count, 4u);
+    EXPECT_EQ(index.near_count, 10u);
+    EXPECT_EQ(index.list_count, 16u);
+    EXPECT_EQ(index.grid[0], kNothingNear);
+    EXPECT_EQ(index.bricks[1], groupWord(9));
+    EXPECT_EQ(index.cells[2 * 3], 8u);
+    EXPECT_EQ(index.slabs[3], 0x12345678u);
+    EXPECT_EQ(index.near_splats[19], 0x01020304u);
+    EXPECT_EQ(index.lists[12], 4u);
+    EXPECT_EQ(index.blend_ranges[5], 2u);
+}
+
+TEST(Golden, Version11VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV11)).empty()); }
+
+TEST(Golden, SameIndexIsWrittenAsTheSameBytes) {
+    const TempFolder folder;
+    Scene scene = tinyScene();
+    tinyIndex().write(scene, folder / "from_scene.pro");
+    EXPECT_EQ(readBytes(folder / "from_scene.pro"), readBytes(kTinyV11));
+    const ProFile golden(kTinyV11);
+    writePro(folder / "from_file.pro", golden.info(), golden.view(), golden.index());
+    EXPECT_EQ(readBytes(folder / "from_file.pro"), readBytes(kTinyV11));
+    writePro(folder / "without.pro", golden.info(), golden.view());
+    EXPECT_EQ(readBytes(folder / "without.pro"), readBytes(kTinyV10)) << "without an index it is still version 1.0";
 }
 
 } // namespace

@@ -90,7 +90,7 @@ TEST(Hostile, EveryFlippedByteIsFound) {
 TEST(Hostile, EveryHeaderWordAtExtremes) {
     // words that may take these values: minor version, flags, low halves of doubles, and the frame's numbers in range
     std::set<std::size_t> free_words = {PRO_OFF_VERSION_MINOR, PRO_OFF_FLAGS, PRO_OFF_RADIUS_STEP, PRO_OFF_BLEND_SLAB};
-    for (std::size_t offset = PRO_OFF_ORIGIN; offset < PRO_FIELDS_END; offset += 4) free_words.insert(offset);
+    for (std::size_t offset = PRO_OFF_ORIGIN; offset < PRO_FIELDS_END_1_0; offset += 4) free_words.insert(offset);
     for (std::size_t i = 0; i < loadAt(tiny(), PRO_OFF_SECTION_COUNT); ++i) {
         const std::size_t start = PRO_TABLE_OFFSET + i * PRO_SECTION_BYTES;
         free_words.insert(start + PRO_SEC_OFF_FLAGS);
@@ -122,6 +122,7 @@ TEST(Hostile, HeaderFields) {
     expectRefused(PRO_OFF_VERSION_MAJOR, 2u, 1003, PRO_UNSUPPORTED);
     expectRefused(PRO_OFF_VERSION_MAJOR, 0u, 1003, PRO_UNSUPPORTED);
     expectRefused(PRO_OFF_FILE_BYTES, ~std::uint64_t{0}, 1004);
+    expectRefused(PRO_FIELDS_END_1_0, 1u, 1006);
     expectRefused(PRO_FIELDS_END, 1u, 1006);
     expectRefused(PRO_TABLE_OFFSET - 4, 1u, 1006);
     expectRefused(PRO_OFF_FLAGS, 8u, 1007);

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "file_bytes.h"
-#include "tiny_scene.h"
+#include "tiny_index.h"
 
 namespace {
 
@@ -80,9 +80,29 @@ TEST_F(Info, Json) {
     EXPECT_DOUBLE_EQ(json["position_error"], 2 * std::sqrt(3.0) * 0x1p-22);
     EXPECT_EQ(json["sections"].size(), 7u);
     EXPECT_EQ(json["sections"][0]["kind"], "NODE");
+    EXPECT_TRUE(json["index"].is_null());
     EXPECT_EQ(json["materials"][1]["reflectivity"], 0.5);
     EXPECT_EQ(json["metadata"]["tool"], "tiny_scene.h");
     EXPECT_EQ(json["levels"][1], (nlohmann::json{{"inner", 1}, {"filled", 3}, {"empty", 4}}));
+}
+
+TEST_F(Info, Index) {
+    EXPECT_NE(run(pro).out.find("tracing index   none"), std::string::npos);
+    Scene scene = tinyScene();
+    tinyIndex().write(scene, pro);
+    const auto json = nlohmann::json::parse(run(pro + " --json").out);
+    EXPECT_EQ(json["version"], "1.1");
+    EXPECT_EQ(json["index"]["bytes"], 2 * 4 + 80 * 4 + 4 * (8 + 4 + 8) + 10 * 8 + 16 * 4);
+    EXPECT_EQ(json["index"]["grid"], (nlohmann::json{2, 1, 1}));
+    EXPECT_EQ(json["index"]["bricks"], 1);
+    EXPECT_EQ(json["index"]["groups"], 2);
+    EXPECT_EQ(json["index"]["cells"], 4);
+    EXPECT_EQ(json["index"]["near_splats"], 10);
+    EXPECT_EQ(json["index"]["listed"], 16);
+    EXPECT_EQ(json["sections"].size(), 14u);
+    const std::string text = run(pro).out;
+    EXPECT_NE(text.find("grid of 2 x 1 x 1, 1 bricks, 2 groups, 4 cells, 2.50 near splats a cell"), std::string::npos)
+        << text;
 }
 
 TEST_F(Info, MetadataThatIsNoJsonIsAString) {

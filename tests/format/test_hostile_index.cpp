@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+// Damaged and hostile tracing indexes: refused with the right finding, and what is not refused leads nowhere outside.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "file_bytes.h"
+#include "tiny_index.h"
+
+namespace {
+
+using namespace pointrt;
+using namespace pointrt::test;
+
+Bytes bytesOf(Index index) {
+    const TempFolder folder;
+    Scene scene = tinyScene();
+    index.write(scene, folder / "a.pro");
+    return readBytes(folder / "a.pro");
+}
+
+const Bytes& indexed() {
+    static const Bytes bytes = bytesOf(tinyIndex());
+    return bytes;
+}
+
+bool has(const std::vector<std::uint32_t>& findings, std::uint32_t number) {
+    return std::find(findings.begin(), findings.end(), number) != findings.end();
+}
+
+void expectFinding(const Bytes& bytes, std::uint32_t finding) {
+    for (const std::uint32_t flags : {0u, std::uint32_t{PRO_OPEN_TRACE}}) {
+        const OpenResult opened = openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS | flags);
+        EXPECT_EQ(opened.result, PRO_INVALID) << opened.message.text;
+        EXPECT_EQ(opened.message.finding, finding) << opened.message.text;
+    }
+    EXPECT_TRUE(has(findingsOf(bytes), finding));
+}
+
+/// Changes one value, fixes the checksums, and wants exactly this refused.
+template <typename T>
+void expectRefused(std::size_t offset, T value, std::uint32_t finding) {
+    SCOPED_TRACE("offset " + std::to_string(offset) + " value " + std::to_string(value));
+    Bytes bytes = indexed();
+    ASSERT_NE(loadAt<T>(bytes, offset), value);
+    storeAt(bytes, offset, value);
+    fixHeaderChecksum(bytes);
+    expectFinding(bytes, finding);
+}
+
+std::size_t record(std::uint32_t kind, std::size_t field) { return recordOf(indexed(), kind) + field; }
+std::size_t word(std::uint32_t kind, std::size_t index) { return sectionOf(indexed(), kind) + 4 * index; }
+
+constexpr std::uint32_t kKinds[] = {PRO_KIND_GRID, PRO_KIND_BRIK, PRO_KIND_CELL, PRO_KIND_SLAB,
+                                    PRO_KIND_NEAR, PRO_KIND_LIST, PRO_KIND_BLND};
+
+TEST(HostileIndex, TheIntactFileOpens) {
+    EXPECT_EQ(openCopy(indexed()).result, PRO_OK);
+    EXPECT_EQ(openCopy(indexed(), PRO_OPEN_TRACE).result, PRO_OK);
+    EXPECT_TRUE(findingsOf(indexed()).empty());
+}
+
+TEST(HostileIndex, EveryFlippedByteIsFound) {
+    for (std::size_t i = 0; i < indexed().size(); ++i) {
+        if (i >= PRO_OFF_VERSION_MINOR && i < PRO_OFF_FILE_BYTES) continue; // any minor version is read
+        Bytes bytes = indexed();
+        bytes[i] ^= std::byte{0x10};
+        ASSERT_FALSE(findingsOf(bytes).empty()) << "byte " << i;
+    }
+}
+
+TEST(HostileIndex, Frame) {
+    for (const std::uint32_t shift : {0u, PRO_GRID_SHIFT_MIN - 1, PRO_POSITION_BITS, 22u, ~0u})
+        expectRefused(PRO_OFF_GRID_SHIFT, shift, 1015); // at PRO_POSITION_BITS two cells are too many
+    expectRefused(PRO_OFF_GRID_ORIGIN, 1u, 1015);
+    expectRefused(PRO_OFF_GRID_ORIGIN + 8, ~0u, 1015);
+    expectRefused(PRO_OFF_GRID_UNEVEN, 2u, 1015);
+    expectRefused(PRO_OFF_GRID_SIZE, 0u, 2009);
+    expectRefused(PRO_OFF_GRID_SIZE + 4, 2u, 2009);
+    expectRefused(PRO_OFF_GRID_SIZE + 8, ~0u, 2009);
+    expectRefused(PRO_OFF_GRID_UNEVEN, 0u, 2009); // yet there are groups
+    for (const std::uint32_t bricks : {0u, 2u, 0x10000000u, ~0u}) {
+        Bytes bytes = indexed();
+        storeAt(bytes, PRO_OFF_BRICK_COUNT, bricks);
+        fixHeaderChecksum(bytes);
+        EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result, PRO_INVALID) << bricks;
+    }
+}
+
+TEST(HostileIndex, GridThatIsTooLarge) {
+    Bytes bytes = indexed(); // 2^8 x 2^8 x 2^9 cells
+    storeAt(bytes, PRO_OFF_GRID_SHIFT, 12u);
+    for (const std::size_t axis : {0u, 1u, 2u}) storeAt(bytes, PRO_OFF_GRID_SIZE + 4 * axis, axis < 2 ? 256u : 512u);
+    const std::uint64_t words = std::uint64_t{1} << 25;
+    bytes.resize(bytes.size() + words * 4);
+    storeAt(bytes, PRO_OFF_FILE_BYTES, std::uint64_t{bytes.size()});
+    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_COUNT), words);
+    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_LENGTH), 4 * words);
+    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_OFFSET), std::uint64_t{indexed().size()});
+    fixHeaderChecksum(bytes);
+    EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).message.finding, 1015u);
+}
+
+TEST(HostileIndex, FrameWithoutSections) {
+    Bytes bytes = indexed();
+    for (const std::uint32_t kind : kKinds) storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+    fixHeaderChecksum(bytes);
+    expectFinding(bytes, 1015);
+}
+
+TEST(HostileIndex, AllSectionsOrNone) {
+    for (const std::uint32_t kind : kKinds) {
+        Bytes bytes = indexed();
+        storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+        fixHeaderChecksum(bytes);
+        expectFinding(bytes, 2013);
+    }
+}
+
+TEST(HostileIndex, SectionCounts) {
+    for (const std::uint32_t kind : kKinds) {
+        const auto count = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_COUNT));
+        const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
+        for (const std::uint64_t other : {std::uint64_t{0}, count - 1, count + 1}) {
+            Bytes bytes = indexed();
+            storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), other);
+            storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), other * stride);
+            fixHeaderChecksum(bytes);
+            EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).result, PRO_INVALID) << std::hex << kind << " " << other;
+        }
+        Bytes bytes = indexed();
+        storeAt(bytes, record(kind, PRO_SEC_OFF_STRIDE), 2 * stride);
+        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), 2 * stride * count);
+        fixHeaderChecksum(bytes);
+        expectFinding(bytes, 2009);
+    }
+    for (const std::uint32_t kind : {PRO_KIND_SLAB, PRO_KIND_BLND}) { // those of CELL
+        Bytes bytes = indexed();
+        const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
+        storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), std::uint64_t{3});
+        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), std::uint64_t{3} * stride);
+        fixHeaderChecksum(bytes);
+        expectFinding(bytes, 2009);
+    }
+}
+
+TEST(HostileIndex, GridWords) {
+    expectRefused(word(PRO_KIND_GRID, 1), 1u << GRID_BRICK_SHIFT, 9101);
+    expectRefused(word(PRO_KIND_GRID, 1), 0xFFFFFFF0u, 9101);
+    expectRefused(word(PRO_KIND_GRID, 0), 0u, 9101);           // named twice
+    expectRefused(word(PRO_KIND_GRID, 1), kNothingNear, 9101); // named never
+    expectRefused(word(PRO_KIND_GRID, 0), 0x10111111u, 9102);
+    expectRefused(word(PRO_KIND_GRID, 0), 1u, 9102);
+}
+
+TEST(HostileIndex, BrickWords) {
+    expectRefused(word(PRO_KIND_BRIK, 3), 0x01111111u, 9102);
+    expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS + 1), 0x11111101u, 9102);
+    for (const std::uint32_t cell : {1u, 2u, 4u, 0x7FFFFFFu}) {
+        expectRefused(word(PRO_KIND_BRIK, 0), cellWord(cell), 9103);
+        expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
+    }
+    expectRefused(word(PRO_KIND_BRIK, 3), cellWord(4), 9103);
+    expectRefused(word(PRO_KIND_BRIK, 2), kNothingNear, 9103); // no word for cell 3
+    expectRefused(word(PRO_KIND_BRIK, 1), kNothingNear, 9103); // nor for groups
+    for (const std::uint32_t group : {0u, 7u, 8u, 10u, 0x7FFFFFFu})
+        expectRefused(word(PRO_KIND_BRIK, 1), groupWord(group), 9103);
+    expectRefused(word(PRO_KIND_BRIK, 3), groupWord(9), 9103); // twice
+}
+
+TEST(HostileIndex, GroupsCannotHangAWalk) {
+    expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
+    expectRefused(word(PRO_KIND_BRIK, 9 * GROUP_WORDS), groupWord(9), 9104);     // one that meets none
+    expectRefused(word(PRO_KIND_BRIK, 9 * GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
+    EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
+    const TempFolder folder;
+    Scene scene = tinyScene();
+    Index deep = deepIndex(PRO_INDEX_HALVINGS_MAX + 1);
+    const pro_view view = scene.view();
+    const pro_index index = deep.view();
+    pro_message message{};
+    EXPECT_EQ(pro_write_indexed((folder / "a.pro").c_str(), &scene.info, &view, &index, &message), PRO_BAD_ARGUMENT);
+    EXPECT_EQ(message.finding, 9104u);
+}
+
+TEST(HostileIndex, Cells) {
+    const auto cell = [](std::size_t index, std::size_t field) { return word(PRO_KIND_CELL, 2 * index + field); };
+    constexpr std::uint32_t kOne = 0x3C00u << CELL_CODES_SHIFT;
+    expectRefused(cell(0, CELL_FIRST), 1u, 9105);
+    expectRefused(cell(1, CELL_FIRST), 0xFFFFFFFEu, 9105);
+    expectRefused(cell(3, CELL_COUNT), kOne, 9105);
+    expectRefused(cell(3, CELL_COUNT), kOne | 3, 9105);
+    expectRefused(cell(3, CELL_COUNT), kOne | 0xFFFF, 9105);
+    for (const std::uint32_t half : {0u, 0x7C00u, 0x7E00u, 0x8001u, 0xBC00u})
+        expectRefused(cell(0, CELL_COUNT), half << CELL_CODES_SHIFT | 1, 9106);
+}
+
+TEST(HostileIndex, Lists) {
+    for (std::size_t i = 0; i < 16; ++i)
+        for (const std::uint32_t splat : {5u, 0x80000000u, 0xFFFFFFFFu})
+            expectRefused(word(PRO_KIND_LIST, i), splat, 9107);
+}
+
+TEST(HostileIndex, BlendRanges) {
+    expectRefused(word(PRO_KIND_BLND, 0), 9u, 9108);
+    expectRefused(word(PRO_KIND_BLND, 1), 0xFFFFFFFFu, 9108);
+    expectRefused(word(PRO_KIND_BLND, 2), 0xFFFFFFFFu, 9108);
+    expectRefused(word(PRO_KIND_BLND, 7), 4u, 9108);
+    Scene scene = tinyScene();
+    Index index = tinyIndex();
+    index.blend_ranges[7] = PRO_INDEX_BLEND_MAX + 1;
+    index.finish();
+    const pro_view view = scene.view();
+    const pro_index pointers = index.view();
+    pro_message message{};
+    EXPECT_EQ(pro_write_indexed("unused.pro", &scene.info, &view, &pointers, &message), PRO_BAD_ARGUMENT);
+    EXPECT_EQ(message.finding, 9108u);
+}
+
+TEST(HostileIndex, RandomDamageNeverLeadsOutside) {
+    std::mt19937 random(12);
+    const std::uint32_t extremes[] = {0, 1, 16, 0x11111111, 0x7FFFFFFF, 0x80000000, 0xFFFFFFF0, 0xFFFFFFFF};
+    const std::size_t first = sectionOf(indexed(), PRO_KIND_GRID);
+    int opened = 0;
+    for (int round = 0; round < 20000; ++round) {
+        Bytes bytes = indexed();
+        for (unsigned changes = 1 + random() % 2; changes > 0; --changes) {
+            const std::size_t kind = random() % 8, used = PRO_TABLE_OFFSET + 14 * PRO_SECTION_BYTES;
+            const std::size_t start = kind < 7 ? sectionOf(indexed(), kKinds[kind]) : 0;
+            const std::size_t offset = start + random() % (kind < 7 ? 320 : used) / 4 * 4;
+            ASSERT_TRUE(start == 0 || start >= first);
+            const auto value = random() % 2 ? extremes[random() % 8] : static_cast<std::uint32_t>(random() % 400);
+            storeAt(bytes, offset, value);
+        }
+        fixHeaderChecksum(bytes);
+        opened += openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS | (round % 2 ? 0u : std::uint32_t{PRO_OPEN_TRACE})).result ==
+                  PRO_OK;
+    }
+    EXPECT_GT(opened, 100) << "the damage should not always be refused at once";
+}
+
+TEST(Index, TracersNeedNoOctree) {
+    Bytes bytes = indexed();
+    for (const std::uint32_t kind : {PRO_KIND_NODE, PRO_KIND_LEAF, PRO_KIND_REFS, PRO_KIND_ORDR, PRO_KIND_META})
+        storeAt(bytes, sectionOf(bytes, kind), 0xFFFFFFFFu);
+    EXPECT_EQ(openCopy(bytes).result, PRO_INVALID);
+    EXPECT_EQ(openCopy(bytes, PRO_OPEN_TRACE).result, PRO_OK) << "neither read nor checked";
+    pro_file* file = nullptr;
+    ASSERT_EQ(pro_open_memory(bytes.data(), bytes.size(), PRO_OPEN_TRACE, &file, nullptr), PRO_OK);
+    pro_view view;
+    pro_get_view(file, &view);
+    EXPECT_EQ(view.nodes, nullptr);
+    EXPECT_EQ(view.order, nullptr);
+    EXPECT_EQ(view.metadata_bytes, 0u);
+    EXPECT_NE(view.splats, nullptr);
+    EXPECT_NE(view.materials, nullptr);
+    pro_close(file);
+    bytes[sectionOf(bytes, PRO_KIND_NEAR)] ^= std::byte{1};
+    EXPECT_EQ(openCopy(bytes, PRO_OPEN_TRACE).message.finding, 2012u);
+}
+
+TEST(Index, FilesWithoutOneAreTracedFromTheirOctree) {
+    const TempFolder folder;
+    tinyScene().write(folder / "a.pro");
+    Bytes bytes = readBytes(folder / "a.pro");
+    pro_file* file = nullptr;
+    ASSERT_EQ(pro_open_memory(bytes.data(), bytes.size(), PRO_OPEN_TRACE, &file, nullptr), PRO_OK);
+    pro_view view;
+    pro_index index;
+    pro_get_view(file, &view);
+    EXPECT_EQ(pro_get_index(file, &index), 0);
+    EXPECT_EQ(index.grid, nullptr);
+    EXPECT_NE(view.nodes, nullptr);
+    pro_close(file);
+}
+
+TEST(Index, ReadersOfVersion10SeeAScene) {
+    Bytes bytes = indexed(); // what they do not know is skipped: unknown kinds, and bytes that were reserved
+    storeAt(bytes, PRO_OFF_VERSION_MINOR, 2u);
+    for (const std::uint32_t kind : kKinds) {
+        EXPECT_EQ(loadAt(bytes, record(kind, PRO_SEC_OFF_FLAGS)), 0u) << "not required";
+        storeAt(bytes, record(kind, PRO_SEC_OFF_KIND), 0x78787878u);
+    }
+    for (std::size_t offset = PRO_FIELDS_END_1_0; offset < PRO_FIELDS_END; offset += 4) storeAt(bytes, offset, 0u);
+    fixHeaderChecksum(bytes);
+    EXPECT_EQ(openCopy(bytes).result, PRO_OK);
+}
+
+} // namespace
