@@ -19,9 +19,9 @@ struct StageWeight {
     std::string_view stage;
     double percent;
 };
-constexpr StageWeight kWeights[] = {{"read", 10},  {"neighbors", 23}, {"normals", 19}, {"orientation", 5},
-                                    {"radii", 19}, {"quantize", 5},   {"octree", 8},   {"prune", 10},
-                                    {"index", 4},  {"write", 1}};
+constexpr StageWeight kWeights[] = {{"read", 9},   {"neighbors", 21}, {"normals", 18}, {"orientation", 5},
+                                    {"radii", 17}, {"quantize", 4},   {"octree", 7},   {"prune", 9},
+                                    {"index", 8},  {"write", 2}};
 
 /// Of the whole bake, from the share of one of its stages. Those that it leaves out make it jump ahead.
 double wholeShare(std::string_view stage, double share) {

@@ -120,7 +120,8 @@ void checkPadding(Bytes bytes, const std::vector<Section>& sorted, Findings& fin
     places.addTo(findings, Finding::kPadding, "the padding from byte", "not all 0");
 }
 
-/// Whether a section's count is one that its kind can have; checkIndex knows more of an index's.
+/// Whether a section's count is one that its kind can have. Those that the header does not promise are only kept in
+/// range for setSection: checkIndexSections knows more.
 bool countFits(const Section& section, const Parsed& parsed) {
     switch (section.kind) {
     case PRO_KIND_META:
@@ -128,10 +129,12 @@ bool countFits(const Section& section, const Parsed& parsed) {
     case PRO_KIND_BRIK:
     case PRO_KIND_CELL:
     case PRO_KIND_SLAB:
-    case PRO_KIND_NEAR:
-    case PRO_KIND_LIST:
     case PRO_KIND_BLND:
-        return section.count <= PRO_INDEX_LISTED_MAX / section.stride * sizeof(std::uint32_t);
+        return section.count <= PRO_INDEX_LISTED_MAX;
+    case PRO_KIND_NEAR:
+        return section.count <= PRO_INDEX_LISTED_MAX / 2;
+    case PRO_KIND_LIST:
+        return section.count <= PRO_INDEX_LISTED_MAX / 4;
     default:
         return section.count == elementCount(section.kind, parsed.info, parsed.content);
     }
@@ -174,10 +177,11 @@ std::vector<Section> checkSections(Bytes bytes, const std::vector<Section>& tabl
 /// or none.
 void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed& parsed, Findings& findings) {
     pro_index& index = parsed.content.index;
-    const auto listed = std::count_if(placed.begin(), placed.end(), [](const Section& section) {
+    const auto belongs = [](const Section& section) {
         const KindRule* rule = findRule(section.kind);
         return rule && rule->presence == Presence::kIndex;
-    });
+    };
+    const auto listed = std::count_if(placed.begin(), placed.end(), belongs);
     const std::size_t before = findings.count();
     if (listed == 0) {
         if (!allZero(bytes.subspan(PRO_FIELDS_END_1_0, PRO_FIELDS_END - PRO_FIELDS_END_1_0)) &&
@@ -187,7 +191,7 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
         findings.add(Finding::kIndexIncomplete, "the tracing index is not whole");
     } else if (checkIndexFrame(index, findings)) {
         for (const Section& section : placed)
-            if (section.count != elementCount(section.kind, parsed.info, parsed.content) && findRule(section.kind))
+            if (belongs(section) && section.count != elementCount(section.kind, parsed.info, parsed.content))
                 findings.add(Finding::kSectionCount, "%s: %llu elements do not fit the rest of the index",
                              kindName(section.kind).data(), static_cast<unsigned long long>(section.count));
     }

@@ -34,7 +34,7 @@ inline void checkPro(pro_result result, const std::string& path, const pro_messa
 class ProFile {
 public:
     /// Throws Error (kBadInput) when the file cannot be read or has a finding.
-    /// @param open_flags PRO_OPEN_*
+    /// @param open_flags PRO_OPEN_*; with PRO_OPEN_TRACE spans of what was not read are empty
     explicit ProFile(const std::string& path, std::uint32_t open_flags = 0) {
         pro_file* file = nullptr;
         pro_message message{};
@@ -48,12 +48,12 @@ public:
     const pro_info& info() const { return info_; }
     const pro_view& view() const { return view_; }
 
-    std::span<const std::uint32_t> nodes() const { return {view_.nodes, info_.node_count}; }
+    std::span<const std::uint32_t> nodes() const { return {view_.nodes, view_.nodes ? info_.node_count : 0}; }
     /// PRO_LEAF_WORDS a leaf.
     std::span<const std::uint32_t> leaves() const {
-        return {view_.leaves, std::size_t{info_.leaf_count} * PRO_LEAF_WORDS};
+        return {view_.leaves, view_.leaves ? std::size_t{info_.leaf_count} * PRO_LEAF_WORDS : 0};
     }
-    std::span<const std::uint32_t> refs() const { return {view_.refs, info_.ref_count}; }
+    std::span<const std::uint32_t> refs() const { return {view_.refs, view_.refs ? info_.ref_count : 0}; }
     /// PRO_SPLAT_WORDS a splat.
     std::span<const std::uint32_t> splats() const {
         return {view_.splats, std::size_t{info_.splat_count} * PRO_SPLAT_WORDS};
