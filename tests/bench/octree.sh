@@ -26,7 +26,7 @@ scans=(stanford_dragon_raw/dragonStandRight.conf stanford_happy_raw/happyStandRi
 measure() {
     local scan=$1 prune
     for prune in off on; do
-        "$bin/pointrt-bake" -q "$scan" --force --prune "$prune" "${bake_options[@]}" -o "$folder/$prune.pro" \
+        "$bin/pointrt-bake" -q "$scan" --compact --force --prune "$prune" "${bake_options[@]}" -o "$folder/$prune.pro" \
             --stats "$folder/$prune.json"
     done
     "$bin/count_references" --json "$folder/off.pro" >"$folder/counts.json"

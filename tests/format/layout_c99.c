@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The public headers are C99; compiled and called from C. */
 #include "pointrt/pro.h"
+#include "pointrt/pro_index_layout.h"
 
 typedef char kinds_are_characters[PRO_KIND_NODE == ('N' | 'O' << 8 | 'D' << 16 | (unsigned)'E' << 24) ? 1 : -1];
 typedef char table_fits_header[PRO_TABLE_OFFSET + PRO_SECTION_MAX * PRO_SECTION_BYTES == PRO_HEADER_BYTES ? 1 : -1];

@@ -61,11 +61,18 @@ TEST(HostileIndex, TheIntactFileOpens) {
 }
 
 TEST(HostileIndex, EveryFlippedByteIsFound) {
-    for (std::size_t i = 0; i < indexed().size(); ++i) {
-        if (i >= PRO_OFF_VERSION_MINOR && i < PRO_OFF_FILE_BYTES) continue; // any minor version is read
-        Bytes bytes = indexed();
-        bytes[i] ^= std::byte{0x10};
-        ASSERT_FALSE(findingsOf(bytes).empty()) << "byte " << i;
+    const auto expectFound = [](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Bytes bytes = indexed();
+            bytes[i] ^= std::byte{0x10};
+            ASSERT_FALSE(findingsOf(bytes).empty()) << "byte " << i;
+        }
+    };
+    expectFound(PRO_FIELDS_END_1_0, PRO_FIELDS_END + 4);
+    for (const std::uint32_t kind : kKinds) { // with the first of its padding
+        expectFound(recordOf(indexed(), kind), recordOf(indexed(), kind) + PRO_SECTION_BYTES);
+        const auto length = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_LENGTH));
+        expectFound(sectionOf(indexed(), kind), sectionOf(indexed(), kind) + length + 4);
     }
 }
 
@@ -88,17 +95,15 @@ TEST(HostileIndex, Frame) {
 }
 
 TEST(HostileIndex, GridThatIsTooLarge) {
-    Bytes bytes = indexed(); // 2^8 x 2^8 x 2^9 cells
-    storeAt(bytes, PRO_OFF_GRID_SHIFT, 12u);
-    for (const std::size_t axis : {0u, 1u, 2u}) storeAt(bytes, PRO_OFF_GRID_SIZE + 4 * axis, axis < 2 ? 256u : 512u);
-    const std::uint64_t words = std::uint64_t{1} << 25;
-    bytes.resize(bytes.size() + words * 4);
-    storeAt(bytes, PRO_OFF_FILE_BYTES, std::uint64_t{bytes.size()});
-    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_COUNT), words);
-    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_LENGTH), 4 * words);
-    storeAt(bytes, record(PRO_KIND_GRID, PRO_SEC_OFF_OFFSET), std::uint64_t{indexed().size()});
-    fixHeaderChecksum(bytes);
-    EXPECT_EQ(openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS).message.finding, 1015u);
+    Scene scene = tinyScene();
+    Index index = tinyIndex();
+    index.frame.shift = 12;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) index.frame.size[axis] = axis < 2 ? 256 : 257;
+    const pro_view view = scene.view();
+    const pro_index pointers = index.view();
+    pro_message message{};
+    EXPECT_EQ(pro_write_indexed("unused.pro", &scene.info, &view, &pointers, &message), PRO_BAD_ARGUMENT);
+    EXPECT_EQ(message.finding, 1015u);
 }
 
 TEST(HostileIndex, FrameWithoutSections) {

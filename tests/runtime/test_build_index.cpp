@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tracing index as a whole: the same for any number of threads, and what the format's checks ask for.
+#include "format/index/build_index.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/format/file_bytes.h"
+#include "tests/format/scene_builder.h"
+
+namespace pointrt {
+namespace {
+
+using test::Scene;
+
+/// Splats on a sheet, and in a corner of it so many that cells are cut.
+Scene crowdedScene() {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> unit(0.05f, 0.95f);
+    std::vector<pro_splat> splats;
+    for (int k = 0; k < 3000; ++k) splats.push_back({{unit(random), unit(random), 0.5f}, {0, 0, 1}, 0.02f, {}, 0});
+    for (int k = 0; k < 6000; ++k) {
+        const float x = 0.3f + 0.01f * unit(random), y = 0.3f + 0.01f * unit(random);
+        splats.push_back({{x, y, 0.5f + 0.002f * std::sin(900 * x)}, {0, 0, 1}, 0.0002f, {}, 0});
+    }
+    return test::sceneOf(splats);
+}
+
+void expectSame(const TracingIndex& a, const TracingIndex& b) {
+    EXPECT_EQ(a.grid.words, b.grid.words);
+    EXPECT_EQ(a.grid.shift, b.grid.shift);
+    EXPECT_EQ(a.bricks.words, b.bricks.words);
+    EXPECT_EQ(a.bricks.cells, b.bricks.cells);
+    EXPECT_EQ(a.bricks.slabs, b.bricks.slabs);
+    EXPECT_EQ(a.bricks.near, b.bricks.near);
+    EXPECT_EQ(a.bricks.lists, b.bricks.lists);
+    EXPECT_EQ(a.bricks.blend_ranges, b.bricks.blend_ranges);
+}
+
+TEST(BuildIndex, TheSameForAnyNumberOfThreads) {
+    Scene scene = crowdedScene();
+    const pro_view view = scene.view();
+    const TracingIndex one = buildTracingIndex(scene.info, view, {1, {}});
+    ASSERT_GT(indexView(one).group_count, 0u) << "groups are worth trying, too";
+    for (const std::size_t threads : {2u, 5u, 0u}) expectSame(one, buildTracingIndex(scene.info, view, {threads, {}}));
+}
+
+TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
+    const test::TempFolder folder;
+    Scene scene = crowdedScene();
+    const pro_view view = scene.view();
+    const TracingIndex built = buildTracingIndex(scene.info, view);
+    const pro_index index = indexView(built);
+    writePro(folder / "a.pro", scene.info, view, &index);
+    const test::Bytes bytes = test::readBytes(folder / "a.pro");
+    EXPECT_TRUE(test::findingsOf(bytes).empty());
+    EXPECT_EQ(test::openCopy(bytes).result, PRO_OK);
+    const ProFile file(folder / "a.pro", PRO_OPEN_TRACE);
+    ASSERT_NE(file.index(), nullptr);
+    const pro_index& read = *file.index();
+    EXPECT_EQ(read.shift, index.shift);
+    EXPECT_EQ(read.uneven, 1u);
+    EXPECT_EQ(read.group_count, index.group_count);
+    ASSERT_EQ(read.near_count, index.near_count);
+    ASSERT_EQ(read.list_count, index.list_count);
+    EXPECT_TRUE(std::equal(built.bricks.words.begin(), built.bricks.words.end(), read.bricks));
+    EXPECT_TRUE(std::equal(built.bricks.near.begin(), built.bricks.near.end(), read.near_splats));
+    EXPECT_TRUE(std::equal(built.bricks.lists.begin(), built.bricks.lists.end(), read.lists));
+    EXPECT_TRUE(file.nodes().empty());
+}
+
+TEST(BuildIndex, TellsHowFarItIs) {
+    Scene scene = crowdedScene();
+    const pro_view view = scene.view();
+    double last = 0;
+    buildTracingIndex(scene.info, view, {2, [&](double share) {
+                                             EXPECT_GT(share, last);
+                                             last = share;
+                                         }});
+    EXPECT_EQ(last, 1);
+}
+
+} // namespace
+} // namespace pointrt
