@@ -9,20 +9,19 @@
 namespace pointrt {
 namespace {
 
-/// One set an instance: all programs declare the same bindings (shaders/bindings.glsl).
 void createBindings(Device& device, BandTracer& tracer) {
     const StagedScene& scene = *tracer.scene;
     const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
-    tracer.pool = createDescriptorPool(device, count);
-    const auto addSet = [&](const Instance& instance) {
+    tracer.pool = createDescriptorPool(device, 2 * count);
+    const auto bind = [&](const Instance& instance) {
         std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
         for (const BufferBinding& each : frameBindings(tracer.buffers)) bindings.push_back(each);
         for (const BufferBinding& each : causticBindings(tracer.caustics)) bindings.push_back(each);
-        return createDescriptorSet(device, tracer.pool, tracer.programs.shade, bindings);
+        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, bindings);
     };
     for (const Instance& instance : scene.instances)
-        tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), addSet(instance)});
-    tracer.set = tracer.targets.empty() ? addSet(scene.blank) : tracer.targets.front().set;
+        tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), bind(instance)});
+    tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
 }
 
 gpu::Control readControl(Device& device, const BandTracer& tracer) {
@@ -56,7 +55,7 @@ void destroyBandTracer(Device& device, BandTracer& tracer) {
     destroyFrameBuffers(device, tracer.buffers);
     destroyCaustics(device, tracer.caustics);
     tracer.targets.clear();
-    tracer.set = VK_NULL_HANDLE;
+    tracer.sets = {};
     tracer.scene = nullptr;
 }
 

@@ -16,7 +16,7 @@ namespace pointrt {
 /// An instance with what it is traced by.
 struct TracerTarget {
     const InstancePrograms* programs = nullptr;
-    VkDescriptorSet set = VK_NULL_HANDLE;
+    DescriptorSets sets;
 };
 
 /// Programs, buffers and descriptor sets for pictures of a scene. It does not move: targets point into programs.
@@ -28,7 +28,7 @@ struct BandTracer {
     CausticMap caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<TracerTarget> targets;
-    VkDescriptorSet set = VK_NULL_HANDLE; ///< for what looks at no instance
+    DescriptorSets sets; ///< for what looks at no instance
 
     BandTracer() = default;
     BandTracer(const BandTracer&) = delete;

@@ -115,8 +115,8 @@ private:
     }
 
     void bindAll() {
-        const std::size_t sets = std::max<std::size_t>(scene_.instances.size(), 1);
-        pool_ = createDescriptorPool(device_, static_cast<std::uint32_t>(sets));
+        const std::size_t count = std::max<std::size_t>(scene_.instances.size(), 1);
+        pool_ = createDescriptorPool(device_, static_cast<std::uint32_t>(2 * count));
         for (const Instance& instance : scene_.instances) sets_.push_back(bind(instance));
         if (sets_.empty()) sets_.push_back(bind(scene_.blank));
         gpu::FrameParams params{};
@@ -127,18 +127,18 @@ private:
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
 
-    VkDescriptorSet bind(const Instance& instance) {
+    DescriptorSets bind(const Instance& instance) {
         std::vector<BufferBinding> bindings = instanceBindings(scene_, instance);
         for (const BufferBinding& each : frameBindings(buffers_)) bindings.push_back(each);
         for (const BufferBinding& each : causticBindings(map_)) bindings.push_back(each);
-        return createDescriptorSet(device_, pool_, programs_.shade, bindings);
+        return bindInstance(device_, pool_, programs_, scene_, instance, bindings);
     }
 
     void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
         const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
-        const auto run = [&](const Program& program, VkDescriptorSet set, std::size_t groups) {
+        const auto run = [&](const Program& program, const DescriptorSets& sets, std::size_t groups) {
             const gpu::PushParams push{{batch, 0, pass, queue}};
-            recordDispatchIndirect(commands, program, set, pushBytes(push), buffers_.control, groups);
+            recordDispatchIndirect(commands, program, sets, pushBytes(push), buffers_.control, groups);
             recordBarrier(commands);
         };
         const auto prepare = [&](std::uint32_t bits) {
@@ -164,7 +164,7 @@ private:
     CausticMap& map_;
     FrameBuffers buffers_;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
-    std::vector<VkDescriptorSet> sets_;
+    std::vector<DescriptorSets> sets_;
 };
 
 } // namespace

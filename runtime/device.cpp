@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/device.h"
 
+#include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -94,6 +96,14 @@ VkInstance createInstance(std::vector<const char*> extensions) {
     return instance;
 }
 
+/// As large as a power of two can be, for texels of any format.
+std::uint32_t pageBits(const Device& device) {
+    constexpr std::uint64_t kLargestTexel = 16; // bytes
+    const std::uint64_t texels =
+        std::min<std::uint64_t>(device.limits.maxTexelBufferElements, device.max_allocation_bytes / kLargestTexel);
+    return static_cast<std::uint32_t>(std::bit_width(texels)) - 1;
+}
+
 void describe(const Candidate& candidate, Device& device) {
     device.physical = candidate.physical;
     device.queue_family = *candidate.queue_family;
@@ -102,6 +112,7 @@ void describe(const Candidate& candidate, Device& device) {
     device.limits = candidate.properties.limits;
     device.memory = candidate.memory;
     device.max_allocation_bytes = candidate.maintenance3.maxMemoryAllocationSize;
+    device.page_bits = pageBits(device);
     device.subgroup_size = candidate.subgroup.subgroupSize;
     device.unified_memory =
         device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || device.type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
@@ -180,6 +191,7 @@ Device createDevice(const DeviceRequest& request) {
         const QueueNeeds needs = queueNeeds(device, request);
         if (needs.present) loadWindowFunctions(device.instance);
         describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
+        device.page_bits = std::min(device.page_bits, request.page_bits_most);
         createLogicalDevice(device, request);
     } catch (...) {
         destroyDevice(device);

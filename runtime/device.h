@@ -21,6 +21,7 @@ struct DeviceRequest {
     std::vector<const char*> instance_extensions;
     /// Whether a queue family reaches the window's display; without it all of them are taken to.
     std::function<bool(VkInstance, VkPhysicalDevice, std::uint32_t queue_family)> can_present;
+    std::uint32_t page_bits_most = 31; ///< makes Device::page_bits no larger: tests have many pages with small scenes
 };
 
 /// A logical device with one compute queue. Free it with destroyDevice after everything made from it.
@@ -40,6 +41,7 @@ struct Device {
     VkPhysicalDeviceLimits limits{};
     VkPhysicalDeviceMemoryProperties memory{};
     std::uint64_t max_allocation_bytes = 0;
+    std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
     bool unified_memory = false;             ///< CPU or integrated: its memory is the host's, so importing saves a copy
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled

@@ -2,6 +2,7 @@
 #include "runtime/programs.h"
 
 #include <span>
+#include <vector>
 
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
@@ -10,10 +11,14 @@
 #include "shaders/prepare.spv.h"
 #include "shaders/shade.spv.h"
 #include "shaders/shadow.spv.h"
+#include "shaders/shadow_paged.spv.h"
 #include "shaders/shadow_shapes.spv.h"
 #include "shaders/surface.spv.h"
+#include "shaders/surface_paged.spv.h"
 #include "shaders/trace.spv.h"
+#include "shaders/trace_paged.spv.h"
 #include "shaders/trace_primary.spv.h"
+#include "shaders/trace_primary_paged.spv.h"
 #include "shaders/trace_shapes.spv.h"
 
 namespace pointrt {
@@ -22,30 +27,43 @@ namespace {
 
 /// Values of the shaders' specialization constants, by number.
 struct Constants {
-    std::uint32_t uneven = 0, oriented = 0, sky_picture = 0, integrator = 0, features = 0;
+    InstanceTraits instance;
+    std::uint32_t sky_picture = 0, integrator = 0, features = 0;
 };
 
-Program build(Device& device, const char* name, std::span<const std::uint32_t> spirv, const Constants& c) {
-    return createProgram(device, name, spirv, {c.uneven, c.oriented, c.sky_picture, c.integrator, c.features});
+std::vector<std::uint32_t> listed(const Constants& c) {
+    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_picture, c.integrator, c.features};
+    const PageCounts& pages = c.instance.pages;
+    if (!isPaged(pages)) return values;
+    values.push_back(pages.bits);
+    values.insert(values.end(), pages.counts.begin(), pages.counts.end());
+    return values;
+}
+
+Program build(Device& device, const char* name, std::span<const std::uint32_t> spirv, const Constants& constants) {
+    return createProgram(device, name, spirv, std::span<const std::uint32_t>(listed(constants)));
 }
 
 Constants constantsFor(const StagedScene& scene, const RenderSettings& settings) {
-    return {0, 0, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
+    return {{}, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
 }
 
-Constants constantsFor(const StagedScene& scene, const Instance& instance, Constants constants) {
-    constants.uneven = scene.files[instance.file].index.uneven;
-    constants.oriented = instance.oriented;
-    return constants;
+InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
+    const Scene& file = scene.files[instance.file];
+    return {file.index.uneven, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
-std::size_t slotOf(const Constants& constants) { return constants.uneven + 2 * constants.oriented; }
-
-void buildVariant(Device& device, const Constants& constants, InstancePrograms& programs) {
-    programs.trace = build(device, "trace", trace_spv, constants);
-    programs.trace_primary = build(device, "trace_primary", trace_primary_spv, constants);
-    programs.surface = build(device, "surface", surface_spv, constants);
-    programs.shadow = build(device, "shadow", shadow_spv, constants);
+void buildFor(Device& device, const InstanceTraits& instance, Constants constants, InstancePrograms& programs) {
+    constants.instance = instance;
+    const bool paged = isPaged(instance.pages);
+    const auto either = [&](const char* name, std::span<const std::uint32_t> plain,
+                            std::span<const std::uint32_t> with_pages) {
+        return build(device, name, paged ? with_pages : plain, constants);
+    };
+    programs.trace = either("trace", trace_spv, trace_paged_spv);
+    programs.trace_primary = either("trace_primary", trace_primary_spv, trace_primary_paged_spv);
+    programs.surface = either("surface", surface_spv, surface_paged_spv);
+    programs.shadow = either("shadow", shadow_spv, shadow_paged_spv);
 }
 
 void buildAll(Device& device, const StagedScene& scene, const Constants& constants, Programs& programs) {
@@ -60,9 +78,8 @@ void buildAll(Device& device, const StagedScene& scene, const Constants& constan
         programs.caustic = build(device, "caustic", caustic_spv, constants);
     }
     for (const Instance& instance : scene.instances) {
-        const Constants of_instance = constantsFor(scene, instance, constants);
-        auto& variant = programs.variants[slotOf(of_instance)];
-        if (!variant) buildVariant(device, of_instance, variant.emplace());
+        const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
+        if (is_new) buildFor(device, variant->first, constants, variant->second);
     }
 }
 
@@ -83,15 +100,23 @@ void destroyPrograms(Device& device, Programs& programs) {
     for (Program* program : {&programs.prepare, &programs.trace_shapes, &programs.beam, &programs.shade,
                              &programs.shadow_shapes, &programs.light, &programs.photon, &programs.caustic})
         destroyProgram(device, *program);
-    for (auto& variant : programs.variants)
-        if (variant)
-            for (Program* program : {&variant->trace, &variant->trace_primary, &variant->surface, &variant->shadow})
-                destroyProgram(device, *program);
-    programs.variants = {};
+    for (auto& [traits, variant] : programs.variants)
+        for (Program* program : {&variant.trace, &variant.trace_primary, &variant.surface, &variant.shadow})
+            destroyProgram(device, *program);
+    programs.variants.clear();
 }
 
 const InstancePrograms& programsFor(const Programs& programs, const StagedScene& scene, const Instance& instance) {
-    return *programs.variants[slotOf(constantsFor(scene, instance, {}))];
+    return programs.variants.at(traitsOf(scene, instance));
+}
+
+DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const StagedScene& scene,
+                            const Instance& instance, std::span<const BufferBinding> bindings) {
+    const Scene& file = scene.files[instance.file];
+    const VkDescriptorSet common = createDescriptorSet(device, pool, programs.shade, bindings);
+    if (!isPaged(file.pages)) return common;
+    const Program& trace = programsFor(programs, scene, instance).trace;
+    return {common, createDescriptorSet(device, pool, trace, pageBindings(pagedBuffers(file)), 1)};
 }
 
 } // namespace pointrt

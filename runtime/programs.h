@@ -1,24 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracer's compute programs. Those that walk through an instance are built for what it is like.
+// The tracer's compute programs. Those that look into an instance are built for what it is like.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <compare>
+#include <map>
+#include <span>
 
+#include "runtime/paged_buffer.h"
 #include "runtime/program.h"
 #include "runtime/staged_scene.h"
 
 namespace pointrt {
 
-/// Programs that know whether an instance is uneven and oriented (shaders/instance.glsl).
+/// What programs know of an instance: whether it is uneven and oriented (shaders/instance.glsl), and where it has
+/// several, its pages (shaders/pages.glsl).
+struct InstanceTraits {
+    bool uneven = false, oriented = false;
+    PageCounts pages; ///< all 0 where each buffer has one
+    auto operator<=>(const InstanceTraits&) const = default;
+};
+
 struct InstancePrograms {
     Program trace, trace_primary, surface, shadow;
 };
 
-/// All declare the same bindings (shaders/bindings.glsl).
+/// All declare the same bindings in set 0 (shaders/bindings.glsl), and those for paged instances in set 1.
 struct Programs {
     Program prepare, trace_shapes, beam, shade, shadow_shapes, light, photon, caustic;
-    std::array<std::optional<InstancePrograms>, 4> variants;
+    std::map<InstanceTraits, InstancePrograms> variants;
 };
 
 /// Builds what the scene needs for the settings' integrator.
@@ -26,5 +35,10 @@ Programs createPrograms(Device& device, const StagedScene& scene, const RenderSe
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const StagedScene& scene, const Instance& instance);
+
+/// Sets with the instance's pages, where it has any, and what bindings name, for all programs and those of the
+/// instance. They take two of the pool's sets.
+DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const StagedScene& scene,
+                            const Instance& instance, std::span<const BufferBinding> bindings);
 
 } // namespace pointrt

@@ -92,22 +92,6 @@ bool importMemory(Device& device, const void* data, std::uint64_t bytes, Buffer&
            vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0) == VK_SUCCESS;
 }
 
-std::uint64_t texelBytes(VkFormat format) {
-    switch (format) {
-    case VK_FORMAT_R32_UINT:
-    case VK_FORMAT_R32_SFLOAT:
-        return 4;
-    case VK_FORMAT_R32G32_UINT:
-    case VK_FORMAT_R32G32_SFLOAT:
-        return 8;
-    case VK_FORMAT_R32G32B32A32_UINT:
-    case VK_FORMAT_R32G32B32A32_SFLOAT:
-        return 16;
-    default:
-        throw std::logic_error("texel size of format " + std::to_string(format) + " is not listed");
-    }
-}
-
 void copyAndWait(Device& device, const Buffer& from, const Buffer& to, VkBufferCopy region) {
     const VkCommandBuffer commands = beginCommands(device);
     vkCmdCopyBuffer(commands, from.handle, to.handle, 1, &region);
@@ -204,6 +188,22 @@ Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, V
         !importMemory(device, data, whole_pages, buffer))
         destroyBuffer(device, buffer);
     return buffer;
+}
+
+std::uint64_t texelBytes(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
+        return 4;
+    case VK_FORMAT_R32G32_UINT:
+    case VK_FORMAT_R32G32_SFLOAT:
+        return 8;
+    case VK_FORMAT_R32G32B32A32_UINT:
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return 16;
+    default:
+        throw std::logic_error("texel size of format " + std::to_string(format) + " is not listed");
+    }
 }
 
 void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format) {

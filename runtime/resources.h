@@ -39,6 +39,9 @@ Buffer createFilledBuffer(Device& device, const char* what, const void* data, st
 /// mapping): upload instead. On a device with memory of its own an imported buffer is read over the bus at each use.
 Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, VkBufferUsageFlags usage);
 
+/// Bytes of a texel in one of the formats that buffers are read in.
+std::uint64_t texelBytes(VkFormat format);
+
 /// Adds a view of the whole buffer for texel fetches in format. The buffer needs the uniform or storage texel usage.
 /// Throws Error kCannotRun when there are more texels than the device can address or it cannot read the format; the
 /// buffer is destroyed then.

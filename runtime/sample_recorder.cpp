@@ -25,7 +25,7 @@ void SampleRecorder::pass(std::uint32_t index) {
     overRays(tracer_.programs.trace_shapes, index, queue);
     prepare(index, queue | STEP_ASKED);
     for (const TracerTarget& target : tracer_.targets) {
-        overAsked(target.programs->trace, target.set, index, queue);
+        overAsked(target.programs->trace, target.sets, index, queue);
         surface(target, index, queue);
     }
     shade(index, queue);
@@ -49,7 +49,7 @@ void SampleRecorder::shadows(std::uint32_t first, std::uint32_t pass, std::uint3
     overLit(tracer_.programs.shadow_shapes, pass, bits);
     if (!tracer_.shadows) return;
     prepare(pass, bits | STEP_ASKED);
-    for (const TracerTarget& target : tracer_.targets) overAsked(target.programs->shadow, target.set, pass, bits);
+    for (const TracerTarget& target : tracer_.targets) overAsked(target.programs->shadow, target.sets, pass, bits);
 }
 
 /// First hits of the camera rays.
@@ -58,8 +58,8 @@ void SampleRecorder::primary(std::uint32_t bits) {
     for (std::size_t i = 0; i < tracer_.targets.size(); ++i) {
         const TracerTarget& target = tracer_.targets[i];
         if (i > 0) prepare(0, bits | STEP_RESET);
-        record(tracer_.programs.beam, target.set, 0, bits, (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
-        recordIndirect(target.programs->trace_primary, target.set, 0, bits, offsetof(gpu::Control, tile_groups));
+        record(tracer_.programs.beam, target.sets, 0, bits, (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+        recordIndirect(target.programs->trace_primary, target.sets, 0, bits, offsetof(gpu::Control, tile_groups));
         surface(target, 0, bits);
     }
 }
@@ -67,36 +67,37 @@ void SampleRecorder::primary(std::uint32_t bits) {
 /// Of what has just been hit: where a later instance is nearer, its own takes the place.
 void SampleRecorder::surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits) {
     prepare(pass, bits | STEP_HITS);
-    recordIndirect(target.programs->surface, target.set, pass, bits, offsetof(gpu::Control, hit_groups));
+    recordIndirect(target.programs->surface, target.sets, pass, bits, offsetof(gpu::Control, hit_groups));
 }
 
 void SampleRecorder::overRays(const Program& program, std::uint32_t pass, std::uint32_t bits) {
-    recordIndirect(program, tracer_.set, pass, bits, offsetof(gpu::Control, ray_groups));
+    recordIndirect(program, tracer_.sets, pass, bits, offsetof(gpu::Control, ray_groups));
 }
 
 void SampleRecorder::overLit(const Program& program, std::uint32_t pass, std::uint32_t bits) {
-    recordIndirect(program, tracer_.set, pass, bits, offsetof(gpu::Control, lit_groups));
+    recordIndirect(program, tracer_.sets, pass, bits, offsetof(gpu::Control, lit_groups));
 }
 
-void SampleRecorder::overAsked(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits) {
-    recordIndirect(program, set, pass, bits, offsetof(gpu::Control, asked_groups));
+void SampleRecorder::overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t pass,
+                               std::uint32_t bits) {
+    recordIndirect(program, sets, pass, bits, offsetof(gpu::Control, asked_groups));
 }
 
 void SampleRecorder::prepare(std::uint32_t pass, std::uint32_t bits) {
-    record(tracer_.programs.prepare, tracer_.set, pass, bits, 1);
+    record(tracer_.programs.prepare, tracer_.sets, pass, bits, 1);
 }
 
-void SampleRecorder::record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
+void SampleRecorder::record(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits,
                             std::uint32_t groups) {
     const gpu::PushParams params{{sample_, first_turn_, pass, bits | steady_}};
-    recordDispatch(commands_, program, set, pushBytes(params), {groups, 1, 1});
+    recordDispatch(commands_, program, sets, pushBytes(params), {groups, 1, 1});
     recordBarrier(commands_);
 }
 
-void SampleRecorder::recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
-                                    std::size_t offset) {
+void SampleRecorder::recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t pass,
+                                    std::uint32_t bits, std::size_t offset) {
     const gpu::PushParams params{{sample_, first_turn_, pass, bits | steady_}};
-    recordDispatchIndirect(commands_, program, set, pushBytes(params), tracer_.buffers.control, offset);
+    recordDispatchIndirect(commands_, program, sets, pushBytes(params), tracer_.buffers.control, offset);
     recordBarrier(commands_);
 }
 

@@ -28,11 +28,11 @@ private:
     void surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits);
     void overRays(const Program& program, std::uint32_t pass, std::uint32_t bits);
     void overLit(const Program& program, std::uint32_t pass, std::uint32_t bits);
-    void overAsked(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits);
+    void overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits);
     void prepare(std::uint32_t pass, std::uint32_t bits);
-    void record(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
+    void record(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits,
                 std::uint32_t groups);
-    void recordIndirect(const Program& program, VkDescriptorSet set, std::uint32_t pass, std::uint32_t bits,
+    void recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits,
                         std::size_t offset);
 
     VkCommandBuffer commands_;

@@ -25,33 +25,20 @@ void mapFile(Scene& scene) {
     pro_get_view(scene.file, &scene.view);
 }
 
-/// Bytes (some) as a texel buffer: where device and host share memory the host's own pages, which must stay, else a
-/// copy.
-Buffer texelBuffer(Device& device, Scene& scene, const char* what, const void* data, std::uint64_t bytes,
-                   VkFormat format) {
-    Buffer buffer;
-    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    if (!buffer.handle)
-        buffer = createFilledBuffer(device, what, data, bytes, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    createTexelView(device, what, buffer, format);
-    scene.device_bytes += bytes;
-    return buffer;
-}
-
 void uploadSections(Device& device, Scene& scene) {
     const pro_info& info = scene.info;
     const pro_view& view = scene.view;
     const std::uint64_t bytes = std::uint64_t{info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
-    scene.splats = texelBuffer(device, scene, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
+    scene.splats = createPagedBuffer(device, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
+    scene.device_bytes += bytes;
 }
 
 struct IndexBuffer {
-    Buffer Scene::*buffer;
+    PagedBuffer Scene::*buffer;
     const char* what;
     VkFormat format;
 };
-constexpr IndexBuffer kIndexBuffers[] = {{&Scene::grid_words, "grid buffer", VK_FORMAT_R32_UINT},
-                                         {&Scene::brick_words, "brick buffer", VK_FORMAT_R32_UINT},
+constexpr IndexBuffer kIndexBuffers[] = {{&Scene::brick_words, "brick buffer", VK_FORMAT_R32_UINT},
                                          {&Scene::cells, "cell buffer", VK_FORMAT_R32G32_UINT},
                                          {&Scene::slabs, "slab buffer", VK_FORMAT_R32_UINT},
                                          {&Scene::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT},
@@ -63,10 +50,8 @@ std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(con
     const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
         return std::span(data, static_cast<std::size_t>(count * each));
     };
-    const std::uint64_t grid_words = std::uint64_t{index.size[0]} * index.size[1] * index.size[2];
     const std::uint64_t brick_words = std::uint64_t{index.brick_count} * BRICK_WORDS;
-    return {words(index.grid, grid_words, 1),
-            words(index.bricks, brick_words + std::uint64_t{index.group_count} * GROUP_WORDS, 1),
+    return {words(index.bricks, brick_words + std::uint64_t{index.group_count} * GROUP_WORDS, 1),
             words(index.cells, index.cell_count, CELL_WORDS),
             words(index.slabs, index.cell_count, 1),
             words(index.near_splats, index.near_count, NEAR_WORDS),
@@ -75,10 +60,16 @@ std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(con
 }
 
 void uploadIndex(Device& device, Scene& scene) {
-    const auto words = wordsOf(scene.index);
+    const pro_index& index = scene.index;
+    const std::uint64_t grid_bytes =
+        std::uint64_t{index.size[0]} * index.size[1] * index.size[2] * sizeof(std::uint32_t);
+    scene.grid_words = createTexelBuffer(device, "grid buffer", index.grid, grid_bytes, VK_FORMAT_R32_UINT);
+    scene.device_bytes += grid_bytes;
+    const auto words = wordsOf(index);
     for (std::size_t k = 0; k < words.size(); ++k) {
         const IndexBuffer& each = kIndexBuffers[k];
-        scene.*each.buffer = texelBuffer(device, scene, each.what, words[k].data(), words[k].size_bytes(), each.format);
+        scene.*each.buffer = createPagedBuffer(device, each.what, words[k].data(), words[k].size_bytes(), each.format);
+        scene.device_bytes += words[k].size_bytes();
     }
 }
 
@@ -88,10 +79,11 @@ void buildAndUploadIndex(Device& device, Scene& scene) {
     scene.index = indexView(scene.built);
     uploadIndex(device, scene);
     Bricks& bricks = scene.built.bricks;
-    Words* const words[] = {&scene.built.grid.words, &bricks.words,       &bricks.cells, &bricks.slabs, &bricks.near,
-                            &bricks.lists,           &bricks.blend_ranges};
+    Words* const words[] = {&bricks.words, &bricks.cells, &bricks.slabs,
+                            &bricks.near,  &bricks.lists, &bricks.blend_ranges};
     for (std::size_t k = 0; k < std::size(words); ++k)
-        if (!(scene.*kIndexBuffers[k].buffer).imported) Words().swap(*words[k]); // {} would keep the memory
+        if (!isImported(scene.*kIndexBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
+    if (!scene.grid_words.imported) Words().swap(scene.built.grid.words);
 }
 
 } // namespace
@@ -106,13 +98,14 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
             uploadIndex(device, scene);
         else
             buildAndUploadIndex(device, scene);
+        scene.pages = pageCounts(device, pagedBuffers(scene));
     } catch (...) {
         destroyScene(device, scene);
         throw;
     }
     if (verbose)
         std::fprintf(stderr, "%s: %u splats, %s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
-                     scene.info.splat_count, scene.splats.imported ? "mapped pages imported" : "sections uploaded",
+                     scene.info.splat_count, isImported(scene.splats) ? "mapped pages imported" : "sections uploaded",
                      scene.built.grid.size[0] == 0 ? "from the file" : "built", scene.index.size[0],
                      scene.index.size[1], scene.index.size[2]);
     return scene;
@@ -121,26 +114,36 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
 Scene blankScene(Device& device) {
     Scene scene;
     const std::uint32_t zeros[4] = {};
-    const auto blank = [&](Buffer& buffer, VkFormat format) {
-        buffer =
+    const auto blank = [&](VkFormat format) {
+        Buffer buffer =
             createFilledBuffer(device, "blank buffer", zeros, sizeof zeros, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
         createTexelView(device, "blank buffer", buffer, format);
+        return buffer;
     };
-    for (Buffer* buffer : {&scene.grid_words, &scene.brick_words, &scene.slabs}) blank(*buffer, VK_FORMAT_R32_UINT);
-    for (Buffer* buffer : {&scene.cells, &scene.blend_ranges}) blank(*buffer, VK_FORMAT_R32G32_UINT);
-    for (Buffer* buffer : {&scene.splats, &scene.near, &scene.lists}) blank(*buffer, VK_FORMAT_R32G32B32A32_UINT);
+    scene.grid_words = blank(VK_FORMAT_R32_UINT);
+    for (PagedBuffer* buffer : {&scene.brick_words, &scene.slabs}) buffer->pages = {blank(VK_FORMAT_R32_UINT)};
+    for (PagedBuffer* buffer : {&scene.cells, &scene.blend_ranges}) buffer->pages = {blank(VK_FORMAT_R32G32_UINT)};
+    for (PagedBuffer* buffer : {&scene.splats, &scene.near, &scene.lists})
+        buffer->pages = {blank(VK_FORMAT_R32G32B32A32_UINT)};
     return scene;
 }
 
 std::vector<BufferBinding> sceneBindings(const Scene& scene) {
-    return {{1, &scene.brick_words}, {2, &scene.lists}, {3, &scene.splats}, {4, &scene.grid_words},
-            {14, &scene.cells},      {15, &scene.near}, {21, &scene.slabs}, {16, &scene.blend_ranges}};
+    return {{1, &scene.brick_words.pages[0]}, {2, &scene.lists.pages[0]},        {3, &scene.splats.pages[0]},
+            {4, &scene.grid_words},           {14, &scene.cells.pages[0]},       {15, &scene.near.pages[0]},
+            {21, &scene.slabs.pages[0]},      {16, &scene.blend_ranges.pages[0]}};
+}
+
+PagedBuffers pagedBuffers(const Scene& scene) {
+    return {&scene.brick_words, &scene.cells,        &scene.slabs, &scene.near,
+            &scene.lists,       &scene.blend_ranges, &scene.splats};
 }
 
 void destroyScene(Device& device, Scene& scene) {
-    for (Buffer* buffer : {&scene.splats, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near, &scene.lists,
-                           &scene.blend_ranges, &scene.grid_words})
-        destroyBuffer(device, *buffer);
+    for (PagedBuffer* buffer : {&scene.splats, &scene.brick_words, &scene.cells, &scene.slabs, &scene.near,
+                                &scene.lists, &scene.blend_ranges})
+        destroyPagedBuffer(device, *buffer);
+    destroyBuffer(device, scene.grid_words);
     scene.built = {};
     scene.index = {};
     if (scene.file) pro_close(scene.file);

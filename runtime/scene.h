@@ -8,6 +8,7 @@
 #include "format/index/build_index.h"
 #include "pointrt/pro.h"
 #include "runtime/device.h"
+#include "runtime/paged_buffer.h"
 #include "runtime/program.h"
 #include "runtime/resources.h"
 
@@ -21,7 +22,9 @@ struct Scene {
     pro_view view{};
     pro_index index{};  ///< frame and counts; its pointers hold for an index from the file
     TracingIndex built; ///< of a file without an index, as far as the device reads it here
-    Buffer splats, grid_words, brick_words, cells, slabs, near, lists, blend_ranges;
+    Buffer grid_words;  ///< too few for pages (kWordsMost in format/index/entry_grid.cpp)
+    PagedBuffer splats, brick_words, cells, slabs, near, lists, blend_ranges;
+    PageCounts pages; ///< of those
     std::uint64_t device_bytes = 0;
 };
 
@@ -30,8 +33,10 @@ struct Scene {
 Scene loadScene(Device& device, const std::string& path, bool verbose);
 /// A scene of nothing: small buffers for programs that must be given some.
 Scene blankScene(Device& device);
-/// The buffers at their places in shaders/bindings.glsl.
+/// The buffers, first pages where they have several, at their places in shaders/bindings.glsl.
 std::vector<BufferBinding> sceneBindings(const Scene& scene);
+/// For shaders/pages.glsl.
+PagedBuffers pagedBuffers(const Scene& scene);
 void destroyScene(Device& device, Scene& scene);
 
 } // namespace pointrt

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pointrt {
 namespace {
@@ -132,8 +133,8 @@ std::uint32_t typeBytes(const std::vector<Id>& ids, std::uint32_t type) {
     }
 }
 
-VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, std::uint32_t storage_class) {
-    const Id& pointee = ids.at(ids.at(variable.words[1]).words[3]);
+VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, const Id& pointee) {
+    const std::uint32_t storage_class = variable.words[3];
     if (storage_class == kStorageBuffer || pointee.buffer_block) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     if (storage_class == kUniform && pointee.opcode == kOpTypeStruct) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     const Id& image = pointee.opcode == kOpTypeSampledImage ? ids.at(pointee.words[2]) : pointee;
@@ -143,9 +144,21 @@ VkDescriptorType descriptorType(const std::vector<Id>& ids, const Id& variable, 
     fail("binding " + std::to_string(variable.binding) + " is not a buffer");
 }
 
+ShaderBinding bindingOf(const std::vector<Id>& ids, const Id& variable) {
+    if (variable.set > 1) fail("only descriptor sets 0 and 1 are used");
+    const Id* pointee = &ids.at(ids.at(variable.words[1]).words[3]);
+    std::uint32_t count = 1;
+    if (pointee->opcode == kOpTypeArray) {
+        count = ids.at(pointee->words[3]).words[3];
+        pointee = &ids.at(pointee->words[2]);
+    }
+    return {variable.binding, descriptorType(ids, variable, *pointee), variable.set, count};
+}
+
 } // namespace
 
 ShaderInterface reflectShader(std::span<const std::uint32_t> spirv) {
+    const auto place = [](const ShaderBinding& binding) { return std::pair(binding.set, binding.slot); };
     const std::vector<Id> ids = readIds(spirv);
     ShaderInterface shader;
     for (const Id& id : ids) {
@@ -153,13 +166,12 @@ ShaderInterface reflectShader(std::span<const std::uint32_t> spirv) {
         const std::uint32_t storage_class = id.words[3];
         if (storage_class == kPushConstant) shader.push_bytes = typeBytes(ids, ids.at(id.words[1]).words[3]);
         if (id.binding == kUnset) continue;
-        if (id.set != 0) fail("only descriptor set 0 is used");
-        shader.bindings.push_back({id.binding, descriptorType(ids, id, storage_class)});
+        shader.bindings.push_back(bindingOf(ids, id));
     }
     std::sort(shader.bindings.begin(), shader.bindings.end(),
-              [](const ShaderBinding& a, const ShaderBinding& b) { return a.slot < b.slot; });
+              [&](const ShaderBinding& a, const ShaderBinding& b) { return place(a) < place(b); });
     for (std::size_t i = 1; i < shader.bindings.size(); ++i)
-        if (shader.bindings[i].slot == shader.bindings[i - 1].slot) fail("two variables share a binding");
+        if (place(shader.bindings[i]) == place(shader.bindings[i - 1])) fail("two variables share a binding");
     return shader;
 }
 

@@ -52,6 +52,9 @@ layout(set = 0, binding = 34) uniform usamplerBuffer surface_texels; // of surfa
 layout(set = 0, binding = 35) uniform usamplerBuffer lit_texels; // of lit_points
 layout(push_constant) uniform Push { PushParams push; };
 
+#ifdef PAGED
+#include "pages.glsl"
+#else
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
 #define loadCell(i) texelFetch(cell_words, int(i)).xy
 #define loadSlab(i) texelFetch(slab_words, int(i)).x
@@ -60,6 +63,7 @@ layout(push_constant) uniform Push { PushParams push; };
 // four to a texel: drivers count texels, often no more than 2^27
 #define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
 #define loadSplat(i) texelFetch(splat_words, int(i))
+#endif
 #define loadGrid(i) texelFetch(grid_words, int(i)).x
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
 #define loadPhotonWord(i) texelFetch(photon_buckets, int(i)).x

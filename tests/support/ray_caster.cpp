@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "pointrt/tool.hpp"
 #include "runtime/camera.h"
 #include "runtime/caustics.h"
 #include "runtime/frame_buffers.h"
@@ -121,6 +122,8 @@ struct RayCaster::State {
         SceneDescription description;
         description.instances.push_back({path, {}, {}, {}});
         scene = openScene(device, std::move(description), false);
+        if (isPaged(file().pages))
+            throw Error{ExitCode::kCannotRun, path + ": too large for this device's texel buffers"};
         RenderSettings settings;
         settings.lights = 1;
         addSurroundings(scene.description, settings, cameraOf({}), scene.bounds.lo, scene.bounds.hi);
