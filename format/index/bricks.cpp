@@ -19,9 +19,6 @@ namespace pointrt {
 
 namespace {
 
-/// Cells and groups that a brick's word can name.
-constexpr std::size_t kCellsMost = std::size_t{1} << (32 - CELL_INDEX_SHIFT);
-
 /// Nodes are handed to the threads in runs this long.
 constexpr std::size_t kRunNodes = 256;
 
@@ -263,29 +260,36 @@ void relocate(Part& part, const Offsets& before) {
         part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
 }
 
-/// Whether their numbers fit the words that name them.
-void requireFit(const Offsets& total) {
-    if (total.blending > PRO_INDEX_LISTED_MAX - 3) // rounded up to texels of four
-        throw Error(ExitCode::kCannotRun, "the tracing index would list more than 2^31 splats");
-    if (std::max(total.cells, total.groups) > kCellsMost)
-        throw Error(ExitCode::kCannotRun, "the tracing index would have more than 2^27 cells");
-}
-
-/// Puts the parts behind one another: bricks, then groups; discs, then what only blends.
-Bricks join(std::vector<Part>& parts) {
+/// Of all parts; groups start behind the bricks, and what only blends behind the discs.
+Offsets firstOffsets(const std::vector<Part>& parts) {
     Offsets at;
     for (const Part& part : parts) {
         at.groups += part.words.size() / GROUP_WORDS;
         at.blending += part.lists.size();
     }
+    return at;
+}
+
+void pass(Offsets& at, const Part& part) {
+    at.groups += part.groups.size() / GROUP_WORDS;
+    at.cells += part.slabs.size();
+    at.lists += part.lists.size();
+    at.blending += part.blending.size();
+}
+
+bool fits(const std::vector<Part>& parts, const BrickLimits& limits) {
+    Offsets end = firstOffsets(parts);
+    for (const Part& part : parts) pass(end, part);
+    return end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
+}
+
+/// Puts the parts behind one another.
+Bricks join(std::vector<Part>& parts) {
+    Offsets at = firstOffsets(parts);
     for (Part& part : parts) {
         relocate(part, at);
-        at.groups += part.groups.size() / GROUP_WORDS;
-        at.cells += part.slabs.size();
-        at.lists += part.lists.size();
-        at.blending += part.blending.size();
+        pass(at, part);
     }
-    requireFit(at);
     Bricks all;
     appendAll(all.corners, parts, &Part::corners);
     appendAll(all.words, parts, &Part::words);
@@ -301,9 +305,8 @@ Bricks join(std::vector<Part>& parts) {
     return all;
 }
 
-} // namespace
-
-Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid, const IndexOptions& options) {
+std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const EntryGrid& grid,
+                             const IndexOptions& options) {
     std::vector<Source> sources;
     forNodes({view.nodes, info.node_count}, PRO_POSITION_BITS - grid.shift,
              [&](std::uint32_t node, const Corner& corner, std::uint32_t shift) {
@@ -321,6 +324,21 @@ Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& 
         options.progress(static_cast<double>(++done) / static_cast<double>(parts.size()));
     };
     forAll(parts.size(), buildPart, options.threads);
+    return parts;
+}
+
+} // namespace
+
+Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& options) {
+    std::vector<Part> parts = buildParts(info, view, grid, options);
+    while (!fits(parts, options.limits)) {
+        const std::uint32_t depth = PRO_POSITION_BITS - grid.shift;
+        if (depth == 0)
+            throw Error(ExitCode::kCannotRun, "the splats take more cells and lists than a tracing index can hold");
+        parts.clear(); // before the next ones take their memory
+        grid = frameEntryGrid(info, view, depth - 1);
+        parts = buildParts(info, view, grid, options);
+    }
     return join(parts);
 }
 

@@ -11,6 +11,7 @@
 #include "format/index/entry_grid.h"
 #include "format/index/page_vector.h"
 #include "pointrt/pro.h"
+#include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
 
@@ -26,16 +27,24 @@ struct Bricks {
     Words blend_ranges; ///< BLEND_RANGE_WORDS for each listed cell: first in lists, count
 };
 
+/// How many of each the words that name them allow.
+struct BrickLimits {
+    std::size_t cells = std::size_t{1} << (32 - CELL_INDEX_SHIFT); ///< and groups, bricks as 8 of them
+    std::size_t listed = PRO_INDEX_LISTED_MAX - 3;                 ///< splats of lists, in whole texels of four
+};
+
 struct IndexOptions {
     std::size_t threads = 0;              ///< at most; 0 is all cores
     std::function<void(double)> progress; ///< share done in [0, 1]; from any thread, one at a time
+    BrickLimits limits{};
 };
 
 /// An empty word before its skips are known: one cell in each direction.
 constexpr std::uint32_t kEmptyWord = 0x11111111u;
 
-/// Builds the bricks of a validated file, for all cells of its grid that discs cross. Throws std::bad_alloc, or Error
-/// (kCannotRun) when the lists outgrow their words.
-Bricks buildBricks(const pro_info& info, const pro_view& view, const EntryGrid& grid, const IndexOptions& options = {});
+/// Builds the bricks of a validated file, for all cells of its grid that discs cross. Where they would outgrow the
+/// limits, grid is framed anew, a depth less each time. Throws std::bad_alloc, or Error (kCannotRun) when no depth is
+/// left or a cell's list outgrows its word.
+Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& options = {});
 
 } // namespace pointrt

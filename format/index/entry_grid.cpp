@@ -120,12 +120,12 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
 
 } // namespace
 
-EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view) {
+EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest) {
     const std::uint64_t most =
         std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, std::uint64_t{PRO_GRID_WORDS_MAX});
     const std::span<const std::uint32_t> nodes(view.nodes, info.node_count);
     const MemberCounts members = countMembers(info, view);
-    std::uint32_t depth = std::min(preferredDepth(members), kDeepest);
+    std::uint32_t depth = std::min({preferredDepth(members), kDeepest, deepest});
     EntryGrid grid = frameGrid(nodes, depth);
     while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
     grid.uneven = testShare(members, depth) > kCrowdedMost;

@@ -35,8 +35,8 @@ constexpr std::uint8_t skipCode(std::uint32_t cells) {
     return static_cast<std::uint8_t>(code);
 }
 
-/// A grid without words over the leaves of a validated file.
-EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view);
+/// A grid without words over the leaves of a validated file, of cells at depth deepest of the octree or above.
+EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest = PRO_MAX_DEPTH);
 
 /// Writes the words of a grid without any. corners: of its filled cells, in position steps; brick k is the one at
 /// corners[k]. threads: at most; 0 is all cores.

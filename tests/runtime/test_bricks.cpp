@@ -11,6 +11,7 @@
 #include <set>
 
 #include "format/index/cell_skips.h"
+#include "pointrt/tool.hpp"
 #include "runtime/vec.h"
 #include "tests/format/scene_builder.h"
 
@@ -102,7 +103,7 @@ struct Loaded {
     Bricks bricks;
 };
 
-Loaded load(Scene scene) {
+Loaded load(Scene scene, const BrickLimits& limits = {}) {
     Loaded loaded{std::move(scene), {}, {}, {}};
     const pro_view view = loaded.scene.view();
     const pro_info& info = loaded.scene.info;
@@ -112,7 +113,7 @@ Loaded load(Scene scene) {
         loaded.discs.push_back(plainDisc(splat));
     }
     loaded.grid = frameEntryGrid(info, view);
-    loaded.bricks = buildBricks(info, view, loaded.grid);
+    loaded.bricks = buildBricks(info, view, loaded.grid, {.limits = limits});
     fillEntryGrid(loaded.grid, loaded.bricks.corners);
     fillCellSkips(loaded.grid, loaded.bricks.corners.size(), loaded.bricks.words);
     return loaded;
@@ -433,9 +434,9 @@ std::vector<pro_splat> join(std::vector<pro_splat> a, const std::vector<pro_spla
     return a;
 }
 
-Loaded loadSplats(std::vector<pro_splat> splats) {
+Loaded loadSplats(std::vector<pro_splat> splats, const BrickLimits& limits = {}) {
     std::transform(splats.begin(), splats.end(), splats.begin(), settled);
-    return load(sceneOf(std::move(splats), kOptions));
+    return load(sceneOf(std::move(splats), kOptions), limits);
 }
 
 TEST(Bricks, OfOneDiscHaveOneCell) {
@@ -493,6 +494,35 @@ TEST(Bricks, ListAllThatCrossesWhereLeavesAreBelowTheGrid) {
     EXPECT_TRUE(loaded.grid.uneven);
     EXPECT_GT(loaded.bricks.words.size(), loaded.bricks.corners.size() * BRICK_WORDS); // groups of halves
     expectSound(loaded);
+}
+
+TEST(Bricks, TakeACoarserGridWhereTheyOutgrowTheirWords) {
+    const std::vector<pro_splat> splats = sheet(40, 0.7, {0.5, 0.5, 0.5}, 0.8);
+    const Loaded free = loadSplats(splats);
+    BrickLimits limits;
+    limits.cells = free.bricks.slabs.size() / 6; // a depth less has a quarter of the cells, or somewhat more
+    const Loaded limited = loadSplats(splats, limits);
+    EXPECT_EQ(limited.grid.shift, free.grid.shift + 2);
+    EXPECT_LE(limited.bricks.slabs.size(), limits.cells);
+    expectSound(limited);
+
+    limits = {};
+    limits.listed = free.bricks.lists.size() - 4;
+    const Loaded shorter = loadSplats(splats, limits);
+    EXPECT_EQ(shorter.grid.shift, free.grid.shift + 1);
+    EXPECT_LE(shorter.bricks.lists.size(), limits.listed);
+    expectSound(shorter);
+}
+
+TEST(Bricks, RefuseWhatNoGridHolds) {
+    BrickLimits limits;
+    limits.cells = 7; // a brick counts for 8
+    try {
+        loadSplats(sheet(8, 0.5, {0.5, 0.5, 0.5}, 0.8), limits);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kCannotRun);
+    }
 }
 
 /// Files have no normal along z: the nearest are 3.5e-4 off. Discs 60 cells wide that dip below a border by that,
