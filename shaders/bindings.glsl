@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every buffer, once. What is looked up at random is read through texel buffers: on lavapipe those are hardware
-// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB.
+// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. More
+// than that, of an instance's, is in further pages in a set of their own, for programs built with PAGED (pages.glsl).
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "params.h"
@@ -52,7 +53,7 @@ layout(set = 0, binding = 34) uniform usamplerBuffer surface_texels; // of surfa
 layout(set = 0, binding = 35) uniform usamplerBuffer lit_texels; // of lit_points
 layout(push_constant) uniform Push { PushParams push; };
 
-#ifdef PAGED
+#ifdef PAGED // the same loads
 #include "pages.glsl"
 #else
 #define loadBrickWord(i) texelFetch(brick_words, int(i)).x
