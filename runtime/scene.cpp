@@ -104,8 +104,9 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
         throw;
     }
     if (verbose)
-        std::fprintf(stderr, "%s: %u splats, %s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
+        std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
                      scene.info.splat_count, isImported(scene.splats) ? "mapped pages imported" : "sections uploaded",
+                     isPaged(scene.pages) ? ", in pages" : "",
                      scene.built.grid.size[0] == 0 ? "from the file" : "built", scene.index.size[0],
                      scene.index.size[1], scene.index.size[2]);
     return scene;
