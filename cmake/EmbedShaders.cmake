@@ -1,14 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-# pointrt_embed_shaders(TARGET FILE.STAGE.glsl...): compiles each shader and lets TARGET's sources include the result:
+# pointrt_embed_shaders(TARGET [AS_WRITTEN] FILE.STAGE.glsl...): compiles each shader and lets TARGET's sources include
+# the result:
 #   #include "shaders/NAME.spv.h"     defines const uint32_t NAME_spv[]
 # NAME is the file's name up to the first dot, and _vert or _frag after it for those stages. Rebuilt when the shader or
-# anything it includes changes; checked by spirv-val where that is installed.
-# pointrt_embed_shaders(TARGET VARIANT name FILE...): with NAME (capitals) defined, as FILE_name.
+# anything it includes changes; made small by spirv-opt, unless AS_WRITTEN, and checked by spirv-val, where those are
+# installed.
+# pointrt_embed_shaders(TARGET [AS_WRITTEN] VARIANT name FILE...): with NAME (capitals) defined, as FILE_name.
 find_program(POINTRT_GLSLANG glslangValidator REQUIRED DOC "GLSL compiler")
+find_program(POINTRT_SPIRV_OPT spirv-opt DOC "SPIR-V optimizer, optional: drivers then build programs in half the time")
 find_program(POINTRT_SPIRV_VAL spirv-val DOC "SPIR-V validator, optional")
+# Half of what a driver does to a program before it makes machine code of it. Not simplify-instructions, hence neither -O
+# nor -Os: it reorders products of floats, and pictures would tell whether spirv-opt was there.
+set(POINTRT_SPIRV_PASSES
+  --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions
+  --private-to-local --scalar-replacement=0 --ssa-rewrite --ccp --eliminate-dead-branches
+  --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
+  --copy-propagate-arrays --vector-dce --eliminate-dead-inserts --eliminate-dead-code-aggressive --merge-blocks
+  --if-conversion --local-redundancy-elimination --eliminate-dead-code-aggressive --cfg-cleanup --strip-debug)
+set(POINTRT_WORDS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/WriteWords.cmake)
 
 function(pointrt_embed_shaders target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" VARIANT "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg AS_WRITTEN VARIANT "")
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(flags --quiet --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_SOURCE_DIR}/format/include)
   if(arg_VARIANT)
@@ -26,19 +38,24 @@ function(pointrt_embed_shaders target)
       string(APPEND name _${arg_VARIANT})
     endif()
     set(output ${folder}/shaders/${name}.spv)
+    set(optimize "")
+    if(POINTRT_SPIRV_OPT AND NOT arg_AS_WRITTEN)
+      # the bindings stay, used or not: one descriptor set serves several programs
+      set(optimize COMMAND ${POINTRT_SPIRV_OPT} --target-env=vulkan1.2 --preserve-bindings
+        ${POINTRT_SPIRV_PASSES} ${output} -o ${output})
+    endif()
     set(validate "")
     if(POINTRT_SPIRV_VAL)
       set(validate COMMAND ${POINTRT_SPIRV_VAL} --target-env vulkan1.2 ${output})
     endif()
-    # --vn writes text, which spirv-val does not read, so that the shader is compiled twice.
     add_custom_command(
-      OUTPUT ${output}.h
-      BYPRODUCTS ${output}
-      COMMAND ${POINTRT_GLSLANG} ${flags} -V -o ${output} ${source}
+      OUTPUT ${output} ${output}.h
+      COMMAND ${POINTRT_GLSLANG} ${flags} -V --depfile ${output}.d -o ${output} ${source}
+      ${optimize}
       ${validate}
-      COMMAND ${POINTRT_GLSLANG} ${flags} -V --vn ${name}_spv --depfile ${output}.h.d -o ${output}.h ${source}
-      DEPENDS ${source}
-      DEPFILE ${output}.h.d
+      COMMAND ${CMAKE_COMMAND} -DINPUT=${output} -DOUTPUT=${output}.h -DNAME=${name}_spv -P ${POINTRT_WORDS_SCRIPT}
+      DEPENDS ${source} ${POINTRT_WORDS_SCRIPT}
+      DEPFILE ${output}.d
       COMMENT "Compiling shader ${name}"
       VERBATIM)
     target_sources(${target} PRIVATE ${output}.h)

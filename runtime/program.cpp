@@ -165,14 +165,15 @@ void fillSet(Device& device, const Program& program, VkDescriptorSet set, std::s
 
 void recordState(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                  std::span<const std::byte> push) {
-    if (push.size() != program.shader.push_bytes)
+    const std::uint32_t declared = program.shader.push_bytes;
+    if (declared != 0 && push.size() != declared)
         throw std::logic_error(program.name + ": " + std::to_string(push.size()) + " bytes of push constants, " +
-                               std::to_string(program.shader.push_bytes) + " in the shader");
+                               std::to_string(declared) + " in the shader");
     if (setCount(program) > 1 && !sets.sets[1]) throw std::logic_error(program.name + ": its pages are not bound");
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, program.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout, 0, setCount(program),
                             sets.sets.data(), 0, nullptr);
-    if (!push.empty())
+    if (declared != 0)
         vkCmdPushConstants(commands, program.layout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                            static_cast<std::uint32_t>(push.size()), push.data());
 }

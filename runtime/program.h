@@ -62,8 +62,9 @@ struct GroupCount {
     std::uint32_t x = 1, y = 1, z = 1;
 };
 
-/// Records binding, push constants and dispatch. push must have exactly the size of the shader's push block (empty
-/// where it has none) and the sets that the program declares must be there: std::logic_error otherwise.
+/// Records binding, push constants and dispatch. push must have exactly the size of the shader's push block and the sets
+/// that the program declares must be there: std::logic_error otherwise. Where the shader has no push block, perhaps
+/// because it does not use it, push goes nowhere.
 void recordDispatch(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                     std::span<const std::byte> push, GroupCount groups);
 /// The same with the group counts read on the device: 3 uint32 at offset (a multiple of 4) of arguments.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/programs.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "runtime/parallel.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/light.spv.h"
@@ -40,8 +42,17 @@ std::vector<std::uint32_t> listed(const Constants& c) {
     return values;
 }
 
-Program build(Device& device, const char* name, std::span<const std::uint32_t> spirv, const Constants& constants) {
-    return createProgram(device, name, spirv, std::span<const std::uint32_t>(listed(constants)));
+/// A program to be built.
+struct Order {
+    Program* program = nullptr;
+    const char* name = "";
+    std::span<const std::uint32_t> spirv;
+    Constants constants;
+};
+
+void build(Device& device, const Order& order) {
+    *order.program =
+        createProgram(device, order.name, order.spirv, std::span<const std::uint32_t>(listed(order.constants)));
 }
 
 Constants constantsFor(const StagedScene& scene, const RenderSettings& settings) {
@@ -53,34 +64,44 @@ InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
     return {file.index.uneven, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
-void buildFor(Device& device, const InstanceTraits& instance, Constants constants, InstancePrograms& programs) {
+void orderFor(const InstanceTraits& instance, Constants constants, InstancePrograms& programs,
+              std::vector<Order>& orders) {
     constants.instance = instance;
     const bool paged = isPaged(instance.pages);
-    const auto either = [&](const char* name, std::span<const std::uint32_t> plain,
-                            std::span<const std::uint32_t> with_pages) {
-        return build(device, name, paged ? with_pages : plain, constants);
+    const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> plain,
+                           std::span<const std::uint32_t> with_pages) {
+        orders.push_back({&program, name, paged ? with_pages : plain, constants});
     };
-    programs.trace = either("trace", trace_spv, trace_paged_spv);
-    programs.trace_primary = either("trace_primary", trace_primary_spv, trace_primary_paged_spv);
-    programs.surface = either("surface", surface_spv, surface_paged_spv);
-    programs.shadow = either("shadow", shadow_spv, shadow_paged_spv);
+    order(programs.trace, "trace", trace_spv, trace_paged_spv);
+    order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
+    order(programs.surface, "surface", surface_spv, surface_paged_spv);
+    order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
 }
 
-void buildAll(Device& device, const StagedScene& scene, const Constants& constants, Programs& programs) {
-    programs.prepare = build(device, "prepare", prepare_spv, constants);
-    programs.trace_shapes = build(device, "trace_shapes", trace_shapes_spv, constants);
-    programs.beam = build(device, "beam", beam_spv, constants);
-    programs.shade = build(device, "shade", shade_spv, constants);
-    programs.shadow_shapes = build(device, "shadow_shapes", shadow_shapes_spv, constants);
-    programs.light = build(device, "light", light_spv, constants);
+/// What is needed, for places in programs.
+std::vector<Order> orderAll(const StagedScene& scene, const Constants& constants, Programs& programs) {
+    std::vector<Order> orders{{&programs.prepare, "prepare", prepare_spv, constants},
+                              {&programs.trace_shapes, "trace_shapes", trace_shapes_spv, constants},
+                              {&programs.beam, "beam", beam_spv, constants},
+                              {&programs.shade, "shade", shade_spv, constants},
+                              {&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants},
+                              {&programs.light, "light", light_spv, constants}};
     if (castsCaustics(scene)) {
-        programs.photon = build(device, "photon", photon_spv, constants);
-        programs.caustic = build(device, "caustic", caustic_spv, constants);
+        orders.push_back({&programs.photon, "photon", photon_spv, constants});
+        orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
     }
     for (const Instance& instance : scene.instances) {
         const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
-        if (is_new) buildFor(device, variant->first, constants, variant->second);
+        if (is_new) orderFor(variant->first, constants, variant->second, orders);
     }
+    return orders;
+}
+
+/// Drivers build them on the thread that asks: the longest first, so that all cores are done about together.
+void buildAll(Device& device, std::vector<Order> orders) {
+    std::sort(orders.begin(), orders.end(),
+              [](const Order& a, const Order& b) { return a.spirv.size() > b.spirv.size(); });
+    forAll(orders.size(), [&](std::size_t i) { build(device, orders[i]); });
 }
 
 } // namespace
@@ -88,7 +109,7 @@ void buildAll(Device& device, const StagedScene& scene, const Constants& constan
 Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
     Programs programs;
     try {
-        buildAll(device, scene, constantsFor(scene, settings), programs);
+        buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     } catch (...) {
         destroyPrograms(device, programs);
         throw;
