@@ -52,6 +52,7 @@ struct RenderSettings {
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
     bool first_hits = false;           ///< also fill the Film's depth, normal and position
+    bool light_parts = true;           ///< also fill its direct, indirect and caustic: to go on later, or to keep
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
 };

@@ -70,9 +70,8 @@ FrameState renderFrames(RenderSession& session, const Options& options, const Fi
     return state;
 }
 
-/// The picture of the frame that has just ended as state, with the filter where it is wanted.
-Film finishFilm(RenderSession& session, const Options& options, const FrameState& state, Report& report) {
-    Film film = readFilm(*session.tracer);
+/// The picture of the frame that has ended as state, with the filter where it is wanted.
+Film finishFilm(RenderSession& session, Film film, const Options& options, const FrameState& state, Report& report) {
     report.samples = state.samples;
     report.noise = relativeNoise(film);
     if (!wantsDenoising(options, session.settings, session.scene->description, report.samples)) return film;
@@ -115,7 +114,7 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
     };
     const FrameState state = renderTimed(session, options, nullptr, show, report);
     if (turn == 0) report.first_frame_seconds = secondsSinceStart();
-    Film film = finishFilm(session, options, state, report);
+    Film film = finishFilm(session, takeFilm(*session.tracer), options, state, report);
     if (interrupted()) return false;
     writeImage(session, path, signatureFor(session, path), std::move(film));
     return true;
@@ -131,7 +130,10 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
         noteInterrupts();
     }
     const FrameState state = renderFrames(session, options, start ? &*start : nullptr, report);
-    Film film = finishFilm(session, options, state, report);
+    Film film = takeFilm(*session.tracer);
+    destroyTracer(session.device, *session.tracer); // the filter takes as much memory again
+    session.tracer.reset();
+    film = finishFilm(session, std::move(film), options, state, report);
     if (options.output.empty()) return;
     if (state.traced > 0 || (start && session.settings.denoise == DenoiseChoice::kOn))
         writeImage(session, options.output, signature, std::move(film));

@@ -47,6 +47,9 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     // the denoiser is guided by first hits; where the samples may end early, it may be wanted in the end
     const std::uint32_t fewest = options.limits.seconds || options.limits.noise ? 1 : settings.spp;
     settings.first_hits |= wantsDenoising(options, settings, scene.description, fewest);
+    // what is to be gone on with, or kept, keeps the parts
+    settings.light_parts =
+        options.output.ends_with(".exr") || options.turntable != 0 || options.limits.seconds || options.limits.noise;
     session.tracer = createTracer(session.device, scene, settings, session.camera);
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     describe(session, report);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "runtime/band_tracer.h"
@@ -15,6 +16,8 @@ namespace {
 /// Pixels in flight: their states take about 500 bytes each, no more than 128 in any buffer, so that none nears the 128
 /// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
+/// A processor needs no more lanes than keep its caches busy: a band is traced strip by strip there.
+constexpr std::uint32_t kStripPixels = 1u << 16;
 
 } // namespace
 
@@ -22,23 +25,28 @@ struct TracerState {
     RenderSettings settings;
     Camera camera;
     const StagedScene* scene = nullptr;
-    std::uint32_t band_rows = 0;
+    std::uint32_t band_rows = 0, strip_rows = 0;
     BandTracer bands;
     Film result;
 };
 
 namespace {
 
-void renderSample(Device& device, const TracerState& state, const FrameBand& band, RayCounts& counts) {
+void renderSample(Device& device, TracerState& state, const FrameBand& band, RayCounts& counts) {
     const RenderSettings& settings = state.settings;
-    BandSample sample{settings.width, band.band.rows, band.samples, settings.spp == 1};
-    sample.first_hits = band.samples == 0 && settings.first_hits;
-    while (!sample.done) traceOn(device, state.bands, sample, settings.bounces, counts);
+    const std::uint32_t band_pixels = settings.width * band.band.rows;
+    for (std::uint32_t row = 0; row < band.band.rows; row += state.strip_rows) {
+        const std::uint32_t rows = std::min(state.strip_rows, band.band.rows - row);
+        openBand(device, state.bands, settings, state.camera, {band.band.first_row + row, rows},
+                 {band_pixels, row * settings.width});
+        BandSample sample{settings.width, rows, band.samples, settings.spp == 1};
+        sample.first_hits = band.samples == 0 && settings.first_hits;
+        while (!sample.done) traceOn(device, state.bands, sample, settings.bounces, counts);
+    }
 }
 
 /// Puts what the film has of a band on the device.
 void restoreBand(Device& device, TracerState& state, const FrameBand& band) {
-    openBand(device, state.bands, state.settings, state.camera, band.band, {state.settings.width * band.band.rows, 0});
     if (band.samples > 0) restoreLight(device, state.bands.buffers, band.band, band.samples, state.result);
 }
 
@@ -51,7 +59,10 @@ Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettin
     state.camera = camera;
     state.scene = &scene;
     state.band_rows = std::clamp(kBandPixels / settings.width, 1u, settings.height);
-    createBandTracer(device, state.bands, scene, settings, lanesOf(settings.width, state.band_rows),
+    state.strip_rows = state.band_rows;
+    if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU)
+        state.strip_rows = std::clamp(kStripPixels / settings.width / TILE_SIDE * TILE_SIDE, TILE_SIDE, state.band_rows);
+    createBandTracer(device, state.bands, scene, settings, lanesOf(settings.width, state.strip_rows),
                      std::uint64_t{settings.width} * state.band_rows, kPhotons);
     return tracer;
 }
@@ -97,5 +108,7 @@ FrameState renderUntil(Device& device, Tracer& tracer, const FrameJob& job, cons
 }
 
 const Film& readFilm(const Tracer& tracer) { return tracer.state->result; }
+
+Film takeFilm(Tracer& tracer) { return std::exchange(tracer.state->result, {}); }
 
 } // namespace pointrt

@@ -33,6 +33,9 @@ RayCounts renderFrame(Device& device, Tracer& tracer, const std::function<void(d
 /// the rays to counts. start must come from the same scene, settings and camera.
 FrameState renderUntil(Device& device, Tracer& tracer, const FrameJob& job, const Film* start, RayCounts& counts);
 
+/// readFilm's, which the tracer gives away until the next frame.
+Film takeFilm(Tracer& tracer);
+
 /// The picture of the last frame; with settings.first_hits also the first-hit channels, in input units.
 const Film& readFilm(const Tracer& tracer);
 
