@@ -9,18 +9,18 @@
 find_program(POINTRT_GLSLANG glslangValidator REQUIRED DOC "GLSL compiler")
 find_program(POINTRT_SPIRV_OPT spirv-opt DOC "SPIR-V optimizer, optional: drivers then build programs in half the time")
 find_program(POINTRT_SPIRV_VAL spirv-val DOC "SPIR-V validator, optional")
-# Half of what a driver does to a program before it makes machine code of it. Not simplify-instructions, hence neither -O
-# nor -Os: it reorders products of floats, and pictures would tell whether spirv-opt was there.
-set(POINTRT_SPIRV_PASSES
-  --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions
-  --private-to-local --scalar-replacement=0 --ssa-rewrite --ccp --eliminate-dead-branches
-  --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
-  --copy-propagate-arrays --vector-dce --eliminate-dead-inserts --eliminate-dead-code-aggressive --merge-blocks
-  --if-conversion --local-redundancy-elimination --eliminate-dead-code-aggressive --cfg-cleanup --strip-debug)
-set(POINTRT_WORDS_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/WriteWords.cmake)
 
 function(pointrt_embed_shaders target)
   cmake_parse_arguments(PARSE_ARGV 1 arg AS_WRITTEN VARIANT "")
+  # Half of what a driver does to a program before it makes machine code of it. Not simplify-instructions, hence neither
+  # -O nor -Os: it reorders products of floats, and pictures would tell whether spirv-opt was there.
+  set(passes
+    --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions
+    --private-to-local --scalar-replacement=0 --ssa-rewrite --ccp --eliminate-dead-branches
+    --convert-local-access-chains --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite
+    --copy-propagate-arrays --vector-dce --eliminate-dead-inserts --eliminate-dead-code-aggressive --merge-blocks
+    --if-conversion --local-redundancy-elimination --eliminate-dead-code-aggressive --cfg-cleanup --strip-debug)
+  set(words_script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/WriteWords.cmake)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(flags --quiet --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders -I${PROJECT_SOURCE_DIR}/format/include)
   if(arg_VARIANT)
@@ -42,7 +42,7 @@ function(pointrt_embed_shaders target)
     if(POINTRT_SPIRV_OPT AND NOT arg_AS_WRITTEN)
       # the bindings stay, used or not: one descriptor set serves several programs
       set(optimize COMMAND ${POINTRT_SPIRV_OPT} --target-env=vulkan1.2 --preserve-bindings
-        ${POINTRT_SPIRV_PASSES} ${output} -o ${output})
+        ${passes} ${output} -o ${output})
     endif()
     set(validate "")
     if(POINTRT_SPIRV_VAL)
@@ -53,8 +53,8 @@ function(pointrt_embed_shaders target)
       COMMAND ${POINTRT_GLSLANG} ${flags} -V --depfile ${output}.d -o ${output} ${source}
       ${optimize}
       ${validate}
-      COMMAND ${CMAKE_COMMAND} -DINPUT=${output} -DOUTPUT=${output}.h -DNAME=${name}_spv -P ${POINTRT_WORDS_SCRIPT}
-      DEPENDS ${source} ${POINTRT_WORDS_SCRIPT}
+      COMMAND ${CMAKE_COMMAND} -DINPUT=${output} -DOUTPUT=${output}.h -DNAME=${name}_spv -P ${words_script}
+      DEPENDS ${source} ${words_script}
       DEPFILE ${output}.d
       COMMENT "Compiling shader ${name}"
       VERBATIM)
