@@ -46,6 +46,13 @@ void checkStats(const BakeOptions& options) {
         throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
 }
 
+/// What only building and pruning the octree need, before the index takes memory.
+void freeScaffold(PackedSplats& splats) {
+    std::vector<Disc>().swap(splats.discs); // {} would keep the memory
+    std::vector<Rgb8>().swap(splats.colors);
+    std::vector<std::uint64_t>().swap(splats.morton);
+}
+
 /// Found out before the work, not after it.
 void checkOutput(const BakeOptions& options) {
     const std::filesystem::path path(options.output);
@@ -147,6 +154,7 @@ BakeReport bake(const BakeOptions& options) {
         report.harm_allowed = options.probes.harm;
         report.pruning = pruneOctree(packed, options.probes, octree, show);
     }
+    freeScaffold(packed);
     store(options, packed, octree, report, progress);
     progress.finish();
     report.seconds = progress.seconds();
