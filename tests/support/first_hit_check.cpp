@@ -65,7 +65,8 @@ Verdict judgeNearer(const Claim& nearer) {
 NearRounding nearRounding(std::span<const CubeSplat> splats, double cell_edge) {
     double radius = 0;
     for (const CubeSplat& splat : splats) radius = std::max(radius, splat.radius);
-    // a disc's centre is at most its radius beyond the cell, which is taken larger by the slack (format/index/bricks.cpp)
+    // a disc's centre is at most its radius beyond the cell, which is taken larger by the slack
+    // (format/index/bricks.cpp)
     const double slack = std::max(1e-3 * cell_edge, 1.5 * PRO_POSITION_STEP);
     const double reach = 0.5 * cell_edge + slack + std::min(radius, kNearLargest * cell_edge);
     return {kNearPosition * reach, cell_edge};

@@ -13,8 +13,8 @@
 
 namespace pointrt::test {
 
-// Rays are tested against near splats (pointrt/pro_index_layout.h), whose rounding these bound; the distance to the disc
-// that is chosen is exact again. Float errors of Embree and of that distance are much smaller: kFloatError.
+// Rays are tested against near splats (pointrt/pro_index_layout.h), whose rounding these bound; the distance to the
+// disc that is chosen is exact again. Float errors of Embree and of that distance are much smaller: kFloatError.
 
 /// By how much the radius may be off, in radii: its square by half a step of 2^-5, which the root halves.
 constexpr double kNearRadius = 0x1p-7;

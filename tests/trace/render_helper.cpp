@@ -10,10 +10,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "pointrt/pro_index_layout.h"
 #include "runtime/camera.h"
 #include "runtime/image_exr.h"
 #include "runtime/staging.h"
-#include "pointrt/pro_index_layout.h"
 #include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
