@@ -14,6 +14,8 @@ namespace {
 
 // A scene of a million splats has some ten million node words, and every word is a texel.
 constexpr std::uint32_t kMinTexels = 1u << 24;
+/// Those of shaders/bindings.glsl; Vulkan promises 4.
+constexpr std::uint32_t kStorageImages = 5;
 constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
                                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
                                                        VK_SUBGROUP_FEATURE_BALLOT_BIT;
@@ -168,6 +170,9 @@ std::string refusalOf(const Candidate& candidate) {
         return "no subgroup operations in compute shaders";
     if ((candidate.subgroup.supportedOperations & kSubgroupOperations) != kSubgroupOperations)
         return "subgroup basic, vote, arithmetic and ballot operations are needed";
+    if (properties.limits.maxPerStageDescriptorStorageImages < kStorageImages)
+        return "programs read " + std::to_string(properties.limits.maxPerStageDescriptorStorageImages) +
+               " images of buffers, " + std::to_string(kStorageImages) + " are needed";
     if (!candidate.reads_texels) return "it cannot read texel buffers of 32-bit elements";
     return {};
 }

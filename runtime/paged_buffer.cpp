@@ -10,7 +10,12 @@
 namespace pointrt {
 namespace {
 
-constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+/// Shaders read some of them as images (shaders/bindings.glsl), for which every device takes texels of one or four
+/// words.
+VkBufferUsageFlags usageFor(VkFormat format) {
+    constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+}
 
 void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_bytes) {
     const std::uint64_t pages = (bytes + page_bytes - 1) / page_bytes;
@@ -24,8 +29,8 @@ void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_b
 
 Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
     Buffer buffer;
-    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, kUsage);
-    if (!buffer.handle) buffer = createFilledBuffer(device, what, data, bytes, kUsage);
+    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, usageFor(format));
+    if (!buffer.handle) buffer = createFilledBuffer(device, what, data, bytes, usageFor(format));
     createTexelView(device, what, buffer, format);
     return buffer;
 }

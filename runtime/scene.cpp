@@ -114,12 +114,9 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
 
 Scene blankScene(Device& device) {
     Scene scene;
-    const std::uint32_t zeros[4] = {};
+    static constexpr std::uint32_t kZeros[4] = {}; // it may become device memory as it is
     const auto blank = [&](VkFormat format) {
-        Buffer buffer =
-            createFilledBuffer(device, "blank buffer", zeros, sizeof zeros, VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        createTexelView(device, "blank buffer", buffer, format);
-        return buffer;
+        return createTexelBuffer(device, "blank buffer", kZeros, sizeof kZeros, format);
     };
     scene.grid_words = blank(VK_FORMAT_R32_UINT);
     for (PagedBuffer* buffer : {&scene.brick_words, &scene.slabs}) buffer->pages = {blank(VK_FORMAT_R32_UINT)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every buffer, once. What is looked up at random is read through texel buffers: on lavapipe those are hardware
-// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. More
+// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. What
+// the traversal's loops read are images of buffers: lavapipe makes those loads part of a program, where fetches of
+// texels are calls, for which all that is alive goes through memory. More
 // than that, of an instance's, is in further pages in a set of their own, for programs built with PAGED (pages.glsl).
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
@@ -10,14 +12,14 @@
 #include "pointrt/pro_layout.h"
 
 // One instance's.
-layout(set = 0, binding = 1) uniform usamplerBuffer brick_words;
+layout(set = 0, binding = 1, r32ui) uniform readonly uimageBuffer brick_words;
 layout(set = 0, binding = 2) uniform usamplerBuffer list_words;
 layout(set = 0, binding = 3) uniform usamplerBuffer splat_words;
-layout(set = 0, binding = 4) uniform usamplerBuffer grid_words;
+layout(set = 0, binding = 4, r32ui) uniform readonly uimageBuffer grid_words;
 layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
-layout(set = 0, binding = 15) uniform usamplerBuffer near_words;
+layout(set = 0, binding = 15, rgba32ui) uniform readonly uimageBuffer near_words;
 layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
-layout(set = 0, binding = 21) uniform usamplerBuffer slab_words;
+layout(set = 0, binding = 21, r32ui) uniform readonly uimageBuffer slab_words;
 layout(std140, set = 0, binding = 22) uniform InstanceBuffer { InstanceParams instance; };
 
 // The scene's.
@@ -56,16 +58,16 @@ layout(push_constant) uniform Push { PushParams push; };
 #ifdef PAGED // the same loads
 #include "pages.glsl"
 #else
-#define loadBrickWord(i) texelFetch(brick_words, int(i)).x
+#define loadBrickWord(i) imageLoad(brick_words, int(i)).x
 #define loadCell(i) texelFetch(cell_words, int(i)).xy
-#define loadSlab(i) texelFetch(slab_words, int(i)).x
-#define loadNear(i) texelFetch(near_words, int(i))
+#define loadSlab(i) imageLoad(slab_words, int(i)).x
+#define loadNear(i) imageLoad(near_words, int(i))
 #define loadBlendRange(i) texelFetch(blend_range_words, int(i)).xy
 // four to a texel: drivers count texels, often no more than 2^27
 #define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
 #define loadSplat(i) texelFetch(splat_words, int(i))
 #endif
-#define loadGrid(i) texelFetch(grid_words, int(i)).x
+#define loadGrid(i) imageLoad(grid_words, int(i)).x
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
 #define loadPhotonWord(i) texelFetch(photon_buckets, int(i)).x
 #define loadPhotonLevel(i) params.caustics.levels[i]

@@ -30,13 +30,14 @@ layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[PAGES_MOST - 1];
         texel = page == k ? other : texel; \
     }
 
-#define DEFINE_FETCH(fetch, first, pages, page_count) \
+// load: how the first page is read.
+#define DEFINE_FETCH(fetch, load, first, pages, page_count) \
     uvec4 fetch(uint i) { \
         const uint count = page_count; \
-        if (count == 1u) return texelFetch(first, int(i)); \
+        if (count == 1u) return load(first, int(i)); \
         uint page = i >> kPageBits; \
         int at = int(i & ((1u << kPageBits) - 1u)); \
-        uvec4 texel = texelFetch(first, page == 0u ? at : 0); \
+        uvec4 texel = load(first, page == 0u ? at : 0); \
         FETCH_PAGE(pages[0], 1u) \
         FETCH_PAGE(pages[1], 2u) \
         FETCH_PAGE(pages[2], 3u) \
@@ -47,13 +48,13 @@ layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[PAGES_MOST - 1];
         return texel; \
     }
 
-DEFINE_FETCH(fetchBrickWord, brick_words, brick_pages, kBrickPages)
-DEFINE_FETCH(fetchCell, cell_words, cell_pages, kCellPages)
-DEFINE_FETCH(fetchSlab, slab_words, slab_pages, kSlabPages)
-DEFINE_FETCH(fetchNear, near_words, near_pages, kNearPages)
-DEFINE_FETCH(fetchListed, list_words, list_pages, kListPages)
-DEFINE_FETCH(fetchBlendRange, blend_range_words, blend_range_pages, kBlendRangePages)
-DEFINE_FETCH(fetchSplat, splat_words, splat_pages, kSplatPages)
+DEFINE_FETCH(fetchBrickWord, imageLoad, brick_words, brick_pages, kBrickPages)
+DEFINE_FETCH(fetchCell, texelFetch, cell_words, cell_pages, kCellPages)
+DEFINE_FETCH(fetchSlab, imageLoad, slab_words, slab_pages, kSlabPages)
+DEFINE_FETCH(fetchNear, imageLoad, near_words, near_pages, kNearPages)
+DEFINE_FETCH(fetchListed, texelFetch, list_words, list_pages, kListPages)
+DEFINE_FETCH(fetchBlendRange, texelFetch, blend_range_words, blend_range_pages, kBlendRangePages)
+DEFINE_FETCH(fetchSplat, texelFetch, splat_words, splat_pages, kSplatPages)
 
 #define loadBrickWord(i) fetchBrickWord(i).x
 #define loadCell(i) fetchCell(i).xy

@@ -240,6 +240,7 @@ Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     candidate.properties.apiVersion = VK_API_VERSION_1_3;
     candidate.properties.deviceType = type;
     candidate.properties.limits.maxTexelBufferElements = 1u << 27;
+    candidate.properties.limits.maxPerStageDescriptorStorageImages = 8;
     candidate.subgroup.supportedStages = VK_SHADER_STAGE_COMPUTE_BIT;
     candidate.subgroup.supportedOperations = ~0u;
     candidate.queue_family = 0;
