@@ -27,8 +27,8 @@ float freeCells(uint word) {
 // How far a point, in grid units, is at least from all filled cells, by its largest component. From outside, they are
 // no nearer than from the grid's nearest point, and no nearer than the grid.
 float freeAround(vec3 point, Grid grid, vec3 highest) {
-    float outside = largest(max(grid.lowest - point, point - highest));
-    point = clamp(point, grid.lowest, highest);
+    float outside = largest(max(-point, point - highest));
+    point = clamp(point, vec3(0.0), highest);
     vec3 base = min(floor(point), highest - 1.0);
     uint word = gridWord(base, grid);
     vec3 in_cell = point - base;
@@ -65,11 +65,11 @@ Beam tileBeam(vec2 corner) {
 float marchBeam(Beam beam) {
     Grid grid = loadGridFrame();
     float scale = instance.grid_scale.x;
-    vec3 highest = grid.lowest + vec3(instance.grid_size.xyz);
-    vec3 start = beam.middle.origin * scale, direction = beam.middle.direction;
+    vec3 highest = gridEnd();
+    vec3 start = gridPoint(beam.middle.origin), direction = beam.middle.direction;
     float width = beam.width * scale;
     // beyond its far corner no ray can be in the grid
-    float t_far = length(max(abs(grid.lowest - start), abs(highest - start)));
+    float t_far = length(max(abs(start), abs(highest - start)));
     float t = 0.0, advance = kLeastStep;
     int left = kStepsMost;
     do { // lanes that are done take part until all are: see trace.glsl

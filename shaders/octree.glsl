@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which cell holds a point: the grid of entry points stands for the octree's upper levels, a brick of 4 x 4 x 4 cells
-// for the next ones, groups of 8 for what is deeper. All in grid cells ("grid units") from the cube's lowest corner.
+// for the next ones, groups of 8 for what is deeper. All in grid cells ("grid units") from the grid's lowest corner.
 #ifndef POINTRT_SHADERS_OCTREE_GLSL
 #define POINTRT_SHADERS_OCTREE_GLSL
 
@@ -8,14 +8,17 @@
 
 // What every step needs of the frame, loaded once.
 struct Grid {
-    vec3 lowest;    // corner of the grid
     vec2 stride;    // words in a row and in a layer
     uint last_word;
 };
 
-Grid loadGridFrame() {
-    return Grid(vec3(instance.grid_origin.xyz), instance.grid_scale.yz, instance.grid_size.w);
-}
+Grid loadGridFrame() { return Grid(instance.grid_scale.yz, instance.grid_size.w); }
+
+// Of a point in cube units.
+vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.grid_origin.xyz); }
+
+// The grid's highest corner.
+vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
 // Cells to skip from an empty one towards the octant that shift stands for.
 float skippedCells(uint word, uint octant_shift) {
@@ -49,8 +52,7 @@ void descend(vec3 point, inout Spot spot) {
 
 // Of the grid cell with this lowest corner; from outside, of whatever cell.
 uint gridWord(vec3 base, Grid grid) {
-    vec3 local = base - grid.lowest;
-    int index = int(local.x + local.y * grid.stride.x + local.z * grid.stride.y);
+    int index = int(base.x + base.y * grid.stride.x + base.z * grid.stride.y);
     return loadGrid(min(uint(index), grid.last_word));
 }
 
@@ -72,11 +74,9 @@ Spot spotAt(vec3 point, Grid grid) {
 
 // The listed cell that holds a point in cube units, NO_INDEX where there is none.
 uint cellAt(vec3 point) {
-    vec3 at = point * instance.grid_scale.x;
-    Grid grid = loadGridFrame();
-    Spot spot = spotAt(at, grid);
-    vec3 local = at - grid.lowest;
-    bool inside = all(greaterThanEqual(local, vec3(0.0))) && all(lessThan(local, vec3(instance.grid_size.xyz)));
+    vec3 at = gridPoint(point);
+    Spot spot = spotAt(at, loadGridFrame());
+    bool inside = all(greaterThanEqual(at, vec3(0.0))) && all(lessThan(at, gridEnd()));
     return inside && isFilled(spot.word) ? spot.word >> CELL_INDEX_SHIFT : NO_INDEX;
 }
 

@@ -35,8 +35,8 @@ struct Walk {
     vec3 direction; // no component is 0
     vec3 inverse;
     vec3 start;     // one position step from origin towards where the ray goes, by each axis
-    vec3 side;      // signs of the direction
-    vec3 near;      // 0 where the direction rises, else 1
+    vec3 entry;     // 0 where the direction rises, else 1: the planes by which a ray comes into a cell
+    vec3 pace;      // from plane to plane, of cells with an edge of 1
     uint octant_shift;
     float t;        // from origin to where the ray enters the next cell
     float t_end;    // to where it leaves the grid
@@ -58,26 +58,27 @@ struct CellRay {
 
 // Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
 // t_start receives the distance from the ray's origin.
-Walk startWalk(TraceRay ray, Grid grid, out float t_start) {
+Walk startWalk(TraceRay ray, out float t_start) {
     float scale = instance.grid_scale.x;
     Walk walk;
     // smaller components would make inverses whose products are not numbers
     walk.direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20))) * scale;
     walk.inverse = 1.0 / walk.direction;
     bvec3 rising = greaterThan(walk.direction, vec3(0.0));
-    walk.near = vec3(not(rising));
-    walk.side = 1.0 - 2.0 * walk.near;
+    walk.entry = vec3(not(rising));
+    walk.pace = abs(walk.inverse);
+    vec3 side = 1.0 - 2.0 * walk.entry; // signs of the direction
     uvec3 bits = uvec3(rising);
     walk.octant_shift = SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
-    vec3 origin = ray.origin * scale, highest = grid.lowest + vec3(instance.grid_size.xyz);
-    vec3 near = (mix(highest, grid.lowest, rising) - origin) * walk.inverse;
+    vec3 origin = gridPoint(ray.origin), highest = gridEnd();
+    vec3 near = (mix(highest, vec3(0.0), rising) - origin) * walk.inverse;
     // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
-    vec3 last = mix(grid.lowest, highest, rising) - 1.5 * instance.grid_scale.w * walk.side;
+    vec3 last = mix(vec3(0.0), highest, rising) - 1.5 * instance.grid_scale.w * side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
     // from a distant origin the product's rounding may put it outside, where words are those of other cells
-    walk.origin = clamp(origin + walk.direction * t_start, grid.lowest, highest);
-    walk.start = walk.origin + walk.side * instance.grid_scale.w;
+    walk.origin = clamp(origin + walk.direction * t_start, vec3(0.0), highest);
+    walk.start = walk.origin + side * instance.grid_scale.w;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
     return walk;
@@ -98,8 +99,10 @@ bool meetsSlab(Walk walk, uint slab, vec3 middle, float edge, float t_out) {
 // To where the ray leaves the cell, and the empty ones that follow.
 float leaveSpot(Walk walk, Spot spot) {
     float cells = isFilled(spot.word) ? 1.0 : skippedCells(spot.word, walk.octant_shift);
-    vec3 plane = spot.base + walk.near + cells * walk.side;
-    vec3 t_planes = (plane * spot.edge - walk.origin) * walk.inverse;
+    // From the plane that is known before the word: on CPUs, what follows a load is what a step takes. The sum is off by
+    // 2^-24 of the grid's size at most, along the plane's axis, an eighth of the position step that lists take in.
+    vec3 t_entry = ((spot.base + walk.entry) * spot.edge - walk.origin) * walk.inverse;
+    vec3 t_planes = t_entry + cells * (spot.edge * walk.pace);
     float t_out = t_planes.x < t_planes.y ? t_planes.x : t_planes.y;
     t_out = t_out < t_planes.z ? t_out : t_planes.z;
     // never less than a quarter step onwards: rounding at a border must not hold the ray up
@@ -186,7 +189,7 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
 TraceHit trace(TraceRay ray) {
     Grid grid = loadGridFrame();
     float t_start;
-    Walk walk = startWalk(ray, grid, t_start);
+    Walk walk = startWalk(ray, t_start);
     TraceHit hit = TraceHit(ray.t_max - t_start, NO_INDEX, NO_INDEX);
     float t_end = hit.t < walk.t_end ? hit.t : walk.t_end; // not min: a NaN must end the walk
     do {
