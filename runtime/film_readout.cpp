@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "format/src/parallel.h"
 #include "runtime/frame_params.h"
-#include "runtime/parallel.h"
 
 namespace pointrt {
 

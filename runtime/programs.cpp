@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/parallel.h"
+#include "format/src/parallel.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/light.spv.h"
