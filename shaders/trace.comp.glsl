@@ -5,3 +5,10 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
 #include "trace_queued.glsl"
+
+void main() {
+    uint path;
+    bool live;
+    TraceHit hit = traceQueued(path, live);
+    storeHit(live, path, hit);
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Traces the queued rays through one instance: a whole program but for its version. ANY_HIT, see trace.glsl.
+// Traces the queued rays through one instance. ANY_HIT, see trace.glsl.
 #include "bindings.glsl"
 #include "queue.glsl"
 #include "splat.glsl"
@@ -9,14 +9,14 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-void main() {
+// live: whether this lane has a ray, that of path; others work along, for lists need the whole subgroup.
+TraceHit traceQueued(out uint path, out bool live) {
     uint lane = balancedLane();
-    uint path = hasStep(STEP_FRESH) ? queuedIndex(lane) : askedEntry(lane);
-    bool live = path != NO_INDEX;
-    path = live ? path : 0u; // idle lanes work along: the list needs the whole subgroup
+    path = hasStep(STEP_FRESH) ? queuedIndex(lane) : askedEntry(lane);
+    live = path != NO_INDEX;
+    path = live ? path : 0u;
     vec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);
     bool own = floatBitsToUint(left.w) >> PATH_OWNER_SHIFT == instance.materials.x;
-    TraceHit hit = trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
-                                  live ? reachOf(path) : -1.0, cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0));
-    storeHit(live, path, hit);
+    return trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
+                          live ? reachOf(path) : -1.0, cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0));
 }

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any hits of the queued rays: what shaders/shadow.comp.glsl traces, without its light.
+// Whether the queued rays hit anything: what shaders/shadow.comp.glsl traces and writes, without its light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
 #define ANY_HIT
 #include "trace_queued.glsl"
+
+void main() {
+    uint path;
+    bool live;
+    TraceHit hit = traceQueued(path, live);
+    if (live && hit.near != NO_INDEX) atomicOr(light_masks[path], 1u);
+}

@@ -50,6 +50,7 @@ struct RayCaster::State {
     StagedScene scene;
     std::uint32_t batch_rays;
     std::uint32_t loaded = 0; ///< rays on the device
+    bool any_traced = false;  ///< the last trace asked for any hits
     Program trace, trace_primary, any_hit, beam, camera_rays, resolve, surface;
     FrameBuffers buffers;
     CausticMap no_caustics;
@@ -82,7 +83,7 @@ struct RayCaster::State {
         buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
         buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT);
         buffers.lit = texels("lit point buffer", sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT);
-        buffers.light_masks = storage("light mask buffer", sizeof(std::uint32_t));
+        buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
         no_caustics = emptyCaustics(device);
         queueInOrder();
@@ -202,6 +203,22 @@ struct RayCaster::State {
         return seconds;
     }
 
+    /// Nothing stands in a ray's way until a trace finds it.
+    void clearMasks() {
+        const std::vector<std::uint32_t> none(loaded);
+        uploadBuffer(device, buffers.light_masks, none.data(), none.size() * sizeof none[0]);
+    }
+
+    /// Of a trace for any hits, which tells no more.
+    std::vector<CastHit> readMasks() {
+        std::vector<std::uint32_t> masks(loaded);
+        downloadBuffer(device, buffers.light_masks, masks.data(), masks.size() * sizeof masks[0]);
+        std::vector<CastHit> hits(loaded);
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            if (masks[i] != 0) hits[i].splat = 0;
+        return hits;
+    }
+
     /// Of rays on the device.
     void readFlat(std::span<CastHit> out) {
         run(resolve, loaded);
@@ -264,6 +281,7 @@ double RayCaster::traceCamera() { return state_->traceCamera(); }
 
 std::vector<CastHit> RayCaster::cameraHits() {
     load(state_->view_rays);
+    state_->any_traced = false;
     return loadedHits();
 }
 
@@ -272,12 +290,15 @@ Vec3 RayCaster::lightPosition() const { return vec(state_->scene.light_rows.at(0
 void RayCaster::load(std::span<const Ray> rays) { state_->uploadRays(rays); }
 
 double RayCaster::traceLoaded(bool any_hit) {
+    if (any_hit) state_->clearMasks();
+    state_->any_traced = any_hit;
     const double seconds = state_->run(any_hit ? state_->any_hit : state_->trace, state_->loaded);
     state_->trace_seconds += seconds;
     return seconds;
 }
 
 std::vector<CastHit> RayCaster::loadedHits() {
+    if (state_->any_traced) return state_->readMasks();
     std::vector<CastHit> hits(state_->loaded);
     state_->readFlat(hits);
     return hits;

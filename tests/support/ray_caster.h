@@ -60,10 +60,11 @@ public:
 
     /// Puts rays, at most batch_rays, on the device, in place of those before.
     void load(std::span<const Ray> rays);
-    /// Traces the loaded rays: first hits by the product's trace.comp.glsl, or any hits. Seconds from submission to
-    /// the end.
+    /// Traces the loaded rays: first hits by the product's trace.comp.glsl, or any hits, of which nothing is kept but
+    /// that there is one, as for the product's shadows. Seconds from submission to the end.
     double traceLoaded(bool any_hit = false);
-    /// The last trace's hits of the loaded rays, flat: t_flat and splat only.
+    /// The last trace's hits of the loaded rays, flat: t_flat and splat only; of any hits, splat says no more than that
+    /// it is not kNoSplat.
     std::vector<CastHit> loadedHits();
 
     /// Seconds that the trace dispatches alone have taken so far, submission and waiting included.
