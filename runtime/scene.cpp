@@ -50,13 +50,13 @@ std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(con
     const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
         return std::span(data, static_cast<std::size_t>(count * each));
     };
-    const std::uint64_t brick_words = std::uint64_t{index.brick_count} * BRICK_WORDS;
-    return {words(index.bricks, brick_words + std::uint64_t{index.group_count} * GROUP_WORDS, 1),
-            words(index.cells, index.cell_count, CELL_WORDS),
+    const std::uint64_t brick_words = std::uint64_t{index.brick_count} * PRO_BRICK_WORDS;
+    return {words(index.bricks, brick_words + std::uint64_t{index.group_count} * PRO_GROUP_WORDS, 1),
+            words(index.cells, index.cell_count, PRO_CELL_WORDS),
             words(index.slabs, index.cell_count, 1),
-            words(index.near_splats, index.near_count, NEAR_WORDS),
+            words(index.near_splats, index.near_count, PRO_NEAR_WORDS),
             words(index.lists, index.list_count, 1),
-            words(index.blend_ranges, index.cell_count, BLEND_RANGE_WORDS)};
+            words(index.blend_ranges, index.cell_count, PRO_BLEND_RANGE_WORDS)};
 }
 
 void uploadIndex(Device& device, Scene& scene) {

@@ -18,8 +18,8 @@ float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
 
 // Cells by which an empty one may be extended to all sides, itself included: the least of its skips.
 float freeCells(uint word) {
-    uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & SKIP_MASK;
-    uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & SKIP_MASK;
+    uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & PRO_SKIP_MASK;
+    uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & PRO_SKIP_MASK;
     uvec4 both = min(low, high);
     return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
 }

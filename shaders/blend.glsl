@@ -77,11 +77,11 @@ Field evaluateField(uint cell_index, uvec4 first, vec3 point, vec3 side, float f
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
     uvec2 cell = loadCell(cell_index);
     uvec2 blending = loadBlendRange(cell_index);
-    uint discs = cell[CELL_COUNT] & CELL_COUNT_MASK;
+    uint discs = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
     uint count = discs + blending.y, k = 0u;
     vec4 coding = instance.splat;
     while (k < count) {
-        uint listed = k < discs ? cell[CELL_FIRST] + k : blending.x + k - discs;
+        uint listed = k < discs ? cell[PRO_CELL_FIRST] + k : blending.x + k - discs;
         addToField(field, loadSplat(loadListed(listed)), coding, point, side, front);
         k++;
     }

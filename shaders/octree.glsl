@@ -22,11 +22,11 @@ vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
 // Cells to skip from an empty one towards the octant that shift stands for.
 float skippedCells(uint word, uint octant_shift) {
-    float code = float(int(word >> octant_shift & SKIP_MASK));
-    return max(code, SKIP_SQUARE * code * code);
+    float code = float(int(word >> octant_shift & PRO_SKIP_MASK));
+    return max(code, PRO_SKIP_SQUARE * code * code);
 }
 
-bool isFilled(uint word) { return (word & SKIP_MASK) == 0u; }
+bool isFilled(uint word) { return (word & PRO_SKIP_MASK) == 0u; }
 
 // Where a point is: in a listed cell, or in an empty one of which some more follow in each direction.
 struct Spot {
@@ -39,15 +39,15 @@ struct Spot {
 void descend(vec3 point, inout Spot spot) {
     // lavapipe runs a loop's body once more for lanes that have left it: what is kept must be selected
     do {
-        bool inner = (spot.word & (SKIP_MASK | CELL_INNER)) == CELL_INNER;
+        bool inner = (spot.word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER;
         vec3 half_base = min(max(floor(point / (0.5 * spot.edge)), 2.0 * spot.base), 2.0 * spot.base + 1.0);
         vec3 bits = half_base - 2.0 * spot.base;
         uint slot = uint(int(bits.x + 2.0 * bits.y + 4.0 * bits.z));
-        uint word = loadBrickWord(inner ? (spot.word >> CELL_INDEX_SHIFT) * GROUP_WORDS + slot : 0u);
+        uint word = loadBrickWord(inner ? (spot.word >> PRO_CELL_INDEX_SHIFT) * PRO_GROUP_WORDS + slot : 0u);
         spot.base = inner ? half_base : spot.base;
         spot.edge = inner ? 0.5 * spot.edge : spot.edge;
         spot.word = inner ? word : spot.word;
-    } while ((spot.word & (SKIP_MASK | CELL_INNER)) == CELL_INNER);
+    } while ((spot.word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER);
 }
 
 // Of the grid cell with this lowest corner; from outside, of whatever cell.
@@ -61,12 +61,12 @@ Spot spotAt(vec3 point, Grid grid) {
     vec3 grid_base = floor(point);
     uint grid_word = gridWord(grid_base, grid);
     bool filled = isFilled(grid_word);
-    vec3 part = floor((point - grid_base) * float(BRICK_SIDE));
-    uint cell = uint(int(part.x + part.y * float(BRICK_SIDE) + part.z * float(BRICK_SIDE * BRICK_SIDE)));
-    cell = min(cell, BRICK_WORDS - 1u); // rounding from below 0, or no number
-    uint brick_word = loadBrickWord(filled ? (grid_word >> GRID_BRICK_SHIFT) * BRICK_WORDS + cell : 0u);
-    vec3 brick_base = grid_base * float(BRICK_SIDE) + part;
-    Spot spot = Spot(filled ? brick_base : grid_base, filled ? 1.0 / float(BRICK_SIDE) : 1.0,
+    vec3 part = floor((point - grid_base) * float(PRO_BRICK_SIDE));
+    uint cell = uint(int(part.x + part.y * float(PRO_BRICK_SIDE) + part.z * float(PRO_BRICK_SIDE * PRO_BRICK_SIDE)));
+    cell = min(cell, PRO_BRICK_WORDS - 1u); // rounding from below 0, or no number
+    uint brick_word = loadBrickWord(filled ? (grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS + cell : 0u);
+    vec3 brick_base = grid_base * float(PRO_BRICK_SIDE) + part;
+    Spot spot = Spot(filled ? brick_base : grid_base, filled ? 1.0 / float(PRO_BRICK_SIDE) : 1.0,
                      filled ? brick_word : grid_word);
     if (kUneven) descend(point, spot);
     return spot;
@@ -77,7 +77,7 @@ uint cellAt(vec3 point) {
     vec3 at = gridPoint(point);
     Spot spot = spotAt(at, loadGridFrame());
     bool inside = all(greaterThanEqual(at, vec3(0.0))) && all(lessThan(at, gridEnd()));
-    return inside && isFilled(spot.word) ? spot.word >> CELL_INDEX_SHIFT : NO_INDEX;
+    return inside && isFilled(spot.word) ? spot.word >> PRO_CELL_INDEX_SHIFT : NO_INDEX;
 }
 
 #endif

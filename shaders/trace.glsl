@@ -69,7 +69,7 @@ Walk startWalk(TraceRay ray, out float t_start) {
     walk.pace = abs(walk.inverse);
     vec3 side = 1.0 - 2.0 * walk.entry; // signs of the direction
     uvec3 bits = uvec3(rising);
-    walk.octant_shift = SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
+    walk.octant_shift = PRO_SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
     vec3 origin = gridPoint(ray.origin), highest = gridEnd();
     vec3 near = (mix(highest, vec3(0.0), rising) - origin) * walk.inverse;
     // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
@@ -86,21 +86,21 @@ Walk startWalk(TraceRay ray, out float t_start) {
 
 // Whether the ray comes between the planes that hold a cell's discs between t and t_out.
 bool meetsSlab(Walk walk, uint slab, vec3 middle, float edge, float t_out) {
-    const int top = 32 - SLAB_NORMAL_BITS, height_top = 32 - SLAB_HEIGHT_BITS;
-    vec3 normal = vec3(ivec3(slab) << (top - SLAB_NORMAL_BITS * ivec3(0, 1, 2)) >> top);
-    float lo = float(int(slab) << SLAB_HEIGHT_BITS >> height_top), hi = float(int(slab) >> height_top);
+    const int top = 32 - PRO_SLAB_NORMAL_BITS, height_top = 32 - PRO_SLAB_HEIGHT_BITS;
+    vec3 normal = vec3(ivec3(slab) << (top - PRO_SLAB_NORMAL_BITS * ivec3(0, 1, 2)) >> top);
+    float lo = float(int(slab) << PRO_SLAB_HEIGHT_BITS >> height_top), hi = float(int(slab) >> height_top);
     float base = dot(normal, walk.origin - middle);
     float slope = dot(normal, walk.direction);
     float near = base + slope * walk.t, far = base + slope * t_out;
-    float unit = edge * (float(SLAB_NORMAL_MAX) / SLAB_STEPS);
+    float unit = edge * (float(PRO_SLAB_NORMAL_MAX) / PRO_SLAB_STEPS);
     return (near > far ? near : far) >= lo * unit && (near < far ? near : far) <= hi * unit;
 }
 
 // To where the ray leaves the cell, and the empty ones that follow.
 float leaveSpot(Walk walk, Spot spot) {
     float cells = isFilled(spot.word) ? 1.0 : skippedCells(spot.word, walk.octant_shift);
-    // From the plane that is known before the word: on CPUs, what follows a load is what a step takes. The sum is off by
-    // 2^-24 of the grid's size at most, along the plane's axis, an eighth of the position step that lists take in.
+    // From the plane that is known before the word: on CPUs, what follows a load is what a step takes. The sum is off
+    // by 2^-24 of the grid's size at most, along the plane's axis, an eighth of the position step that lists take in.
     vec3 t_entry = ((spot.base + walk.entry) * spot.edge - walk.origin) * walk.inverse;
     vec3 t_planes = t_entry + cells * (spot.edge * walk.pace);
     float t_out = t_planes.x < t_planes.y ? t_planes.x : t_planes.y;
@@ -116,7 +116,7 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
     Spot spot = spotAt(walk.start + walk.direction * walk.t, grid);
     t_out = leaveSpot(walk, spot);
     bool listed = isFilled(spot.word);
-    uint cell = listed ? spot.word >> CELL_INDEX_SHIFT : 0u;
+    uint cell = listed ? spot.word >> PRO_CELL_INDEX_SHIFT : 0u;
     vec3 middle = (spot.base + 0.5) * spot.edge;
     bool meets = listed && meetsSlab(walk, loadSlab(cell), middle, spot.edge, t_out);
     return Visit(meets ? cell : NO_INDEX, middle, spot.edge);
@@ -125,10 +125,11 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
 // Distance to a near splat's disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
 float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     const ivec3 axes = ivec3(0, 1, 2);
-    vec3 center = vec3(ivec3(int(words.x)) << (NEAR_POSITION_BITS * axes) >> (32 - NEAR_POSITION_BITS));
-    vec3 normal = vec3(ivec3(int(words.y)) << (NEAR_NORMAL_BITS * axes) >> (32 - NEAR_NORMAL_BITS));
-    uint radius_code = (words.x & NEAR_RADIUS_HIGH_MASK) << NEAR_RADIUS_LOW_BITS | (words.y & NEAR_RADIUS_LOW_MASK);
-    float radius_squared = uintBitsToFloat((radius_code << NEAR_RADIUS_SHIFT) + NEAR_RADIUS_BIAS);
+    vec3 center = vec3(ivec3(int(words.x)) << (PRO_NEAR_POSITION_BITS * axes) >> (32 - PRO_NEAR_POSITION_BITS));
+    vec3 normal = vec3(ivec3(int(words.y)) << (PRO_NEAR_NORMAL_BITS * axes) >> (32 - PRO_NEAR_NORMAL_BITS));
+    uint radius_high = words.x & PRO_NEAR_RADIUS_HIGH_MASK, radius_low = words.y & PRO_NEAR_RADIUS_LOW_MASK;
+    uint radius_code = radius_high << PRO_NEAR_RADIUS_LOW_BITS | radius_low;
+    float radius_squared = uintBitsToFloat((radius_code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS);
     vec3 to_center = center - cell_ray.origin;
     float slope = dot(normal, cell_ray.direction);
     float t = dot(normal, to_center) / slope;
@@ -170,10 +171,10 @@ void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start,
 void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHit hit) {
     bool visits = visit.cell != NO_INDEX;
     uvec2 cell = loadCell(visits ? visit.cell : 0u);
-    float codes = unpackHalf2x16(cell[CELL_COUNT] >> CELL_CODES_SHIFT).x / visit.edge;
+    float codes = unpackHalf2x16(cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT).x / visit.edge;
     CellRay cell_ray = CellRay((walk.origin - visit.middle) * codes, walk.direction * codes,
                                dot(walk.direction, ray.own_normal));
-    uint k = cell[CELL_FIRST], end = visits ? k + (cell[CELL_COUNT] & CELL_COUNT_MASK) : k;
+    uint k = cell[PRO_CELL_FIRST], end = visits ? k + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : k;
     float t_before = hit.t;
     do {
         bool going = k < end;

@@ -87,7 +87,7 @@ class BrickBuilder {
 public:
     BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part)
         : info_(info), view_(view), part_(part), grid_shift_(grid.shift),
-          edges_(BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift))),
+          edges_(PRO_BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift))),
           slack_(std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges_)),
           halvings_(grid.uneven ? kHalvingsMost : 0) {}
 
@@ -102,7 +102,7 @@ private:
     /// offset: of the source's corner from the first one's.
     void cut(const Discs& discs, const Source& source, const Vector& offset) {
         if (source.shift == grid_shift_) return build(discs, source.corner, offset);
-        const float half = std::ldexp(0.5f * BRICK_SIDE, static_cast<int>(source.shift - grid_shift_));
+        const float half = std::ldexp(0.5f * PRO_BRICK_SIDE, static_cast<int>(source.shift - grid_shift_));
         for (std::uint32_t h = 0; h < PRO_GROUP_SIZE; ++h) {
             Source child{source.node, source.corner, source.shift - 1};
             Vector at = offset;
@@ -126,7 +126,7 @@ private:
         if (std::all_of(cells_.begin(), cells_.end(), [](const CellLists& cell) { return cell.hittable.empty(); }))
             return;
         part_.corners.push_back(corner);
-        for (std::uint32_t c = 0; c < BRICK_WORDS; ++c) {
+        for (std::uint32_t c = 0; c < PRO_BRICK_WORDS; ++c) {
             const std::uint32_t word = emit(cells_[c], boxOf(c, offset), 0);
             part_.words.push_back(word);
         }
@@ -134,7 +134,7 @@ private:
 
     CellBox boxOf(std::uint32_t cell, const Vector& offset) const {
         const auto middle = [&](std::uint32_t axis) {
-            return offset[axis] + static_cast<float>(cell >> (2 * axis) & (BRICK_SIDE - 1)) + 0.5f;
+            return offset[axis] + static_cast<float>(cell >> (2 * axis) & (PRO_BRICK_SIDE - 1)) + 0.5f;
         };
         return {{middle(0), middle(1), middle(2)}, 0.5f, slack_};
     }
@@ -207,10 +207,10 @@ private:
 
     /// The word of a group of the cell's halves, kEmptyWord where they would not be shorter.
     std::uint32_t halve(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
-        std::array<CellLists, GROUP_WORDS> halves;
-        std::array<CellBox, GROUP_WORDS> boxes;
+        std::array<CellLists, PRO_GROUP_WORDS> halves;
+        std::array<CellBox, PRO_GROUP_WORDS> boxes;
         std::size_t listed = 0;
-        for (std::uint32_t h = 0; h < GROUP_WORDS; ++h) {
+        for (std::uint32_t h = 0; h < PRO_GROUP_WORDS; ++h) {
             boxes[h] = {box.middle, 0.5f * box.half_edge, box.slack};
             for (std::uint32_t axis = 0; axis < 3; ++axis)
                 boxes[h].middle[axis] += (h >> axis & 1 ? 0.5f : -0.5f) * box.half_edge;
@@ -219,25 +219,25 @@ private:
             listed += halves[h].hittable.size();
         }
         if (listed > kListsMost * lists.hittable.size()) return kEmptyWord;
-        std::array<std::uint32_t, GROUP_WORDS> words;
-        for (std::uint32_t h = 0; h < GROUP_WORDS; ++h) words[h] = emit(halves[h], boxes[h], halvings + 1);
-        const auto group = static_cast<std::uint32_t>(part_.groups.size() / GROUP_WORDS);
+        std::array<std::uint32_t, PRO_GROUP_WORDS> words;
+        for (std::uint32_t h = 0; h < PRO_GROUP_WORDS; ++h) words[h] = emit(halves[h], boxes[h], halvings + 1);
+        const auto group = static_cast<std::uint32_t>(part_.groups.size() / PRO_GROUP_WORDS);
         part_.groups.insert(part_.groups.end(), words.begin(), words.end());
-        return group << CELL_INDEX_SHIFT | CELL_INNER;
+        return group << PRO_CELL_INDEX_SHIFT | PRO_CELL_INNER;
     }
 
     std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
-        if (lists.hittable.size() > CELL_COUNT_MASK || lists.blending.size() > PRO_INDEX_BLEND_MAX)
+        if (lists.hittable.size() > PRO_CELL_COUNT_MASK || lists.blending.size() > PRO_INDEX_BLEND_MAX)
             throw Error(ExitCode::kCannotRun, "discs crowd: a cell of the tracing index would list more than 65535");
         const auto cell = static_cast<std::uint32_t>(part_.slabs.size());
         const Discs hittable = likeliestFirst(lists.hittable, box);
         encodeCell(hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_);
         for (const CellDisc* disc : hittable) part_.lists.push_back(disc->splat);
-        part_.lists.resize(part_.near.size() / NEAR_WORDS);
+        part_.lists.resize(part_.near.size() / PRO_NEAR_WORDS);
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(part_.blending.size()));
         part_.blend_ranges.push_back(static_cast<std::uint32_t>(lists.blending.size()));
         for (const CellDisc* disc : lists.blending) part_.blending.push_back(disc->splat);
-        return cell << CELL_INDEX_SHIFT;
+        return cell << PRO_CELL_INDEX_SHIFT;
     }
 
     const pro_info& info_;
@@ -248,7 +248,7 @@ private:
     float slack_;
     std::uint32_t halvings_; ///< at most
     std::vector<CellDisc> discs_;
-    std::array<CellLists, BRICK_WORDS> cells_;
+    std::array<CellLists, PRO_BRICK_WORDS> cells_;
 };
 
 /// Puts a member of all parts behind what all has, and frees it there.
@@ -271,14 +271,15 @@ struct Offsets {
 
 void relocate(Part& part, const Offsets& before) {
     const auto moved = [&](std::uint32_t& word) {
-        if ((word & SKIP_MASK) != 0) return;
-        word += static_cast<std::uint32_t>(word & CELL_INNER ? before.groups : before.cells) << CELL_INDEX_SHIFT;
+        if ((word & PRO_SKIP_MASK) != 0) return;
+        word += static_cast<std::uint32_t>(word & PRO_CELL_INNER ? before.groups : before.cells)
+                << PRO_CELL_INDEX_SHIFT;
     };
     std::for_each(part.words.begin(), part.words.end(), moved);
     std::for_each(part.groups.begin(), part.groups.end(), moved);
-    for (std::size_t w = CELL_FIRST; w < part.cells.size(); w += CELL_WORDS)
+    for (std::size_t w = PRO_CELL_FIRST; w < part.cells.size(); w += PRO_CELL_WORDS)
         part.cells[w] += static_cast<std::uint32_t>(before.lists);
-    for (std::size_t w = 0; w < part.blend_ranges.size(); w += BLEND_RANGE_WORDS)
+    for (std::size_t w = 0; w < part.blend_ranges.size(); w += PRO_BLEND_RANGE_WORDS)
         part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
 }
 
@@ -286,14 +287,14 @@ void relocate(Part& part, const Offsets& before) {
 Offsets firstOffsets(const std::vector<Part>& parts) {
     Offsets at;
     for (const Part& part : parts) {
-        at.groups += part.words.size() / GROUP_WORDS;
+        at.groups += part.words.size() / PRO_GROUP_WORDS;
         at.blending += part.lists.size();
     }
     return at;
 }
 
 void pass(Offsets& at, const Part& part) {
-    at.groups += part.groups.size() / GROUP_WORDS;
+    at.groups += part.groups.size() / PRO_GROUP_WORDS;
     at.cells += part.slabs.size();
     at.lists += part.lists.size();
     at.blending += part.blending.size();

@@ -30,9 +30,9 @@ pro_index indexView(const TracingIndex& index) {
     }
     plain.uneven = grid.uneven ? 1 : 0;
     plain.brick_count = bricks.brick_count;
-    plain.group_count = count(bricks.words, GROUP_WORDS) - bricks.brick_count * (BRICK_WORDS / GROUP_WORDS);
-    plain.cell_count = count(bricks.cells, CELL_WORDS);
-    plain.near_count = count(bricks.near, NEAR_WORDS);
+    plain.group_count = count(bricks.words, PRO_GROUP_WORDS) - bricks.brick_count * (PRO_BRICK_WORDS / PRO_GROUP_WORDS);
+    plain.cell_count = count(bricks.cells, PRO_CELL_WORDS);
+    plain.near_count = count(bricks.near, PRO_NEAR_WORDS);
     plain.list_count = count(bricks.lists, 1);
     plain.grid = grid.words.data();
     plain.bricks = bricks.words.data();

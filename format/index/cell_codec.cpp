@@ -80,8 +80,8 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
     std::array<std::int32_t, 3> codes{};
     Vector normal{};
     for (std::size_t axis = 0; axis < 3 && length > 0; ++axis) {
-        codes[axis] = static_cast<std::int32_t>(std::lround(mean[axis] / length * SLAB_NORMAL_MAX));
-        normal[axis] = static_cast<float>(codes[axis]) / SLAB_NORMAL_MAX;
+        codes[axis] = static_cast<std::int32_t>(std::lround(mean[axis] / length * PRO_SLAB_NORMAL_MAX));
+        normal[axis] = static_cast<float>(codes[axis]) / PRO_SLAB_NORMAL_MAX;
     }
     const float edges = 0.5f / box.half_edge;
     float lo = std::numeric_limits<float>::infinity(), hi = -lo;
@@ -93,19 +93,20 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
         lo = std::min(lo, (height - reach) * edges);
         hi = std::max(hi, (height + reach) * edges);
     }
-    static constexpr float kMost =
-        SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16 edge (kHalfEdgeLeast, kDeepest)
+    static constexpr float kMost = PRO_SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16
+                                                        // edge (kHalfEdgeLeast, kDeepest)
     const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMost, kMost)); };
-    std::uint32_t word = bits(code(std::ceil(hi * SLAB_STEPS)), SLAB_HEIGHT_BITS);
-    word = word << SLAB_HEIGHT_BITS | bits(code(std::floor(lo * SLAB_STEPS)), SLAB_HEIGHT_BITS);
-    for (std::size_t axis = 3; axis-- > 0;) word = word << SLAB_NORMAL_BITS | bits(codes[axis], SLAB_NORMAL_BITS);
+    std::uint32_t word = bits(code(std::ceil(hi * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);
+    word = word << PRO_SLAB_HEIGHT_BITS | bits(code(std::floor(lo * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);
+    for (std::size_t axis = 3; axis-- > 0;)
+        word = word << PRO_SLAB_NORMAL_BITS | bits(codes[axis], PRO_SLAB_NORMAL_BITS);
     return word;
 }
 
 /// The upper bits of the float, rounded.
 std::uint32_t radiusCode(float squared) {
-    const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (NEAR_RADIUS_SHIFT - 1));
-    return rounded <= NEAR_RADIUS_BIAS ? 0u : (rounded - NEAR_RADIUS_BIAS) >> NEAR_RADIUS_SHIFT;
+    const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (PRO_NEAR_RADIUS_SHIFT - 1));
+    return rounded <= PRO_NEAR_RADIUS_BIAS ? 0u : (rounded - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT;
 }
 
 /// std::lround, which compilers do not inline.
@@ -113,16 +114,17 @@ std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (va
 
 /// codes: position codes to a cell edge.
 void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
-    const float normal_codes = NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const float normal_codes = PRO_NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
     std::uint32_t position = 0, normal = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float limited = std::clamp<float>(place.center[axis] * codes, -NEAR_POSITION_MAX, NEAR_POSITION_MAX);
-        position = position << NEAR_POSITION_BITS | bits(rounded(limited), NEAR_POSITION_BITS);
-        normal = normal << NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), NEAR_NORMAL_BITS);
+        const float limited =
+            std::clamp<float>(place.center[axis] * codes, -PRO_NEAR_POSITION_MAX, PRO_NEAR_POSITION_MAX);
+        position = position << PRO_NEAR_POSITION_BITS | bits(rounded(limited), PRO_NEAR_POSITION_BITS);
+        normal = normal << PRO_NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), PRO_NEAR_NORMAL_BITS);
     }
     const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
-    near.push_back(position << NEAR_RADIUS_HIGH_BITS | radius >> NEAR_RADIUS_LOW_BITS);
-    near.push_back(normal << NEAR_RADIUS_LOW_BITS | bits(radius, NEAR_RADIUS_LOW_BITS));
+    near.push_back(position << PRO_NEAR_RADIUS_HIGH_BITS | radius >> PRO_NEAR_RADIUS_LOW_BITS);
+    near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
 }
 
 /// How far places reach from the middle by any axis, and at least the largest radius.
@@ -140,11 +142,11 @@ void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std:
     std::vector<Place> places;
     places.reserve(discs.size());
     for (const CellDisc* disc : discs) places.push_back(placeIn(*disc, box));
-    const float codes = quarterOctaveBelow(std::min(kHalfMost, NEAR_POSITION_MAX / reachOf(places)));
+    const float codes = quarterOctaveBelow(std::min(kHalfMost, PRO_NEAR_POSITION_MAX / reachOf(places)));
     for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
-    if (discs.size() % 2) out.near.insert(out.near.end(), NEAR_WORDS, 0u); // its normal of 0 is never hit
+    if (discs.size() % 2) out.near.insert(out.near.end(), PRO_NEAR_WORDS, 0u); // its normal of 0 is never hit
     const auto count = static_cast<std::uint32_t>(discs.size());
-    out.cells.insert(out.cells.end(), {first, count | toHalf(codes) << CELL_CODES_SHIFT});
+    out.cells.insert(out.cells.end(), {first, count | toHalf(codes) << PRO_CELL_CODES_SHIFT});
     out.slabs.push_back(slabWord(discs, box));
 }
 

@@ -29,12 +29,12 @@ struct CellBox {
 
 /// What cells are written to.
 struct CellWords {
-    std::vector<std::uint32_t> cells; ///< CELL_WORDS each
+    std::vector<std::uint32_t> cells; ///< PRO_CELL_WORDS each
     std::vector<std::uint32_t> slabs; ///< one word each
-    std::vector<std::uint32_t> near;  ///< NEAR_WORDS for each disc, and for one more where a cell's number is odd
+    std::vector<std::uint32_t> near;  ///< PRO_NEAR_WORDS for each disc, and for one more where a cell's number is odd
 };
 
-/// Appends a cell with these discs (not empty, at most CELL_COUNT_MASK). first: the index of its first near splat.
+/// Appends a cell with these discs (not empty, at most PRO_CELL_COUNT_MASK). first: the index of its first near splat.
 void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out);
 
 } // namespace pointrt

@@ -17,7 +17,7 @@ class BrickMeeting {
 public:
     BrickMeeting(const CellDisc& disc, const Vector& offset, float slack) : disc_(disc), half_(0.5f + slack) {
         for (std::uint32_t axis = 0; axis < 3; ++axis)
-            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k) {
+            for (std::uint32_t k = 0; k < PRO_BRICK_SIDE; ++k) {
                 const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
                 const float outside = std::max(std::fabs(distance) - half_, 0.0f);
                 along_[axis][k] = disc.normal[axis] * distance;
@@ -53,14 +53,14 @@ private:
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
             const float reach = disc_.reach[axis] + slab * std::fabs(disc_.normal[axis]);
             std::uint64_t reached = 0;
-            for (std::uint32_t k = 0; k < BRICK_SIDE; ++k)
+            for (std::uint32_t k = 0; k < PRO_BRICK_SIDE; ++k)
                 if (outside_[axis][k] <= reach) reached |= kAlong[axis] << (k << (2 * axis));
             all &= reached;
         }
         return all;
     }
 
-    using PerCell = std::array<std::array<float, BRICK_SIDE>, 3>;
+    using PerCell = std::array<std::array<float, PRO_BRICK_SIDE>, 3>;
     const CellDisc& disc_;
     float half_, widest_ = 0;
     PerCell along_, beyond_, outside_;

@@ -15,7 +15,7 @@ namespace {
 using Index = std::array<std::uint32_t, 3>;
 
 /// The cells of a brick and those next to it towards the octant; x fastest, counted in the octant's directions.
-constexpr std::uint32_t kBlockSide = BRICK_SIDE + 1;
+constexpr std::uint32_t kBlockSide = PRO_BRICK_SIDE + 1;
 using Block = std::array<std::uint8_t, kBlockSide * kBlockSide * kBlockSide>;
 
 std::uint32_t blockIndex(const Index& at) { return (at[2] * kBlockSide + at[1]) * kBlockSide + at[0]; }
@@ -24,9 +24,9 @@ std::uint32_t blockIndex(const Index& at) { return (at[2] * kBlockSide + at[1]) 
 class OctantSkips {
 public:
     OctantSkips(const EntryGrid& grid, std::size_t brick_count, const Words& words, std::uint32_t octant)
-        : grid_(grid), words_(words), octant_(octant), skips_(brick_count * BRICK_WORDS) {}
+        : grid_(grid), words_(words), octant_(octant), skips_(brick_count * PRO_BRICK_WORDS) {}
 
-    /// BRICK_WORDS for each brick; 0 for filled cells.
+    /// PRO_BRICK_WORDS for each brick; 0 for filled cells.
     std::vector<std::uint8_t> run() {
         // from the octant's far corner inwards: what a brick needs of others is there before it
         Index cell;
@@ -35,7 +35,7 @@ public:
                 for (std::uint32_t i = 0; i < grid_.size[0]; ++i) {
                     cell = {inwards(0, i), inwards(1, j), inwards(2, k)};
                     const std::uint32_t word = gridWord(cell);
-                    if ((word & SKIP_MASK) == 0) fillBrick(cell, word >> GRID_BRICK_SHIFT);
+                    if ((word & PRO_SKIP_MASK) == 0) fillBrick(cell, word >> PRO_GRID_BRICK_SHIFT);
                 }
         return std::move(skips_);
     }
@@ -53,19 +53,19 @@ private:
     std::size_t wordOf(std::uint32_t brick, const Index& at) const {
         std::size_t word = 0;
         for (std::uint32_t axis = 0; axis < 3; ++axis)
-            word |= std::size_t{rises(axis) ? at[axis] : BRICK_SIDE - 1 - at[axis]} << (2 * axis);
-        return std::size_t{brick} * BRICK_WORDS + word;
+            word |= std::size_t{rises(axis) ? at[axis] : PRO_BRICK_SIDE - 1 - at[axis]} << (2 * axis);
+        return std::size_t{brick} * PRO_BRICK_WORDS + word;
     }
 
     void fillBrick(const Index& cell, std::uint32_t brick) {
         Block block;
         for (std::uint32_t side = 1; side < 8; ++side) borrow(cell, side, block);
         Index at;
-        for (at[2] = BRICK_SIDE; at[2]-- > 0;)
-            for (at[1] = BRICK_SIDE; at[1]-- > 0;)
-                for (at[0] = BRICK_SIDE; at[0]-- > 0;) {
+        for (at[2] = PRO_BRICK_SIDE; at[2]-- > 0;)
+            for (at[1] = PRO_BRICK_SIDE; at[1]-- > 0;)
+                for (at[0] = PRO_BRICK_SIDE; at[0]-- > 0;) {
                     const std::size_t word = wordOf(brick, at);
-                    const bool filled = (words_[word] & SKIP_MASK) == 0;
+                    const bool filled = (words_[word] & PRO_SKIP_MASK) == 0;
                     block[blockIndex(at)] = skips_[word] = filled ? std::uint8_t{0} : onward(block, blockIndex(at));
                 }
     }
@@ -75,7 +75,7 @@ private:
         constexpr std::uint32_t y = kBlockSide, z = kBlockSide * kBlockSide;
         const std::uint8_t* p = block.data() + at;
         const std::uint8_t least = std::min({p[1], p[y], p[1 + y], p[z], p[1 + z], p[y + z], p[1 + y + z]});
-        return std::min<std::uint8_t>(SKIP_CELLS_MAX, least + 1);
+        return std::min<std::uint8_t>(PRO_SKIP_CELLS_MAX, least + 1);
     }
 
     /// Copies the skips of the grid cell beyond by the axes in side (bit 0: x, ...) to the block's rim.
@@ -86,24 +86,26 @@ private:
             const bool crossed = side >> axis & 1;
             outside |= crossed && cell[axis] == (rises(axis) ? grid_.size[axis] - 1 : 0);
             beyond[axis] = crossed ? cell[axis] + (rises(axis) ? 1u : ~0u) : cell[axis];
-            first[axis] = crossed ? BRICK_SIDE : 0;
-            last[axis] = crossed ? BRICK_SIDE : BRICK_SIDE - 1;
+            first[axis] = crossed ? PRO_BRICK_SIDE : 0;
+            last[axis] = crossed ? PRO_BRICK_SIDE : PRO_BRICK_SIDE - 1;
         }
         const std::uint32_t word = outside ? ~0u : gridWord(beyond); // outside, every nibble is the largest
-        const bool filled = (word & SKIP_MASK) == 0;
-        const std::uint32_t empty_cells = skippedCells(word >> (SKIP_BITS * octant_) & SKIP_MASK);
+        const bool filled = (word & PRO_SKIP_MASK) == 0;
+        const std::uint32_t empty_cells = skippedCells(word >> (PRO_SKIP_BITS * octant_) & PRO_SKIP_MASK);
         Index at;
         for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
             for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
                 for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
-                    const Index inside{at[0] % BRICK_SIDE, at[1] % BRICK_SIDE, at[2] % BRICK_SIDE};
+                    const Index inside{at[0] % PRO_BRICK_SIDE, at[1] % PRO_BRICK_SIDE, at[2] % PRO_BRICK_SIDE};
                     if (filled) {
-                        block[blockIndex(at)] = skips_[wordOf(word >> GRID_BRICK_SHIFT, inside)];
+                        block[blockIndex(at)] = skips_[wordOf(word >> PRO_GRID_BRICK_SHIFT, inside)];
                         continue;
                     }
                     // of an empty stretch of grid cells, what lies beyond this place in the first of them
-                    const std::uint32_t left = empty_cells * BRICK_SIDE - std::max({inside[0], inside[1], inside[2]});
-                    block[blockIndex(at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(SKIP_CELLS_MAX, left));
+                    const std::uint32_t left =
+                        empty_cells * PRO_BRICK_SIDE - std::max({inside[0], inside[1], inside[2]});
+                    block[blockIndex(at)] =
+                        static_cast<std::uint8_t>(std::min<std::uint32_t>(PRO_SKIP_CELLS_MAX, left));
                 }
     }
 
@@ -123,10 +125,10 @@ void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words,
     forAll(8, fillOctant, threads);
     const std::size_t count = skips[0].size();
     for (std::size_t w = 0; w < count; ++w) {
-        if ((words[w] & SKIP_MASK) == 0) continue;
+        if ((words[w] & PRO_SKIP_MASK) == 0) continue;
         words[w] = 0;
         for (std::uint32_t octant = 0; octant < 8; ++octant)
-            words[w] |= std::uint32_t{skipCode(skips[octant][w])} << (SKIP_BITS * octant);
+            words[w] |= std::uint32_t{skipCode(skips[octant][w])} << (PRO_SKIP_BITS * octant);
     }
 }
 

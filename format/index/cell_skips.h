@@ -10,8 +10,8 @@
 namespace pointrt {
 
 /// Writes the skips of the bricks' empty cells (pointrt/pro_index_layout.h), which see into the bricks and grid cells
-/// around. words: BRICK_WORDS for each of brick_count bricks, in the grid's order, empty ones kEmptyWord; what follows
-/// stays. threads: at most; 0 is all cores.
+/// around. words: PRO_BRICK_WORDS for each of brick_count bricks, in the grid's order, empty ones kEmptyWord; what
+/// follows stays. threads: at most; 0 is all cores.
 void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads = 0);
 
 } // namespace pointrt

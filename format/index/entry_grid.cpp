@@ -95,7 +95,8 @@ std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[
 std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
     // a border of empty cells around the grid saves asking where it ends
     const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
-    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], std::uint8_t{SKIP_CELLS_MAX}), skips(filled.size());
+    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], std::uint8_t{PRO_SKIP_CELLS_MAX}),
+        skips(filled.size());
     const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
                                                static_cast<std::ptrdiff_t>(size[0] * size[1])};
     std::ptrdiff_t toward[3];
@@ -112,7 +113,7 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
                 const std::ptrdiff_t dx = toward[0], dy = toward[1], dz = toward[2];
                 const std::uint8_t nearest =
                     std::min({at[dx], at[dy], at[dz], at[dx + dy], at[dx + dz], at[dy + dz], at[dx + dy + dz]});
-                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(SKIP_CELLS_MAX, nearest + 1);
+                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(PRO_SKIP_CELLS_MAX, nearest + 1);
                 skips[cell] = *at;
             }
     return skips;
@@ -140,7 +141,7 @@ void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t
         for (std::size_t axis = 3; axis-- > 0;)
             word = word * grid.size[axis] + (corners[k][axis] >> grid.shift) - grid.origin[axis];
         filled[word] = 1;
-        grid.words[word] = static_cast<std::uint32_t>(k) << GRID_BRICK_SHIFT;
+        grid.words[word] = static_cast<std::uint32_t>(k) << PRO_GRID_BRICK_SHIFT;
     }
     std::array<std::vector<std::uint8_t>, 8> skips;
     const auto fillOctant = [&](std::size_t octant) {
@@ -149,7 +150,7 @@ void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t
     forAll(8, fillOctant, threads);
     for (std::size_t c = 0; c < filled.size(); ++c)
         for (std::uint32_t octant = 0; octant < 8 && !filled[c]; ++octant)
-            grid.words[c] |= std::uint32_t{skipCode(skips[octant][c])} << (SKIP_BITS * octant);
+            grid.words[c] |= std::uint32_t{skipCode(skips[octant][c])} << (PRO_SKIP_BITS * octant);
 }
 
 } // namespace pointrt

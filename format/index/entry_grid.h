@@ -27,11 +27,12 @@ struct EntryGrid {
 
 /// Whole cells that a skip code stands for, and the largest code for no more than so many, at least 1.
 constexpr std::uint32_t skippedCells(std::uint32_t code) {
-    return std::max(code, static_cast<std::uint32_t>(SKIP_SQUARE * static_cast<float>(code * code)));
+    return std::max(code, static_cast<std::uint32_t>(PRO_SKIP_SQUARE * static_cast<float>(code * code)));
 }
 constexpr std::uint8_t skipCode(std::uint32_t cells) {
     std::uint32_t code = 1;
-    while (code < SKIP_MASK && std::max<float>(code + 1, SKIP_SQUARE * (code + 1) * (code + 1)) <= cells) ++code;
+    while (code < PRO_SKIP_MASK && std::max<float>(code + 1, PRO_SKIP_SQUARE * (code + 1) * (code + 1)) <= cells)
+        ++code;
     return static_cast<std::uint8_t>(code);
 }
 

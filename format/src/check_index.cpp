@@ -12,14 +12,14 @@ namespace pointrt::format {
 
 namespace {
 
-constexpr std::uint32_t kBrickGroups = BRICK_WORDS / GROUP_WORDS;
-constexpr std::uint64_t kNumbersMost = std::uint64_t{1} << (32 - CELL_INDEX_SHIFT);
+constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
+constexpr std::uint64_t kNumbersMost = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
 constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< so are larger ones, infinite, negative or no number
 
 /// Words of LIST that a thread checks at once.
 constexpr std::size_t kRunWords = std::size_t{1} << 20;
 
-bool isEmpty(std::uint32_t word) { return (word & SKIP_MASK) != 0; }
+bool isEmpty(std::uint32_t word) { return (word & PRO_SKIP_MASK) != 0; }
 
 /// The borrow of subtracting 1 from each nibble (Mycroft 1987).
 bool hasZeroNibble(std::uint32_t word) { return ((word - 0x11111111u) & ~word & 0x88888888u) != 0; }
@@ -35,7 +35,7 @@ void checkGrid(const pro_index& index, IndexTallies& tallies) {
     std::uint64_t filled = 0;
     const std::uint64_t count = gridWords(index);
     for (std::uint64_t i = 0; i < count; ++i) {
-        const std::uint32_t word = index.grid[i], brick = word >> GRID_BRICK_SHIFT;
+        const std::uint32_t word = index.grid[i], brick = word >> PRO_GRID_BRICK_SHIFT;
         if (isEmpty(word)) {
             if (hasZeroNibble(word)) tallies.grid_skip.hit(i);
             continue;
@@ -57,7 +57,7 @@ public:
         : index_(index), tallies_(tallies), first_group_(std::uint64_t{index.brick_count} * kBrickGroups) {}
 
     void run() {
-        const std::uint64_t count = std::uint64_t{index_.brick_count} * BRICK_WORDS;
+        const std::uint64_t count = std::uint64_t{index_.brick_count} * PRO_BRICK_WORDS;
         for (std::uint64_t i = 0; i < count; ++i)
             if (!pass(i, 0)) return;
         tallies_.words_missing = next_cell_ != index_.cell_count || next_group_ != index_.group_count;
@@ -71,8 +71,8 @@ private:
             if (hasZeroNibble(word)) tallies_.brick_skip.hit(i);
             return true;
         }
-        if (word & CELL_INNER) return passGroup(i, word >> CELL_INDEX_SHIFT, halvings + 1);
-        if (word >> CELL_INDEX_SHIFT != next_cell_ || next_cell_ >= index_.cell_count)
+        if (word & PRO_CELL_INNER) return passGroup(i, word >> PRO_CELL_INDEX_SHIFT, halvings + 1);
+        if (word >> PRO_CELL_INDEX_SHIFT != next_cell_ || next_cell_ >= index_.cell_count)
             return fail(tallies_.brick_word, i);
         ++next_cell_;
         return true;
@@ -81,8 +81,8 @@ private:
     bool passGroup(std::uint64_t i, std::uint64_t group, std::uint32_t halvings) {
         if (halvings > PRO_INDEX_HALVINGS_MAX) return fail(tallies_.group_depth, i);
         if (group < first_group_ || group - first_group_ >= index_.group_count) return fail(tallies_.brick_word, i);
-        for (std::uint32_t half = 0; half < GROUP_WORDS; ++half)
-            if (!pass(group * GROUP_WORDS + half, halvings)) return false;
+        for (std::uint32_t half = 0; half < PRO_GROUP_WORDS; ++half)
+            if (!pass(group * PRO_GROUP_WORDS + half, halvings)) return false;
         if (group - first_group_ != next_group_) return fail(tallies_.brick_word, i);
         ++next_group_;
         return true;
@@ -101,9 +101,10 @@ private:
 void checkCells(const pro_index& index, IndexTallies& tallies) {
     std::uint64_t next = 0;
     for (std::uint64_t i = 0; i < index.cell_count; ++i) {
-        const std::uint32_t* cell = index.cells + i * CELL_WORDS;
-        const std::uint32_t count = cell[CELL_COUNT] & CELL_COUNT_MASK, codes = cell[CELL_COUNT] >> CELL_CODES_SHIFT;
-        if (cell[CELL_FIRST] != next || count == 0) tallies.cell_range.hit(i);
+        const std::uint32_t* cell = index.cells + i * PRO_CELL_WORDS;
+        const std::uint32_t count = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK,
+                            codes = cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT;
+        if (cell[PRO_CELL_FIRST] != next || count == 0) tallies.cell_range.hit(i);
         if (codes == 0 || codes >= kHalfInfinity) tallies.cell_codes.hit(i);
         next += (count + 1) / 2 * 2;
     }
@@ -113,7 +114,7 @@ void checkCells(const pro_index& index, IndexTallies& tallies) {
 void checkBlendRanges(const pro_index& index, IndexTallies& tallies) {
     std::uint64_t next = index.near_count;
     for (std::uint64_t i = 0; i < index.cell_count; ++i) {
-        const std::uint32_t* range = index.blend_ranges + i * BLEND_RANGE_WORDS;
+        const std::uint32_t* range = index.blend_ranges + i * PRO_BLEND_RANGE_WORDS;
         if (range[0] != next || range[1] > PRO_INDEX_BLEND_MAX) tallies.blend_range.hit(i);
         next += range[1];
     }

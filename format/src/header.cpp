@@ -52,7 +52,7 @@ std::array<char, 5> kindName(std::uint32_t kind) {
 
 namespace {
 
-constexpr std::uint32_t kBrickGroups = BRICK_WORDS / GROUP_WORDS;
+constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 constexpr std::uint32_t kNearOfElement = 2, kListedOfElement = 4;
 
 /// Calls visit(field) for a known kind, where field(content) is the section's pointer in a Content.

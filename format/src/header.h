@@ -37,12 +37,12 @@ inline constexpr std::array<KindRule, 14> kKindRules = {{
     {PRO_KIND_ORDR, 4, Presence::kOptional, false},
     {PRO_KIND_META, 1, Presence::kOptional, false},
     {PRO_KIND_GRID, 4, Presence::kIndex},
-    {PRO_KIND_BRIK, 4 * GROUP_WORDS, Presence::kIndex},
-    {PRO_KIND_CELL, 4 * CELL_WORDS, Presence::kIndex},
+    {PRO_KIND_BRIK, 4 * PRO_GROUP_WORDS, Presence::kIndex},
+    {PRO_KIND_CELL, 4 * PRO_CELL_WORDS, Presence::kIndex},
     {PRO_KIND_SLAB, 4, Presence::kIndex},
-    {PRO_KIND_NEAR, 2 * 4 * NEAR_WORDS, Presence::kIndex},
+    {PRO_KIND_NEAR, 2 * 4 * PRO_NEAR_WORDS, Presence::kIndex},
     {PRO_KIND_LIST, 4 * 4, Presence::kIndex},
-    {PRO_KIND_BLND, 4 * BLEND_RANGE_WORDS, Presence::kIndex},
+    {PRO_KIND_BLND, 4 * PRO_BLEND_RANGE_WORDS, Presence::kIndex},
 }};
 
 /// What sections hold, whichever they are; null pointers are sections that are not there.

@@ -108,20 +108,20 @@ struct OpenResult {
 /// From a brick's word to its cells, as a tracer would go on.
 inline std::uint64_t touchWord(const pro_index& index, std::uint32_t word, std::uint64_t& walked) {
     if (++walked > 1000000) throw std::logic_error("a walk without end");
-    if ((word & SKIP_MASK) != 0) return 0;
+    if ((word & PRO_SKIP_MASK) != 0) return 0;
     std::uint64_t sum = 0;
-    if (word & CELL_INNER) {
-        const std::size_t first = std::size_t{word >> CELL_INDEX_SHIFT} * GROUP_WORDS;
-        for (std::size_t k = 0; k < GROUP_WORDS; ++k) sum += touchWord(index, index.bricks[first + k], walked);
+    if (word & PRO_CELL_INNER) {
+        const std::size_t first = std::size_t{word >> PRO_CELL_INDEX_SHIFT} * PRO_GROUP_WORDS;
+        for (std::size_t k = 0; k < PRO_GROUP_WORDS; ++k) sum += touchWord(index, index.bricks[first + k], walked);
         return sum;
     }
-    const std::size_t at = word >> CELL_INDEX_SHIFT;
-    const std::uint32_t* cell = index.cells + at * CELL_WORDS;
-    const std::uint32_t* range = index.blend_ranges + at * BLEND_RANGE_WORDS;
-    const std::uint32_t count = cell[CELL_COUNT] & CELL_COUNT_MASK;
+    const std::size_t at = word >> PRO_CELL_INDEX_SHIFT;
+    const std::uint32_t* cell = index.cells + at * PRO_CELL_WORDS;
+    const std::uint32_t* range = index.blend_ranges + at * PRO_BLEND_RANGE_WORDS;
+    const std::uint32_t count = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
     for (std::uint32_t k = 0; k < (count + 1) / 2 * 2; ++k)
-        sum +=
-            index.near_splats[(std::size_t{cell[CELL_FIRST]} + k) * NEAR_WORDS + 1] + index.lists[cell[CELL_FIRST] + k];
+        sum += index.near_splats[(std::size_t{cell[PRO_CELL_FIRST]} + k) * PRO_NEAR_WORDS + 1] +
+               index.lists[cell[PRO_CELL_FIRST] + k];
     for (std::uint32_t k = 0; k < range[1]; ++k) sum += index.lists[std::size_t{range[0]} + k];
     return sum + index.slabs[at];
 }
@@ -131,8 +131,9 @@ inline std::uint64_t touchIndex(const pro_info& info, const pro_view& view, cons
     std::uint64_t sum = 0, walked = 0;
     for (std::size_t i = 0; i < std::size_t{index.size[0]} * index.size[1] * index.size[2]; ++i) {
         const std::uint32_t word = index.grid[i];
-        for (std::size_t k = 0; k < BRICK_WORDS && (word & SKIP_MASK) == 0; ++k)
-            sum += touchWord(index, index.bricks[std::size_t{word >> GRID_BRICK_SHIFT} * BRICK_WORDS + k], walked);
+        for (std::size_t k = 0; k < PRO_BRICK_WORDS && (word & PRO_SKIP_MASK) == 0; ++k)
+            sum +=
+                touchWord(index, index.bricks[std::size_t{word >> PRO_GRID_BRICK_SHIFT} * PRO_BRICK_WORDS + k], walked);
     }
     for (std::size_t i = 0; i < index.list_count; ++i)
         sum += view.splats[std::size_t{index.lists[i]} * PRO_SPLAT_WORDS];

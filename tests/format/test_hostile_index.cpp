@@ -150,7 +150,7 @@ TEST(HostileIndex, SectionCounts) {
 }
 
 TEST(HostileIndex, GridWords) {
-    expectRefused(word(PRO_KIND_GRID, 1), 1u << GRID_BRICK_SHIFT, 9101);
+    expectRefused(word(PRO_KIND_GRID, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
     expectRefused(word(PRO_KIND_GRID, 1), 0xFFFFFFF0u, 9101);
     expectRefused(word(PRO_KIND_GRID, 0), 0u, 9101);           // named twice
     expectRefused(word(PRO_KIND_GRID, 1), kNothingNear, 9101); // named never
@@ -160,10 +160,10 @@ TEST(HostileIndex, GridWords) {
 
 TEST(HostileIndex, BrickWords) {
     expectRefused(word(PRO_KIND_BRIK, 3), 0x01111111u, 9102);
-    expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS + 1), 0x11111101u, 9102);
+    expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS + 1), 0x11111101u, 9102);
     for (const std::uint32_t cell : {1u, 2u, 4u, 0x7FFFFFFu}) {
         expectRefused(word(PRO_KIND_BRIK, 0), cellWord(cell), 9103);
-        expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
+        expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
     }
     expectRefused(word(PRO_KIND_BRIK, 3), cellWord(4), 9103);
     expectRefused(word(PRO_KIND_BRIK, 2), kNothingNear, 9103); // no word for cell 3
@@ -174,9 +174,9 @@ TEST(HostileIndex, BrickWords) {
 }
 
 TEST(HostileIndex, GroupsCannotHangAWalk) {
-    expectRefused(word(PRO_KIND_BRIK, 8 * GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
-    expectRefused(word(PRO_KIND_BRIK, 9 * GROUP_WORDS), groupWord(9), 9104);     // one that meets none
-    expectRefused(word(PRO_KIND_BRIK, 9 * GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
+    expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
+    expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS), groupWord(9), 9104);     // one that meets none
+    expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
     EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
     const TempFolder folder;
     Scene scene = tinyScene();
@@ -190,14 +190,14 @@ TEST(HostileIndex, GroupsCannotHangAWalk) {
 
 TEST(HostileIndex, Cells) {
     const auto cell = [](std::size_t index, std::size_t field) { return word(PRO_KIND_CELL, 2 * index + field); };
-    constexpr std::uint32_t kOne = 0x3C00u << CELL_CODES_SHIFT;
-    expectRefused(cell(0, CELL_FIRST), 1u, 9105);
-    expectRefused(cell(1, CELL_FIRST), 0xFFFFFFFEu, 9105);
-    expectRefused(cell(3, CELL_COUNT), kOne, 9105);
-    expectRefused(cell(3, CELL_COUNT), kOne | 3, 9105);
-    expectRefused(cell(3, CELL_COUNT), kOne | 0xFFFF, 9105);
+    constexpr std::uint32_t kOne = 0x3C00u << PRO_CELL_CODES_SHIFT;
+    expectRefused(cell(0, PRO_CELL_FIRST), 1u, 9105);
+    expectRefused(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9105);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne, 9105);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 3, 9105);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 0xFFFF, 9105);
     for (const std::uint32_t half : {0u, 0x7C00u, 0x7E00u, 0x8001u, 0xBC00u})
-        expectRefused(cell(0, CELL_COUNT), half << CELL_CODES_SHIFT | 1, 9106);
+        expectRefused(cell(0, PRO_CELL_COUNT), half << PRO_CELL_CODES_SHIFT | 1, 9106);
 }
 
 TEST(HostileIndex, Lists) {

@@ -119,8 +119,8 @@ Loaded load(Scene scene, const BrickLimits& limits = {}) {
     return loaded;
 }
 
-bool isFilled(std::uint32_t word) { return (word & SKIP_MASK) == 0; }
-bool isGroup(std::uint32_t word) { return (word & (SKIP_MASK | CELL_INNER)) == CELL_INNER; }
+bool isFilled(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
+bool isGroup(std::uint32_t word) { return (word & (PRO_SKIP_MASK | PRO_CELL_INNER)) == PRO_CELL_INNER; }
 
 Cube gridCube(const Loaded& loaded, std::size_t word) {
     const EntryGrid& grid = loaded.grid;
@@ -138,9 +138,9 @@ template <typename Enter, typename Visit>
 void descend(const Loaded& loaded, std::uint32_t word, const Cube& cube, const Enter& enter, const Visit& visit) {
     if (!enter(cube)) return;
     if (!isGroup(word)) return visit(word, cube);
-    for (std::uint32_t h = 0; h < GROUP_WORDS; ++h)
-        descend(loaded, loaded.bricks.words[(word >> CELL_INDEX_SHIFT) * GROUP_WORDS + h], part(cube, 2, h), enter,
-                visit);
+    for (std::uint32_t h = 0; h < PRO_GROUP_WORDS; ++h)
+        descend(loaded, loaded.bricks.words[(word >> PRO_CELL_INDEX_SHIFT) * PRO_GROUP_WORDS + h], part(cube, 2, h),
+                enter, visit);
 }
 
 /// The same from a word of the grid; empty grid cells are visited with their word.
@@ -150,9 +150,9 @@ void descendGrid(const Loaded& loaded, std::size_t at, const Enter& enter, const
     const Cube cube = gridCube(loaded, at);
     if (!enter(cube)) return;
     if (!isFilled(word)) return visit(word, cube);
-    for (std::uint32_t c = 0; c < BRICK_WORDS; ++c)
-        descend(loaded, loaded.bricks.words[(word >> GRID_BRICK_SHIFT) * BRICK_WORDS + c], part(cube, BRICK_SIDE, c),
-                enter, visit);
+    for (std::uint32_t c = 0; c < PRO_BRICK_WORDS; ++c)
+        descend(loaded, loaded.bricks.words[(word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS + c],
+                part(cube, PRO_BRICK_SIDE, c), enter, visit);
 }
 
 template <typename Visit>
@@ -160,15 +160,15 @@ void forListedCells(const Loaded& loaded, const Visit& visit) {
     const auto all = [](const Cube&) { return true; };
     for (std::size_t at = 0; at < loaded.grid.words.size(); ++at)
         descendGrid(loaded, at, all, [&](std::uint32_t word, const Cube& cube) {
-            if (isFilled(word)) visit(word >> CELL_INDEX_SHIFT, cube);
+            if (isFilled(word)) visit(word >> PRO_CELL_INDEX_SHIFT, cube);
         });
 }
 
 std::uint32_t firstOf(const Loaded& loaded, std::uint32_t cell) {
-    return loaded.bricks.cells[cell * CELL_WORDS + CELL_FIRST];
+    return loaded.bricks.cells[cell * PRO_CELL_WORDS + PRO_CELL_FIRST];
 }
 std::uint32_t countOf(const Loaded& loaded, std::uint32_t cell) {
-    return loaded.bricks.cells[cell * CELL_WORDS + CELL_COUNT] & CELL_COUNT_MASK;
+    return loaded.bricks.cells[cell * PRO_CELL_WORDS + PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
 }
 
 /// Splats of a cell's near discs.
@@ -179,7 +179,7 @@ std::vector<std::uint32_t> listOf(const Loaded& loaded, std::uint32_t cell) {
 
 /// Splats that only blend in a cell.
 std::vector<std::uint32_t> blendingOf(const Loaded& loaded, std::uint32_t cell) {
-    const std::uint32_t* range = &loaded.bricks.blend_ranges[std::size_t{cell} * BLEND_RANGE_WORDS];
+    const std::uint32_t* range = &loaded.bricks.blend_ranges[std::size_t{cell} * PRO_BLEND_RANGE_WORDS];
     const auto first = loaded.bricks.lists.begin() + range[0];
     return {first, first + range[1]};
 }
@@ -191,31 +191,31 @@ bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
 /// Each brick once, where the grid says, with something to hit; each listed cell and group named once.
 void expectStructure(const Loaded& loaded) {
     const Bricks& bricks = loaded.bricks;
-    const std::size_t brick_words = bricks.corners.size() * BRICK_WORDS;
+    const std::size_t brick_words = bricks.corners.size() * PRO_BRICK_WORDS;
     EXPECT_EQ(std::set<Corner>(bricks.corners.begin(), bricks.corners.end()).size(), bricks.corners.size());
     std::size_t filled = 0;
     for (std::size_t at = 0; at < loaded.grid.words.size(); ++at) {
         if (!isFilled(loaded.grid.words[at])) continue;
         ++filled;
-        const Corner& corner = bricks.corners.at(loaded.grid.words[at] >> GRID_BRICK_SHIFT);
+        const Corner& corner = bricks.corners.at(loaded.grid.words[at] >> PRO_GRID_BRICK_SHIFT);
         EXPECT_EQ(length(Vec3{corner[0] * kStep, corner[1] * kStep, corner[2] * kStep} - gridCube(loaded, at).low), 0);
     }
     EXPECT_EQ(filled, bricks.corners.size());
-    for (std::size_t word = 0; word < brick_words; word += BRICK_WORDS)
-        EXPECT_TRUE(std::any_of(&bricks.words[word], &bricks.words[word] + BRICK_WORDS, isFilled));
+    for (std::size_t word = 0; word < brick_words; word += PRO_BRICK_WORDS)
+        EXPECT_TRUE(std::any_of(&bricks.words[word], &bricks.words[word] + PRO_BRICK_WORDS, isFilled));
     std::multiset<std::uint32_t> cells, groups;
     for (std::size_t w = 0; w < bricks.words.size(); ++w) {
         const std::uint32_t word = bricks.words[w];
-        if (isFilled(word)) (isGroup(word) ? groups : cells).insert(word >> CELL_INDEX_SHIFT);
+        if (isFilled(word)) (isGroup(word) ? groups : cells).insert(word >> PRO_CELL_INDEX_SHIFT);
         EXPECT_TRUE(isFilled(word) || w < brick_words || word == kEmptyWord);
     }
-    std::uint32_t cell = 0, group = static_cast<std::uint32_t>(brick_words / GROUP_WORDS);
+    std::uint32_t cell = 0, group = static_cast<std::uint32_t>(brick_words / PRO_GROUP_WORDS);
     for (const std::uint32_t named : cells) EXPECT_EQ(named, cell++);
     for (const std::uint32_t named : groups) EXPECT_EQ(named, group++);
     EXPECT_EQ(cell, bricks.slabs.size());
-    EXPECT_EQ(cell * CELL_WORDS, bricks.cells.size());
-    EXPECT_EQ(cell * BLEND_RANGE_WORDS, bricks.blend_ranges.size());
-    EXPECT_EQ(group * GROUP_WORDS, bricks.words.size());
+    EXPECT_EQ(cell * PRO_CELL_WORDS, bricks.cells.size());
+    EXPECT_EQ(cell * PRO_BLEND_RANGE_WORDS, bricks.blend_ranges.size());
+    EXPECT_EQ(group * PRO_GROUP_WORDS, bricks.words.size());
 }
 
 /// Ranges follow one another: those of near discs from even places, then those that only blend.
@@ -227,10 +227,10 @@ void expectRanges(const Loaded& loaded) {
         EXPECT_GT(countOf(loaded, cell), 0u);
         next += (countOf(loaded, cell) + 1) / 2 * 2;
     }
-    EXPECT_EQ(bricks.near.size(), std::size_t{next} * NEAR_WORDS);
+    EXPECT_EQ(bricks.near.size(), std::size_t{next} * PRO_NEAR_WORDS);
     for (std::uint32_t cell = 0; cell < bricks.slabs.size(); ++cell) {
-        EXPECT_EQ(bricks.blend_ranges[cell * BLEND_RANGE_WORDS], next);
-        next += bricks.blend_ranges[cell * BLEND_RANGE_WORDS + 1];
+        EXPECT_EQ(bricks.blend_ranges[cell * PRO_BLEND_RANGE_WORDS], next);
+        next += bricks.blend_ranges[cell * PRO_BLEND_RANGE_WORDS + 1];
     }
     EXPECT_EQ(bricks.lists.size(), (next + 3) / 4 * 4);
 }
@@ -245,10 +245,10 @@ void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cube) {
     const std::uint32_t first = firstOf(loaded, cell), count = countOf(loaded, cell);
     for (std::uint32_t k = 0; k < count; ++k) {
         const PlainDisc& disc = loaded.discs.at(loaded.bricks.lists[first + k]);
-        const std::uint32_t* words = &loaded.bricks.near[std::size_t{first + k} * NEAR_WORDS];
+        const std::uint32_t* words = &loaded.bricks.near[std::size_t{first + k} * PRO_NEAR_WORDS];
         const Vec3 normal{static_cast<double>(field(words[1], 24, 8)), static_cast<double>(field(words[1], 16, 8)),
                           static_cast<double>(field(words[1], 8, 8))};
-        EXPECT_LE(length(cross(normalize(normal), disc.normal)), 0.5 * 1.4143 / NEAR_NORMAL_MAX);
+        EXPECT_LE(length(cross(normalize(normal), disc.normal)), 0.5 * 1.4143 / PRO_NEAR_NORMAL_MAX);
         EXPECT_GT(dot(normal, disc.normal), 0);
         const Vec3 direction{static_cast<double>(field(words[0], 22, 10)), static_cast<double>(field(words[0], 12, 10)),
                              static_cast<double>(field(words[0], 2, 10))};
@@ -256,7 +256,7 @@ void expectNear(const Loaded& loaded, std::uint32_t cell, const Cube& cube) {
         const Vec3 middle = cube.low + Vec3{0.5, 0.5, 0.5} * cube.edge, center = disc.center - middle;
         EXPECT_LE(length(cross(direction, center)), 0.9 * length(center)); // half a code to each axis
     }
-    EXPECT_TRUE(count % 2 == 0 || loaded.bricks.near[std::size_t{first + count} * NEAR_WORDS + 1] == 0);
+    EXPECT_TRUE(count % 2 == 0 || loaded.bricks.near[std::size_t{first + count} * PRO_NEAR_WORDS + 1] == 0);
 }
 
 /// Discs that cross a cell must be listed; they must lie between the cell's planes there.
@@ -267,12 +267,12 @@ struct Found {
 double beyondPlanes(std::uint32_t slab, const Polygon& polygon, const PlainDisc& disc, const Cube& cube) {
     const Vec3 normal = Vec3{static_cast<double>(field(slab, 0, 6)), static_cast<double>(field(slab, 6, 6)),
                              static_cast<double>(field(slab, 12, 6))} *
-                        (1.0 / SLAB_NORMAL_MAX);
+                        (1.0 / PRO_SLAB_NORMAL_MAX);
     double beyond = 0;
     for (const Vec3& point : polygon) {
         if (length(point - disc.center) > disc.radius) continue;
         const double height = dot(normal, point - cube.low - Vec3{0.5, 0.5, 0.5} * cube.edge) / cube.edge *
-                              static_cast<double>(SLAB_STEPS);
+                              static_cast<double>(PRO_SLAB_STEPS);
         beyond = std::max({beyond, field(slab, 18, 7) - height, height - field(slab, 25, 7)});
     }
     return beyond;
@@ -304,11 +304,11 @@ Found cutAll(const Loaded& loaded) {
         const auto enter = [&](const Cube& cube) { return crosses(disc, cube); };
         const auto visit = [&](std::uint32_t word, const Cube& cube) {
             ++found.crossings;
-            if (!isFilled(word) || !contains(listOf(loaded, word >> CELL_INDEX_SHIFT), splat)) {
+            if (!isFilled(word) || !contains(listOf(loaded, word >> PRO_CELL_INDEX_SHIFT), splat)) {
                 ++found.unlisted;
                 return;
             }
-            const std::uint32_t slab = loaded.bricks.slabs[word >> CELL_INDEX_SHIFT];
+            const std::uint32_t slab = loaded.bricks.slabs[word >> PRO_CELL_INDEX_SHIFT];
             found.outside_planes += beyondPlanes(slab, section(disc, cube), disc, cube) > 1e-4;
         };
         for (const std::size_t at : gridWordsAround(loaded, disc)) descendGrid(loaded, at, enter, visit);
@@ -332,7 +332,7 @@ std::optional<std::uint32_t> cellAt(const Loaded& loaded, Vec3 point) {
     };
     const double index = local[0] + loaded.grid.size[0] * (local[1] + loaded.grid.size[1] * local[2]);
     descendGrid(loaded, static_cast<std::size_t>(index), holds, [&](std::uint32_t word, const Cube&) {
-        if (isFilled(word)) cell = word >> CELL_INDEX_SHIFT;
+        if (isFilled(word)) cell = word >> PRO_CELL_INDEX_SHIFT;
     });
     return cell;
 }
@@ -492,7 +492,7 @@ TEST(Bricks, ListAllThatCrossesWhereLeavesAreBelowTheGrid) {
     const Loaded loaded =
         loadSplats(join(sheet(40, 0.8, {0.5, 0.5, 0.5}, 0.8), heap(600, 3, {0.3, 0.6, 0.45}, 0.0015, 1e-4)));
     EXPECT_TRUE(loaded.grid.uneven);
-    EXPECT_GT(loaded.bricks.words.size(), loaded.bricks.corners.size() * BRICK_WORDS); // groups of halves
+    EXPECT_GT(loaded.bricks.words.size(), loaded.bricks.corners.size() * PRO_BRICK_WORDS); // groups of halves
     expectSound(loaded);
 }
 
@@ -535,7 +535,7 @@ TEST(Bricks, ListHugeDiscsNearlyAlongTheCells) {
         splats.push_back(disc({0.51, 0.5 + off, 0.49 + 0.002 * k}, {0, -1, tilt}, 0.24));
     }
     const Loaded loaded = loadSplats(splats);
-    EXPECT_GT(0.24, 25 * gridCube(loaded, 0).edge / BRICK_SIDE);
+    EXPECT_GT(0.24, 25 * gridCube(loaded, 0).edge / PRO_BRICK_SIDE);
     expectSound(loaded);
 }
 

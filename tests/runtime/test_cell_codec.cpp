@@ -47,26 +47,26 @@ NearDisc readNear(std::uint32_t position, std::uint32_t normal, double codes) {
     disc.normal = {static_cast<double>(field(normal, 24, 8)), static_cast<double>(field(normal, 16, 8)),
                    static_cast<double>(field(normal, 8, 8))};
     const std::uint32_t code = (position & 3u) << 8 | (normal & 255u);
-    disc.radius = std::sqrt(std::bit_cast<float>((code << NEAR_RADIUS_SHIFT) + NEAR_RADIUS_BIAS)) / codes;
+    disc.radius = std::sqrt(std::bit_cast<float>((code << PRO_NEAR_RADIUS_SHIFT) + PRO_NEAR_RADIUS_BIAS)) / codes;
     return disc;
 }
 
 /// The only cell of words.
 CellAsRead readCell(const CellWords& words) {
     CellAsRead cell;
-    EXPECT_EQ(words.cells.size(), CELL_WORDS);
+    EXPECT_EQ(words.cells.size(), PRO_CELL_WORDS);
     EXPECT_EQ(words.slabs.size(), 1u);
-    cell.codes = halfToDouble(words.cells[CELL_COUNT] >> CELL_CODES_SHIFT);
-    const std::uint32_t count = words.cells[CELL_COUNT] & CELL_COUNT_MASK;
-    EXPECT_EQ(words.near.size(), (count + 1) / 2 * 2 * NEAR_WORDS);
+    cell.codes = halfToDouble(words.cells[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT);
+    const std::uint32_t count = words.cells[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
+    EXPECT_EQ(words.near.size(), (count + 1) / 2 * 2 * PRO_NEAR_WORDS);
     for (std::uint32_t k = 0; k < count; ++k)
-        cell.discs.push_back(readNear(words.near[NEAR_WORDS * k], words.near[NEAR_WORDS * k + 1], cell.codes));
+        cell.discs.push_back(readNear(words.near[PRO_NEAR_WORDS * k], words.near[PRO_NEAR_WORDS * k + 1], cell.codes));
     const std::uint32_t slab = words.slabs[0];
     cell.slab_normal = Vec3{static_cast<double>(field(slab, 0, 6)), static_cast<double>(field(slab, 6, 6)),
                             static_cast<double>(field(slab, 12, 6))} *
-                       (1.0 / SLAB_NORMAL_MAX);
-    cell.slab_low = field(slab, 18, 7) / static_cast<double>(SLAB_STEPS);
-    cell.slab_high = field(slab, 25, 7) / static_cast<double>(SLAB_STEPS);
+                       (1.0 / PRO_SLAB_NORMAL_MAX);
+    cell.slab_low = field(slab, 18, 7) / static_cast<double>(PRO_SLAB_STEPS);
+    cell.slab_high = field(slab, 25, 7) / static_cast<double>(PRO_SLAB_STEPS);
     return cell;
 }
 
@@ -124,8 +124,8 @@ private:
 
 /// The normal's largest part is 127 codes and the others are rounded to whole codes.
 void expectNormal(Vec3 read, Vec3 written) {
-    EXPECT_EQ(largestPart(read), NEAR_NORMAL_MAX);
-    const Vec3 scaled = written * (NEAR_NORMAL_MAX / largestPart(written));
+    EXPECT_EQ(largestPart(read), PRO_NEAR_NORMAL_MAX);
+    const Vec3 scaled = written * (PRO_NEAR_NORMAL_MAX / largestPart(written));
     EXPECT_LE(largestPart(read - scaled), 0.5 + 1e-4);
 }
 
@@ -150,8 +150,8 @@ TEST(CellCodec, KeepsDiscsToHalfACode) {
             expectNormal(cell.discs[k].normal, toVec3(discs[k].normal));
             expectRadius(cell.discs[k].radius, discs[k].radius / kEdge);
         }
-        EXPECT_LE(cell.codes * reach, NEAR_POSITION_MAX * (1 + 1e-6));
-        EXPECT_GE(cell.codes * reach, NEAR_POSITION_MAX * (0.8 - 1e-6)); // quarters of a power of two
+        EXPECT_LE(cell.codes * reach, PRO_NEAR_POSITION_MAX * (1 + 1e-6));
+        EXPECT_GE(cell.codes * reach, PRO_NEAR_POSITION_MAX * (0.8 - 1e-6)); // quarters of a power of two
     }
 }
 
@@ -159,7 +159,7 @@ TEST(CellCodec, KeepsNormalsAlongAxes) {
     for (const Vec3 normal :
          {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}}) {
         const CellAsRead cell = readCell(encode({makeDisc(fromEdges({0.25, -0.5, 0.125}), normal, kEdge)}, kBox));
-        EXPECT_EQ(largestPart(cell.discs[0].normal - normal * NEAR_NORMAL_MAX), 0);
+        EXPECT_EQ(largestPart(cell.discs[0].normal - normal * PRO_NEAR_NORMAL_MAX), 0);
         EXPECT_EQ(largestPart(cell.slab_normal - normal), 0);
         EXPECT_NEAR(cell.discs[0].center.x, 0.25, 0.5 / 511);
         EXPECT_NEAR(cell.discs[0].center.y, -0.5, 0.5 / 511);
@@ -175,9 +175,9 @@ TEST(CellCodec, PadsOddNumbers) {
     std::vector<CellDisc> discs;
     for (int k = 0; k < 3; ++k) discs.push_back(random.through(random.direction(), 0.5));
     const CellWords words = encode(discs, kBox, 4'000'000'000u);
-    EXPECT_EQ(words.cells[CELL_FIRST], 4'000'000'000u);
-    EXPECT_EQ(words.cells[CELL_COUNT] & CELL_COUNT_MASK, 3u);
-    ASSERT_EQ(words.near.size(), 4 * NEAR_WORDS);
+    EXPECT_EQ(words.cells[PRO_CELL_FIRST], 4'000'000'000u);
+    EXPECT_EQ(words.cells[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK, 3u);
+    ASSERT_EQ(words.near.size(), 4 * PRO_NEAR_WORDS);
     EXPECT_EQ(words.near[6], 0u);
     EXPECT_EQ(words.near[7], 0u);
 }
@@ -208,7 +208,7 @@ TEST(CellCodec, KeepsTinyDiscsInTheMiddle) {
 TEST(CellCodec, KeepsPlaneAndRimOfHugeDiscs) {
     RandomDiscs random(3);
     constexpr double kLargest = 8, kCode = 8.87 / 511, kPositionOff = 0.5 * kCode * 1.7320508;
-    constexpr double kTilt = 0.5 * 1.4142136 / NEAR_NORMAL_MAX; // of a rounded normal
+    constexpr double kTilt = 0.5 * 1.4142136 / PRO_NEAR_NORMAL_MAX; // of a rounded normal
     for (int round = 0; round < 500; ++round) {
         const double radius = std::pow(10.0, random.uniform(1, 3));
         const Vec3 normal = random.direction();

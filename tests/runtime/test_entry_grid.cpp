@@ -50,7 +50,7 @@ public:
     /// Side of the largest empty cube there, as far as skips tell.
     std::uint32_t emptyTowards(const Corner& at, std::uint32_t octant) const {
         std::uint32_t cells = 0;
-        while (cells < SKIP_CELLS_MAX && filledTowards(at, octant, cells + 1) == 0) ++cells;
+        while (cells < PRO_SKIP_CELLS_MAX && filledTowards(at, octant, cells + 1) == 0) ++cells;
         return cells;
     }
 
@@ -72,15 +72,17 @@ void forCells(const Corner& size, const Visit& visit) {
             for (at[0] = 0; at[0] < size[0]; ++at[0]) visit(at);
 }
 
-std::uint32_t codeOf(std::uint32_t word, std::uint32_t octant) { return word >> (SKIP_BITS * octant) & SKIP_MASK; }
+std::uint32_t codeOf(std::uint32_t word, std::uint32_t octant) {
+    return word >> (PRO_SKIP_BITS * octant) & PRO_SKIP_MASK;
+}
 
 /// What the shaders make of a code.
 float cellsOf(std::uint32_t code) {
     const auto f = static_cast<float>(code);
-    return std::max(f, SKIP_SQUARE * f * f);
+    return std::max(f, PRO_SKIP_SQUARE * f * f);
 }
 
-bool isFilled(std::uint32_t word) { return (word & SKIP_MASK) == 0; }
+bool isFilled(std::uint32_t word) { return (word & PRO_SKIP_MASK) == 0; }
 
 std::uint32_t& wordAt(EntryGrid& grid, const Corner& at) {
     return grid.words[(std::size_t{at[2]} * grid.size[1] + at[1]) * grid.size[0] + at[0]];
@@ -95,10 +97,10 @@ struct Field {
 
 std::uint32_t& wordOfCell(Field& field, const Corner& fine) {
     const std::uint32_t grid_word =
-        wordAt(field.grid, {fine[0] / BRICK_SIDE, fine[1] / BRICK_SIDE, fine[2] / BRICK_SIDE});
-    const std::uint32_t cell =
-        fine[0] % BRICK_SIDE + BRICK_SIDE * (fine[1] % BRICK_SIDE) + BRICK_SIDE * BRICK_SIDE * (fine[2] % BRICK_SIDE);
-    return field.words[(grid_word >> GRID_BRICK_SHIFT) * BRICK_WORDS + cell];
+        wordAt(field.grid, {fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE});
+    const std::uint32_t cell = fine[0] % PRO_BRICK_SIDE + PRO_BRICK_SIDE * (fine[1] % PRO_BRICK_SIDE) +
+                               PRO_BRICK_SIDE * PRO_BRICK_SIDE * (fine[2] % PRO_BRICK_SIDE);
+    return field.words[(grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS + cell];
 }
 
 Occupancy filledGridCells(Field& field) {
@@ -112,9 +114,9 @@ Occupancy filledGridCells(Field& field) {
 
 Occupancy filledBrickCells(Field& field) {
     const Corner& size = field.grid.size;
-    Occupancy filled({size[0] * BRICK_SIDE, size[1] * BRICK_SIDE, size[2] * BRICK_SIDE});
+    Occupancy filled({size[0] * PRO_BRICK_SIDE, size[1] * PRO_BRICK_SIDE, size[2] * PRO_BRICK_SIDE});
     forCells(filled.size(), [&](const Corner& fine) {
-        const Corner at{fine[0] / BRICK_SIDE, fine[1] / BRICK_SIDE, fine[2] / BRICK_SIDE};
+        const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
         if (isFilled(wordAt(field.grid, at)) && isFilled(wordOfCell(field, fine))) filled.fill(fine);
     });
     filled.sum();
@@ -132,7 +134,7 @@ SkipReport inspectBricks(Field& field) {
     const Occupancy filled = filledBrickCells(field);
     SkipReport report;
     forCells(filled.size(), [&](const Corner& fine) {
-        const Corner at{fine[0] / BRICK_SIDE, fine[1] / BRICK_SIDE, fine[2] / BRICK_SIDE};
+        const Corner at{fine[0] / PRO_BRICK_SIDE, fine[1] / PRO_BRICK_SIDE, fine[2] / PRO_BRICK_SIDE};
         if (!isFilled(wordAt(field.grid, at)) || filled.filled(fine)) return;
         for (std::uint32_t octant = 0; octant < 8; ++octant) {
             const std::uint32_t code = codeOf(wordOfCell(field, fine), octant);
@@ -168,7 +170,7 @@ void expectExactGrid(Field& field) {
 Field randomField(const Corner& size, double grid_share, double cell_share, unsigned seed) {
     std::mt19937 random(seed);
     std::bernoulli_distribution has_brick(grid_share), has_list(cell_share);
-    std::uniform_int_distribution<std::uint32_t> any_cell(0, BRICK_WORDS - 1);
+    std::uniform_int_distribution<std::uint32_t> any_cell(0, PRO_BRICK_WORDS - 1);
     Field field;
     field.grid.shift = 12;
     field.grid.origin = {5, 17, 3};
@@ -183,9 +185,9 @@ Field randomField(const Corner& size, double grid_share, double cell_share, unsi
     std::shuffle(field.corners.begin(), field.corners.end(), random);
     std::uint32_t cells = 0;
     for (std::size_t k = 0; k < field.corners.size(); ++k) {
-        for (std::uint32_t c = 0; c < BRICK_WORDS; ++c)
-            field.words.push_back(has_list(random) ? cells++ << CELL_INDEX_SHIFT : kEmptyWord);
-        field.words[k * BRICK_WORDS + any_cell(random)] = cells++ << CELL_INDEX_SHIFT;
+        for (std::uint32_t c = 0; c < PRO_BRICK_WORDS; ++c)
+            field.words.push_back(has_list(random) ? cells++ << PRO_CELL_INDEX_SHIFT : kEmptyWord);
+        field.words[k * PRO_BRICK_WORDS + any_cell(random)] = cells++ << PRO_CELL_INDEX_SHIFT;
     }
     return field;
 }
@@ -228,9 +230,9 @@ Scene sheetScene(std::size_t side, bool heap) {
 }
 
 TEST(SkipCode, IsTheLargestOneWithoutTooManyCells) {
-    for (std::uint32_t cells = 1; cells <= SKIP_CELLS_MAX; ++cells) {
+    for (std::uint32_t cells = 1; cells <= PRO_SKIP_CELLS_MAX; ++cells) {
         std::uint32_t largest = 1;
-        for (std::uint32_t code = 1; code <= SKIP_MASK; ++code)
+        for (std::uint32_t code = 1; code <= PRO_SKIP_MASK; ++code)
             if (cellsOf(code) <= static_cast<float>(cells)) largest = code;
         EXPECT_EQ(skipCode(cells), largest) << cells;
         EXPECT_LE(skippedCells(skipCode(cells)), cells);
@@ -257,7 +259,7 @@ TEST(SkipCode, HasKnownValues) {
     EXPECT_EQ(skippedCells(8), 8u);
     EXPECT_EQ(skippedCells(9), 10u);
     EXPECT_EQ(skippedCells(15), 28u);
-    for (std::uint32_t code = 1; code <= SKIP_MASK; ++code)
+    for (std::uint32_t code = 1; code <= PRO_SKIP_MASK; ++code)
         EXPECT_EQ(skippedCells(code), std::floor(cellsOf(code))) << code;
 }
 
@@ -292,7 +294,7 @@ TEST(EntryGrid, NamesTheBricksAndSkipsAllThatIsEmpty) {
             Corner at = field.corners[k];
             for (std::size_t axis = 0; axis < 3; ++axis)
                 at[axis] = (at[axis] >> field.grid.shift) - field.grid.origin[axis];
-            EXPECT_EQ(wordAt(field.grid, at), k << GRID_BRICK_SHIFT);
+            EXPECT_EQ(wordAt(field.grid, at), k << PRO_GRID_BRICK_SHIFT);
         }
         std::size_t filled = 0;
         for (const std::uint32_t word : field.grid.words) filled += isFilled(word);
@@ -319,7 +321,7 @@ TEST(EntryGrid, SkipsByOctant) {
 
 TEST(CellSkips, SeeOneDiscInItsBrick) {
     Field field = fieldOf(sceneOf({disc(0.375f, 0.375f, 0.375f, 0.05f)}));
-    ASSERT_EQ(field.words.size(), BRICK_WORDS);
+    ASSERT_EQ(field.words.size(), PRO_BRICK_WORDS);
     fillSkips(field);
     EXPECT_EQ(field.words[1 + 4 + 16], 0u);   // the only list
     EXPECT_EQ(codeOf(field.words[0], 7), 1u); // next to it
@@ -356,15 +358,15 @@ TEST(CellSkips, AreHonestWhereBricksAreMissing) {
 
 TEST(CellSkips, LeaveListedCellsAndGroupsAlone) {
     Field field = randomField({5, 4, 3}, 0.4, 0.3, 11);
-    const std::vector<std::uint32_t> groups{7 << CELL_INDEX_SHIFT,
+    const std::vector<std::uint32_t> groups{7 << PRO_CELL_INDEX_SHIFT,
                                             kEmptyWord,
-                                            1 << CELL_INDEX_SHIFT | CELL_INNER,
+                                            1 << PRO_CELL_INDEX_SHIFT | PRO_CELL_INNER,
                                             kEmptyWord,
                                             kEmptyWord,
                                             kEmptyWord,
                                             kEmptyWord,
                                             kEmptyWord};
-    field.words[1] = CELL_INNER;
+    field.words[1] = PRO_CELL_INNER;
     const Words before = field.words;
     field.words.insert(field.words.end(), groups.begin(), groups.end());
     fillSkips(field);
@@ -372,13 +374,13 @@ TEST(CellSkips, LeaveListedCellsAndGroupsAlone) {
         EXPECT_EQ(isFilled(field.words[w]), isFilled(before[w]));
         EXPECT_TRUE(!isFilled(before[w]) || field.words[w] == before[w]);
     }
-    EXPECT_TRUE(std::equal(groups.begin(), groups.end(), field.words.end() - GROUP_WORDS));
+    EXPECT_TRUE(std::equal(groups.begin(), groups.end(), field.words.end() - PRO_GROUP_WORDS));
 }
 
 TEST(CellSkips, AreHonestInScenes) {
     for (const bool heap : {false, true}) {
         Field field = fieldOf(sheetScene(50, heap));
-        EXPECT_TRUE(!heap || field.words.size() > field.corners.size() * BRICK_WORDS); // groups of halves
+        EXPECT_TRUE(!heap || field.words.size() > field.corners.size() * PRO_BRICK_WORDS); // groups of halves
         fillSkips(field);
         expectExactGrid(field);
         const SkipReport report = inspectBricks(field);

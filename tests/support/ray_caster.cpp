@@ -308,7 +308,7 @@ double RayCaster::traceSeconds() const { return state_->trace_seconds; }
 const std::string& RayCaster::deviceName() const { return state_->device.name; }
 double RayCaster::cellEdge() const {
     const int grid_shift = static_cast<int>(state_->file().index.shift);
-    return std::ldexp(1.0 / BRICK_SIDE, grid_shift - static_cast<int>(PRO_POSITION_BITS));
+    return std::ldexp(1.0 / PRO_BRICK_SIDE, grid_shift - static_cast<int>(PRO_POSITION_BITS));
 }
 bool RayCaster::isUneven() const { return state_->file().index.uneven; }
 std::uint64_t RayCaster::sceneDeviceBytes() const { return state_->scene.device_bytes; }

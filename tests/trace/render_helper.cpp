@@ -55,7 +55,7 @@ Rendered renderScene(SceneDescription description, RenderSettings settings) {
     rendered.scene = scene.description;
     if (!scene.instances.empty()) {
         rendered.info = scene.files[0].info;
-        rendered.cell_edge = 1 / (BRICK_SIDE * double{scene.instances[0].params.grid_scale.x});
+        rendered.cell_edge = 1 / (PRO_BRICK_SIDE * double{scene.instances[0].params.grid_scale.x});
     }
     rendered.params = makeFrameParams(scene, settings, rendered.camera, 0, settings.height);
     Tracer tracer = createTracer(device, scene, settings, rendered.camera);

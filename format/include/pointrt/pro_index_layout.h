@@ -6,56 +6,56 @@
 
 // A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how many cells
 // around and including it are empty towards octant k (bit 0 of k: x rising, bit 1: y, bit 2: z), at least: the larger
-// of the nibble and SKIP_SQUARE times its square, 28.125 at most. The low nibble of a filled one is 0.
-#define SKIP_BITS 4u
-#define SKIP_MASK 15u
-#define SKIP_SQUARE 0.125f
-#define SKIP_CELLS_MAX 29
+// of the nibble and PRO_SKIP_SQUARE times its square, 28.125 at most. The low nibble of a filled one is 0.
+#define PRO_SKIP_BITS 4u
+#define PRO_SKIP_MASK 15u
+#define PRO_SKIP_SQUARE 0.125f
+#define PRO_SKIP_CELLS_MAX 29
 
-// A filled grid word names its brick: brick << GRID_BRICK_SHIFT.
-#define GRID_BRICK_SHIFT 4u
+// A filled grid word names its brick: brick << PRO_GRID_BRICK_SHIFT.
+#define PRO_GRID_BRICK_SHIFT 4u
 
 // A brick: the words of 4 x 4 x 4 cells, x fastest; behind all bricks follow groups of 8 words, for cells with too many
-// splats. A filled word names a cell, or with CELL_INNER the group of its halves: index << CELL_INDEX_SHIFT.
-#define BRICK_SIDE 4
-#define BRICK_WORDS 64u
-#define GROUP_WORDS 8u
-#define CELL_INNER 16u
-#define CELL_INDEX_SHIFT 5u
+// splats. A filled word names a cell, or with PRO_CELL_INNER the group of its halves: index << PRO_CELL_INDEX_SHIFT.
+#define PRO_BRICK_SIDE 4
+#define PRO_BRICK_WORDS 64u
+#define PRO_GROUP_WORDS 8u
+#define PRO_CELL_INNER 16u
+#define PRO_CELL_INDEX_SHIFT 5u
 
 // A cell.
-#define CELL_WORDS 2u
-#define CELL_FIRST 0u // near splat, even
-#define CELL_COUNT 1u // near splats in the low half; in the high half, as half float, position codes to an edge
-#define CELL_COUNT_MASK 0xFFFFu
-#define CELL_CODES_SHIFT 16u
+#define PRO_CELL_WORDS 2u
+#define PRO_CELL_FIRST 0u // near splat, even
+#define PRO_CELL_COUNT 1u // near splats in the low half; in the high half, as half float, position codes to an edge
+#define PRO_CELL_COUNT_MASK 0xFFFFu
+#define PRO_CELL_CODES_SHIFT 16u
 
 // Two planes that hold a cell's discs, in a word of their own. From the low bits up: their normal x, y, z as signed
 // codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's centre, in
-// SLAB_STEPS to an edge if the normal's codes were divided by SLAB_NORMAL_MAX.
-#define SLAB_NORMAL_BITS 6
-#define SLAB_NORMAL_MAX 31
-#define SLAB_HEIGHT_BITS 7
-#define SLAB_HEIGHT_MAX 63
-#define SLAB_STEPS 63.0f
+// PRO_SLAB_STEPS to an edge if the normal's codes were divided by PRO_SLAB_NORMAL_MAX.
+#define PRO_SLAB_NORMAL_BITS 6
+#define PRO_SLAB_NORMAL_MAX 31
+#define PRO_SLAB_HEIGHT_BITS 7
+#define PRO_SLAB_HEIGHT_MAX 63
+#define PRO_SLAB_STEPS 63.0f
 
 // A near splat: a disc that rays are tested against, relative to its cell; two to a texel. From the high bits down,
 // word 0: position x, y, z as signed codes from the cell's centre, then the high bits of the radius code;
 // word 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius code.
 // The squared radius in position codes is a float: its upper bits, from an exponent of -13 on, are the radius code.
-#define NEAR_WORDS 2u
-#define NEAR_POSITION_BITS 10
-#define NEAR_POSITION_MAX 511
-#define NEAR_NORMAL_BITS 8
-#define NEAR_NORMAL_MAX 127
-#define NEAR_RADIUS_LOW_BITS 8u
-#define NEAR_RADIUS_LOW_MASK 0xFFu
-#define NEAR_RADIUS_HIGH_BITS 2u
-#define NEAR_RADIUS_HIGH_MASK 3u
-#define NEAR_RADIUS_SHIFT 18u
-#define NEAR_RADIUS_BIAS 0x39000000u
+#define PRO_NEAR_WORDS 2u
+#define PRO_NEAR_POSITION_BITS 10
+#define PRO_NEAR_POSITION_MAX 511
+#define PRO_NEAR_NORMAL_BITS 8
+#define PRO_NEAR_NORMAL_MAX 127
+#define PRO_NEAR_RADIUS_LOW_BITS 8u
+#define PRO_NEAR_RADIUS_LOW_MASK 0xFFu
+#define PRO_NEAR_RADIUS_HIGH_BITS 2u
+#define PRO_NEAR_RADIUS_HIGH_MASK 3u
+#define PRO_NEAR_RADIUS_SHIFT 18u
+#define PRO_NEAR_RADIUS_BIAS 0x39000000u
 
 // For each cell, the splats that only blend there: a range of the lists.
-#define BLEND_RANGE_WORDS 2u
+#define PRO_BLEND_RANGE_WORDS 2u
 
 #endif
