@@ -101,7 +101,8 @@ TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& opt
     try {
         return buildTracingIndex(sections.info, sections.view, {threadCount(options.threads), progress});
     } catch (const Error& error) {
-        throw Error(error.code, sourceName(options) + ": " + error.what() + "; --compact leaves it out");
+        throw Error(error.code, sourceName(options) + ": " + error.what() +
+                                    "; --compact writes the file without it, for other viewers than pointrt-view");
     }
 }
 

@@ -12,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-// A scene of a million splats has some ten million node words, and every word is a texel.
+// A scene of a million splats has some three million texels of near splats, and entry grids have up to 2^24 words.
 constexpr std::uint32_t kMinTexels = 1u << 24;
 /// Those of shaders/bindings.glsl; Vulkan promises 4.
 constexpr std::uint32_t kStorageImages = 5;

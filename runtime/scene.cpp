@@ -86,6 +86,20 @@ void buildAndUploadIndex(Device& device, Scene& scene) {
     if (!scene.grid_words.imported) Words().swap(scene.built.grid.words);
 }
 
+/// All that the device reads. Errors name the file.
+void upload(Device& device, Scene& scene) {
+    try {
+        uploadSections(device, scene);
+        if (pro_get_index(scene.file, &scene.index))
+            uploadIndex(device, scene);
+        else
+            buildAndUploadIndex(device, scene);
+    } catch (const Error& error) {
+        throw Error(error.code, scene.path + ": " + error.what());
+    }
+    scene.pages = pageCounts(device, pagedBuffers(scene));
+}
+
 } // namespace
 
 Scene loadScene(Device& device, const std::string& path, bool verbose) {
@@ -93,12 +107,7 @@ Scene loadScene(Device& device, const std::string& path, bool verbose) {
     scene.path = path;
     try {
         mapFile(scene);
-        uploadSections(device, scene);
-        if (pro_get_index(scene.file, &scene.index))
-            uploadIndex(device, scene);
-        else
-            buildAndUploadIndex(device, scene);
-        scene.pages = pageCounts(device, pagedBuffers(scene));
+        upload(device, scene);
     } catch (...) {
         destroyScene(device, scene);
         throw;

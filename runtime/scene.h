@@ -22,7 +22,7 @@ struct Scene {
     pro_view view{};
     pro_index index{};  ///< frame and counts; its pointers hold for an index from the file
     TracingIndex built; ///< of a file without an index, as far as the device reads it here
-    Buffer grid_words;  ///< too few for pages (kWordsMost in format/index/entry_grid.cpp)
+    Buffer grid_words;  ///< too few for pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, lists, blend_ranges;
     PageCounts pages; ///< of those
     std::uint64_t device_bytes = 0;

@@ -62,7 +62,8 @@ Tracer createTracer(Device& device, const StagedScene& scene, const RenderSettin
     state.band_rows = std::clamp(kBandPixels / settings.width, 1u, settings.height);
     state.strip_rows = state.band_rows;
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU)
-        state.strip_rows = std::clamp(kStripPixels / settings.width / TILE_SIDE * TILE_SIDE, TILE_SIDE, state.band_rows);
+        state.strip_rows =
+            std::min(state.band_rows, std::max(kStripPixels / settings.width / TILE_SIDE * TILE_SIDE, TILE_SIDE));
     createBandTracer(device, state.bands, scene, settings, lanesOf(settings.width, state.strip_rows),
                      std::uint64_t{settings.width} * state.band_rows, kPhotons);
     return tracer;

@@ -2,6 +2,7 @@
 #include "format/index/bricks.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -19,6 +20,10 @@
 namespace pointrt {
 
 namespace {
+
+/// Lists of scans come to 10 numbers a splat, of very uneven ones to 130. Many more are a file's that is made to fill
+/// memory, and a coarser grid will do.
+constexpr std::size_t kListedEach = 1024, kListedAlways = std::size_t{1} << 24;
 
 /// Nodes are handed to the threads in runs this long.
 constexpr std::size_t kRunNodes = 256;
@@ -82,16 +87,26 @@ Discs likeliestFirst(const Discs& discs, const CellBox& box) {
     return sorted;
 }
 
-/// Works in edges of a brick's cells, from the source's lowest corner.
+std::size_t listedBy(const Part& part) { return part.lists.size() + part.blending.size(); }
+
+/// What all parts list so far, and may.
+struct ListedTotal {
+    std::size_t most;
+    std::atomic<std::size_t> listed{0};
+    bool isFull() const { return listed > most; }
+};
+
+/// Works in edges of a brick's cells, from the source's lowest corner. Stops where the total is full.
 class BrickBuilder {
 public:
-    BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part)
-        : info_(info), view_(view), part_(part), grid_shift_(grid.shift),
+    BrickBuilder(const pro_info& info, const pro_view& view, const EntryGrid& grid, Part& part, ListedTotal& total)
+        : info_(info), view_(view), part_(part), total_(total), grid_shift_(grid.shift),
           edges_(PRO_BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift))),
           slack_(std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges_)),
           halvings_(grid.uneven ? kHalvingsMost : 0) {}
 
     void run(const Source& source) {
+        if (total_.isFull()) return;
         gather(source);
         Discs all;
         for (const CellDisc& disc : discs_) all.push_back(&disc);
@@ -101,6 +116,7 @@ public:
 private:
     /// offset: of the source's corner from the first one's.
     void cut(const Discs& discs, const Source& source, const Vector& offset) {
+        if (total_.isFull()) return;
         if (source.shift == grid_shift_) return build(discs, source.corner, offset);
         const float half = std::ldexp(0.5f * PRO_BRICK_SIDE, static_cast<int>(source.shift - grid_shift_));
         for (std::uint32_t h = 0; h < PRO_GROUP_SIZE; ++h) {
@@ -125,11 +141,13 @@ private:
         for (const CellDisc* disc : discs) spread(*disc, offset);
         if (std::all_of(cells_.begin(), cells_.end(), [](const CellLists& cell) { return cell.hittable.empty(); }))
             return;
+        const std::size_t before = listedBy(part_);
         part_.corners.push_back(corner);
         for (std::uint32_t c = 0; c < PRO_BRICK_WORDS; ++c) {
             const std::uint32_t word = emit(cells_[c], boxOf(c, offset), 0);
             part_.words.push_back(word);
         }
+        total_.listed += listedBy(part_) - before;
     }
 
     CellBox boxOf(std::uint32_t cell, const Vector& offset) const {
@@ -243,6 +261,7 @@ private:
     const pro_info& info_;
     const pro_view& view_;
     Part& part_;
+    ListedTotal& total_;
     std::uint32_t grid_shift_;
     float edges_; ///< of cells to a cube unit
     float slack_;
@@ -328,6 +347,7 @@ Bricks join(std::vector<Part>& parts) {
     return all;
 }
 
+/// Incomplete where the limit of lists was passed on the way.
 std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const EntryGrid& grid,
                              const IndexOptions& options) {
     std::vector<Source> sources;
@@ -338,8 +358,9 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
     std::vector<Part> parts((sources.size() + kRunNodes - 1) / kRunNodes);
     std::mutex telling;
     std::size_t done = 0;
+    ListedTotal total{options.limits.listed};
     const auto buildPart = [&](std::size_t k) {
-        BrickBuilder builder(info, view, grid, parts[k]);
+        BrickBuilder builder(info, view, grid, parts[k], total);
         const std::size_t end = std::min(sources.size(), (k + 1) * kRunNodes);
         for (std::size_t s = k * kRunNodes; s < end; ++s) builder.run(sources[s]);
         if (!options.progress) return;
@@ -352,7 +373,11 @@ std::vector<Part> buildParts(const pro_info& info, const pro_view& view, const E
 
 } // namespace
 
-Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& options) {
+Bricks buildBricks(const pro_info& info, const pro_view& view, EntryGrid& grid, const IndexOptions& wanted) {
+    IndexOptions options = wanted;
+    options.limits.listed = std::min(wanted.limits.listed, kListedAlways + kListedEach * info.splat_count);
+    double told = 0; // with another grid the work begins anew, the share does not
+    if (wanted.progress) options.progress = [&](double share) { wanted.progress(told = std::max(told, share)); };
     std::vector<Part> parts = buildParts(info, view, grid, options);
     while (!fits(parts, options.limits)) {
         const std::uint32_t depth = PRO_POSITION_BITS - grid.shift;

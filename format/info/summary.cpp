@@ -2,6 +2,7 @@
 #include "summary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string_view>
@@ -54,10 +55,10 @@ std::vector<SectionSummary> listSections(std::span<const std::byte> bytes) {
 
 /// A file that opens has all of them or none.
 std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
-    constexpr std::string_view kKinds[] = {"GRID", "BRIK", "CELL", "SLAB", "NEAR", "LIST", "BLND"};
+    constexpr std::array<std::string_view, 7> kKinds = {"GRID", "BRIK", "CELL", "SLAB", "NEAR", "LIST", "BLND"};
     std::uint64_t bytes = 0;
     for (const SectionSummary& section : sections)
-        if (std::find(std::begin(kKinds), std::end(kKinds), section.kind) != std::end(kKinds)) bytes += section.bytes;
+        if (std::find(kKinds.begin(), kKinds.end(), section.kind) != kKinds.end()) bytes += section.bytes;
     return bytes;
 }
 

@@ -177,8 +177,9 @@ bool checkIndexFrame(const pro_index& index, Findings& findings) {
         inside = index.size[axis] > 0 &&
                  std::uint64_t{index.origin[axis]} + index.size[axis] <= 1u << (PRO_POSITION_BITS - index.shift);
     if (!inside || gridWords(index) > PRO_GRID_WORDS_MAX)
-        findings.add(Finding::kGridFrame, "an entry grid of %u x %u x %u cells, edge 2^%u, is not inside the cube",
-                     index.size[0], index.size[1], index.size[2], index.shift);
+        findings.add(Finding::kGridFrame,
+                     "an entry grid of %u x %u x %u cells, edge 2^%u: too large, or not inside the cube", index.size[0],
+                     index.size[1], index.size[2], index.shift);
     checkCounts(index, findings);
     return findings.count() == before;
 }

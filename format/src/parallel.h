@@ -6,12 +6,14 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace pointrt {
 
-/// Runs work(k) for k in [0, count), in any order; rethrows the first exception.
+/// Runs work(k) for k in [0, count), in any order; rethrows the first exception. Where no more threads can be had,
+/// those there are do it all.
 /// @param threads at most so many, this one among them; 0 is all cores
 template <typename Work>
 void forAll(std::size_t count, const Work& work, std::size_t threads = 0) {
@@ -27,7 +29,10 @@ void forAll(std::size_t count, const Work& work, std::size_t threads = 0) {
     };
     if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> others(std::max<std::size_t>(1, std::min(count, threads)) - 1);
-    for (auto& thread : others) thread = std::jthread(loop);
+    try {
+        for (auto& thread : others) thread = std::jthread(loop);
+    } catch (const std::system_error&) {
+    }
     loop();
     others.clear();
     if (failure) std::rethrow_exception(failure);

@@ -80,19 +80,19 @@ void checkTableReserved(Bytes bytes, const std::vector<Section>& sections, Findi
 
 /// Where the section lies; false when its bytes must not be touched.
 bool checkPlace(const Section& section, std::uint64_t file_bytes, Findings& findings) {
-    const std::size_t before = findings.count();
     const auto kind = kindName(section.kind);
     const char* name = kind.data();
-    const bool fits = section.stride == 0
-                          ? section.length == 0
-                          : section.length % section.stride == 0 && section.length / section.stride == section.count;
-    if (!fits) findings.add(Finding::kSectionLength, "%s: its length is not count times stride", name);
-    if (section.offset < PRO_HEADER_BYTES || section.offset > file_bytes ||
-        section.length > file_bytes - section.offset)
-        findings.add(Finding::kSectionOutside, "%s: not inside the file", name);
-    if (section.offset % PRO_SECTION_ALIGNMENT != 0)
+    const bool adds_up = section.stride == 0
+                             ? section.length == 0
+                             : section.length % section.stride == 0 && section.length / section.stride == section.count;
+    if (!adds_up) findings.add(Finding::kSectionLength, "%s: its length is not count times stride", name);
+    const bool inside = section.offset >= PRO_HEADER_BYTES && section.offset <= file_bytes &&
+                        section.length <= file_bytes - section.offset;
+    if (!inside) findings.add(Finding::kSectionOutside, "%s: not inside the file", name);
+    const bool aligned = section.offset % PRO_SECTION_ALIGNMENT == 0;
+    if (!aligned)
         findings.add(Finding::kSectionAlignment, "%s: not on a multiple of %u bytes", name, PRO_SECTION_ALIGNMENT);
-    return findings.count() == before;
+    return adds_up && inside && aligned; // findings may have stopped counting
 }
 
 /// Sorts by offset; sections must have passed checkPlace.

@@ -514,6 +514,23 @@ TEST(Bricks, TakeACoarserGridWhereTheyOutgrowTheirWords) {
     expectSound(shorter);
 }
 
+TEST(Bricks, TheShareDoneNeverGoesBack) {
+    Scene scene = sceneOf(sheet(120, 0.7, {0.5, 0.5, 0.5}, 0.8), kOptions);
+    const pro_view view = scene.view();
+    EntryGrid grid = frameEntryGrid(scene.info, view);
+    const std::uint32_t shift = grid.shift;
+    std::vector<double> shares;
+    IndexOptions options;
+    options.progress = [&](double share) { shares.push_back(share); };
+    options.limits.listed = buildBricks(scene.info, view, grid, options).lists.size() - 4;
+    EXPECT_EQ(grid.shift, shift);
+    shares.clear();
+    buildBricks(scene.info, view, grid, options);
+    EXPECT_EQ(grid.shift, shift + 1);
+    EXPECT_GT(shares.size(), 2u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+}
+
 TEST(Bricks, RefuseWhatNoGridHolds) {
     BrickLimits limits;
     limits.cells = 7; // a brick counts for 8

@@ -160,7 +160,7 @@
 #define PRO_GRID_WORDS_MAX 0x1000000u  /* 2^24, whose numbers shaders compute in floats */
 #define PRO_INDEX_HALVINGS_MAX 12u     /* groups below a brick's cell, at most */
 #define PRO_INDEX_BLEND_MAX 0xFFFFu    /* splats that only blend in a cell, at most */
-#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, which shaders address with signed integers */
+#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, at most: their bytes in four words fit 32 bits */
 
 /* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */
 #define PRO_MATERIAL_FLOATS 16u
