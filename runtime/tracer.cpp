@@ -16,9 +16,9 @@ namespace {
 /// Pixels in flight: their states take about 500 bytes each, no more than 128 in any buffer, so that none nears the 128
 /// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
-/// A processor needs no more lanes than keep it busy: a band is traced strip by strip there. Half of that takes 4% more
-/// processor time, more takes no less (tests/bench/NOTES.md).
-constexpr std::uint32_t kStripPixels = 1u << 17;
+/// A processor needs no more lanes than keep it busy: a band is traced strip by strip there. With half of that its threads
+/// wait for each other more often, for a tenth of a frame (tests/bench/NOTES.md).
+constexpr std::uint32_t kStripPixels = 1u << 18;
 
 } // namespace
 

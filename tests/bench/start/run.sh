@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How long the first frame of a scene takes beside an empty Vulkan program, in turn, and how much memory: medians of
-# RUNS (default 7) as JSON, an object for each scene. The file is in the page cache after a run that is not counted.
+# How long the first frame of a scene takes beside an empty Vulkan program, in turn, by --bench and on the way to a PNG
+# (preview: with what its filter is guided by), and how much memory that takes: medians of RUNS (default 7) as JSON, an
+# object for each scene. The file is in the page cache after a run that is not counted.
 #   tests/bench/start/run.sh BIN_DIR SCENE.pro...
 set -euo pipefail
 [ $# -ge 2 ] || {
-    sed -n '3,5s/^# //p' "$0" >&2
+    sed -n '3,6s/^# //p' "$0" >&2
     exit 2
 }
 bin=$1
@@ -17,29 +18,31 @@ time=$(type -P time) || {
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# first_frame SCENE: seconds to the end of the first frame, KiB at most.
-first_frame() {
+# run_view SCENE OPTION...: seconds to the end of the first frame, KiB at most.
+run_view() {
     "$time" -f %M -o "$folder/kib" \
-        "$bin/pointrt-view" -q "$1" --size 512x512 --spp 1 -o "$folder/frame.png" --stats "$folder/stats" >"$folder/log" 2>&1 ||
+        "$bin/pointrt-view" -q "$1" --size 512x512 --spp 1 --stats "$folder/stats" "${@:2}" >"$folder/log" 2>&1 ||
         { cat "$folder/log" >&2 && return 1; }
     echo "$(sed -n 's/.*"first_frame_seconds": \([0-9.]*\).*/\1/p' "$folder/stats") $(tail -1 "$folder/kib")"
-    rm "$folder/stats" "$folder/frame.png"
+    rm "$folder/stats"
 }
+# both SCENE: first frame, its KiB; preview, its KiB.
+both() { echo "$(run_view "$1" --bench 1) $(run_view "$1" -o "$folder/frame.png")"; }
 
-median() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+# column K: the median of that one.
+column() { awk -v k="$1" '{ print $k }' "$folder/runs" | sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
 separator='['
 for scene in "$@"; do
-    first_frame "$scene" >/dev/null
+    both "$scene" >/dev/null
     : >"$folder/runs"
     for ((run = 0; run < ${RUNS:-7}; run++)); do
-        echo "$("$bin/empty_compute") $(first_frame "$scene")" >>"$folder/runs"
+        echo "$("$bin/empty_compute") $(both "$scene")" |
+            awk '{ print $2, $1, $2 - $1, $4, $5 / 1024 }' >>"$folder/runs"
     done
-    printf '%s{"scene": "%s", "file_mib": %.1f, "first_frame_s": %s, "empty_s": %s, "difference_s": %s, "peak_mib": %.1f}\n' \
+    printf '%s{"scene": "%s", "file_mib": %.1f, "first_frame_s": %s, "empty_s": %s, "difference_s": %s, "preview_s": %s, "peak_mib": %.1f}\n' \
         "$separator" "$(basename "$scene" .pro)" "$(stat -c %s "$scene" | awk '{ print $1 / 1048576 }')" \
-        "$(awk '{ print $2 }' "$folder/runs" | median)" "$(awk '{ print $1 }' "$folder/runs" | median)" \
-        "$(awk '{ print $2 - $1 }' "$folder/runs" | median)" \
-        "$(awk '{ print $3 / 1024 }' "$folder/runs" | median)"
+        "$(column 1)" "$(column 2)" "$(column 3)" "$(column 4)" "$(column 5)"
     separator=,
 done
 echo ']'
