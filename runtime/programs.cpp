@@ -61,7 +61,7 @@ Constants constantsFor(const StagedScene& scene, const RenderSettings& settings)
 
 InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
     const Scene& file = scene.files[instance.file];
-    return {file.index.uneven, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
+    return {file.index.uneven != 0, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
 void orderFor(const InstanceTraits& instance, Constants constants, InstancePrograms& programs,

@@ -133,7 +133,7 @@ protected:
         const Bounds& bounds = open.scene.bounds;
         Tracer tracer = createTracer(open.device, open.scene, settings, frameCamera({}, bounds.lo, bounds.hi, 1));
         renderFrame(open.device, tracer, {});
-        Picture picture{readFilm(tracer), {}, open.scene.files[0].index.uneven};
+        Picture picture{readFilm(tracer), {}, open.scene.files[0].index.uneven != 0};
         for (const Scene& file : open.scene.files) picture.pages.push_back(file.pages);
         destroyTracer(open.device, tracer);
         return picture;
