@@ -14,10 +14,7 @@ void createBindings(Device& device, BandTracer& tracer) {
     const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
     tracer.pool = createDescriptorPool(device, 2 * count);
     const auto bind = [&](const Instance& instance) {
-        std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
-        for (const BufferBinding& each : frameBindings(tracer.buffers)) bindings.push_back(each);
-        for (const BufferBinding& each : causticBindings(tracer.caustics)) bindings.push_back(each);
-        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, bindings);
+        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, tracer.buffers, tracer.caustics);
     };
     for (const Instance& instance : scene.instances)
         tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), bind(instance)});

@@ -128,10 +128,7 @@ private:
     }
 
     DescriptorSets bind(const Instance& instance) {
-        std::vector<BufferBinding> bindings = instanceBindings(scene_, instance);
-        for (const BufferBinding& each : frameBindings(buffers_)) bindings.push_back(each);
-        for (const BufferBinding& each : causticBindings(map_)) bindings.push_back(each);
-        return bindInstance(device_, pool_, programs_, scene_, instance, bindings);
+        return bindInstance(device_, pool_, programs_, scene_, instance, buffers_, map_);
     }
 
     void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "format/src/parallel.h"
+#include "runtime/caustics.h"
+#include "runtime/frame_buffers.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/light.spv.h"
@@ -132,7 +134,10 @@ const InstancePrograms& programsFor(const Programs& programs, const StagedScene&
 }
 
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const StagedScene& scene,
-                            const Instance& instance, std::span<const BufferBinding> bindings) {
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics) {
+    std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
+    for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
+    for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
     const Scene& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.shade, bindings);
     if (!isPaged(file.pages)) return common;

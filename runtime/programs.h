@@ -12,6 +12,9 @@
 
 namespace pointrt {
 
+struct CausticMap;
+struct FrameBuffers;
+
 /// What programs know of an instance: whether it is uneven and oriented (shaders/instance.glsl), and where it has
 /// several, its pages (shaders/pages.glsl).
 struct InstanceTraits {
@@ -36,9 +39,9 @@ void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const StagedScene& scene, const Instance& instance);
 
-/// Sets with the instance's pages, where it has any, and what bindings name, for all programs and those of the
-/// instance. They take two of the pool's sets.
+/// Sets with the instance, its pages where it has any, the frame's buffers and the caustics, for all programs and those
+/// of the instance. They take two of the pool's sets.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const StagedScene& scene,
-                            const Instance& instance, std::span<const BufferBinding> bindings);
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics);
 
 } // namespace pointrt

@@ -94,16 +94,21 @@ TEST(HostileIndex, Frame) {
     }
 }
 
-TEST(HostileIndex, GridThatIsTooLarge) {
+/// With the tiny scene, for this finding.
+void expectWriterRefuses(Index& index, std::uint32_t finding) {
     Scene scene = tinyScene();
-    Index index = tinyIndex();
-    index.frame.shift = 12;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) index.frame.size[axis] = axis < 2 ? 256 : 257;
     const pro_view view = scene.view();
     const pro_index pointers = index.view();
     pro_message message{};
     EXPECT_EQ(pro_write_indexed("unused.pro", &scene.info, &view, &pointers, &message), PRO_BAD_ARGUMENT);
-    EXPECT_EQ(message.finding, 1015u);
+    EXPECT_EQ(message.finding, finding);
+}
+
+TEST(HostileIndex, GridThatIsTooLarge) {
+    Index index = tinyIndex();
+    index.frame.shift = 12;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) index.frame.size[axis] = axis < 2 ? 256 : 257;
+    expectWriterRefuses(index, 1015u);
 }
 
 TEST(HostileIndex, FrameWithoutSections) {
@@ -211,15 +216,10 @@ TEST(HostileIndex, BlendRanges) {
     expectRefused(word(PRO_KIND_BLND, 1), 0xFFFFFFFFu, 9108);
     expectRefused(word(PRO_KIND_BLND, 2), 0xFFFFFFFFu, 9108);
     expectRefused(word(PRO_KIND_BLND, 7), 4u, 9108);
-    Scene scene = tinyScene();
     Index index = tinyIndex();
     index.blend_ranges[7] = PRO_INDEX_BLEND_MAX + 1;
     index.finish();
-    const pro_view view = scene.view();
-    const pro_index pointers = index.view();
-    pro_message message{};
-    EXPECT_EQ(pro_write_indexed("unused.pro", &scene.info, &view, &pointers, &message), PRO_BAD_ARGUMENT);
-    EXPECT_EQ(message.finding, 9108u);
+    expectWriterRefuses(index, 9108u);
 }
 
 TEST(HostileIndex, RandomDamageNeverLeadsOutside) {
