@@ -41,9 +41,7 @@ gpu::InstanceParams placeInstance(const Stage& stage, const Scene& file, const P
     params.row_z = rows[2];
     params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
                     std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
-    params.grid_scale = {cells, static_cast<float>(grid.size[0]),
-                         static_cast<float>(grid.size[0]) * static_cast<float>(grid.size[1]),
-                         cells * PRO_POSITION_STEP};
+    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
     params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
     params.grid_size = {grid.size[0], grid.size[1], grid.size[2], grid.size[0] * grid.size[1] * grid.size[2] - 1};
     params.materials = {number, 0, 0, 0};

@@ -30,7 +30,7 @@ float freeAround(vec3 point, Grid grid, vec3 highest) {
     float outside = largest(max(-point, point - highest));
     point = clamp(point, vec3(0.0), highest);
     vec3 base = min(floor(point), highest - 1.0);
-    uint word = gridWord(base, grid);
+    uint word = gridWord(ivec3(base), grid);
     vec3 in_cell = point - base;
     float inside = isFilled(word) ? 0.0 : freeCells(word) - 1.0 + least(min(in_cell, 1.0 - in_cell));
     return max(outside, inside);

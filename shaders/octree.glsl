@@ -8,11 +8,14 @@
 
 // What every step needs of the frame, loaded once.
 struct Grid {
-    vec2 stride;    // words in a row and in a layer
+    uvec2 stride; // words in a row and in a layer
     uint last_word;
 };
 
-Grid loadGridFrame() { return Grid(instance.grid_scale.yz, instance.grid_size.w); }
+Grid loadGridFrame() {
+    uvec4 size = instance.grid_size;
+    return Grid(uvec2(size.x, size.x * size.y), size.w);
+}
 
 // Of a point in cube units.
 vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.grid_origin.xyz); }
@@ -20,10 +23,12 @@ vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.
 // The grid's highest corner.
 vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
-// Cells to skip from an empty one towards the octant that shift stands for.
+// Cells to skip from an empty one towards the octant that shift stands for. No product, no conversion: what follows a
+// load is what a step takes.
 float skippedCells(uint word, uint octant_shift) {
-    float code = float(int(word >> octant_shift & PRO_SKIP_MASK));
-    return max(code, PRO_SKIP_SQUARE * code * code);
+    uint code = word >> octant_shift & PRO_SKIP_MASK;
+    float cells = uintBitsToFloat((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
+    return code == PRO_SKIP_MASK ? PRO_SKIP_FARTHEST : cells;
 }
 
 bool isFilled(uint word) { return (word & PRO_SKIP_MASK) == 0u; }
@@ -51,22 +56,23 @@ void descend(vec3 point, inout Spot spot) {
 }
 
 // Of the grid cell with this lowest corner; from outside, of whatever cell.
-uint gridWord(vec3 base, Grid grid) {
-    int index = int(base.x + base.y * grid.stride.x + base.z * grid.stride.y);
-    return loadGrid(min(uint(index), grid.last_word));
+uint gridWord(ivec3 base, Grid grid) {
+    uvec3 at = uvec3(base);
+    return loadGrid(min(at.x + at.y * grid.stride.x + at.z * grid.stride.y, grid.last_word));
 }
+
+// A brick's first word from the grid word that names it.
+uint firstWord(uint grid_word) { return (grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS; }
 
 // Points outside the grid get an answer too, of whatever cell.
 Spot spotAt(vec3 point, Grid grid) {
-    vec3 grid_base = floor(point);
+    ivec3 grid_base = ivec3(point), brick_base = ivec3(point * float(PRO_BRICK_SIDE));
     uint grid_word = gridWord(grid_base, grid);
     bool filled = isFilled(grid_word);
-    vec3 part = floor((point - grid_base) * float(PRO_BRICK_SIDE));
-    uint cell = uint(int(part.x + part.y * float(PRO_BRICK_SIDE) + part.z * float(PRO_BRICK_SIDE * PRO_BRICK_SIDE)));
-    cell = min(cell, PRO_BRICK_WORDS - 1u); // rounding from below 0, or no number
-    uint brick_word = loadBrickWord(filled ? (grid_word >> PRO_GRID_BRICK_SHIFT) * PRO_BRICK_WORDS + cell : 0u);
-    vec3 brick_base = grid_base * float(PRO_BRICK_SIDE) + part;
-    Spot spot = Spot(filled ? brick_base : grid_base, filled ? 1.0 / float(PRO_BRICK_SIDE) : 1.0,
+    uvec3 part = uvec3(brick_base) & (PRO_BRICK_SIDE - 1u);
+    uint cell = part.x | part.y << PRO_BRICK_BITS | part.z << 2u * PRO_BRICK_BITS;
+    uint brick_word = loadBrickWord(filled ? firstWord(grid_word) | cell : 0u);
+    Spot spot = Spot(vec3(filled ? brick_base : grid_base), filled ? 1.0 / float(PRO_BRICK_SIDE) : 1.0,
                      filled ? brick_word : grid_word);
     if (kUneven) descend(point, spot);
     return spot;

@@ -79,7 +79,7 @@ struct InstanceParams {
     vec4 row_y;
     vec4 row_z;
     vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units in a stage unit
-    vec4 grid_scale;   // x: entry grid cells in a cube unit, y: words in a row, z: in a layer, w: one position step in cells
+    vec4 grid_scale;   // x: entry grid cells in a cube unit, y: one position step in cells
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
     uvec4 grid_size;   // xyz: cells, w: last word
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics

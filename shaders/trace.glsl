@@ -73,12 +73,12 @@ Walk startWalk(TraceRay ray, out float t_start) {
     vec3 origin = gridPoint(ray.origin), highest = gridEnd();
     vec3 near = (mix(highest, vec3(0.0), rising) - origin) * walk.inverse;
     // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
-    vec3 last = mix(vec3(0.0), highest, rising) - 1.5 * instance.grid_scale.w * side;
+    vec3 last = mix(vec3(0.0), highest, rising) - 1.5 * instance.grid_scale.y * side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
     // from a distant origin the product's rounding may put it outside, where words are those of other cells
     walk.origin = clamp(origin + walk.direction * t_start, vec3(0.0), highest);
-    walk.start = walk.origin + side * instance.grid_scale.w;
+    walk.start = walk.origin + side * instance.grid_scale.y;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
     return walk;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "format/src/parallel.h"
 #include "pointrt/pro_index_layout.h"
@@ -20,54 +21,78 @@ using Block = std::array<std::uint8_t, kBlockSide * kBlockSide * kBlockSide>;
 
 std::uint32_t blockIndex(const Index& at) { return (at[2] * kBlockSide + at[1]) * kBlockSide + at[0]; }
 
-/// Skips towards one octant.
+/// Grid cells with a larger empty cube are left as they are: a part of a cell more is little to them.
+constexpr float kNearBricks = 3;
+constexpr std::uint32_t kNoBlock = ~0u;
+
+/// Skips towards one octant, in edges of bricks' cells. Empty grid cells near bricks are worked through as if they were
+/// bricks.
 class OctantSkips {
 public:
     OctantSkips(const EntryGrid& grid, std::size_t brick_count, const Words& words, std::uint32_t octant)
-        : grid_(grid), words_(words), octant_(octant), skips_(brick_count * PRO_BRICK_WORDS) {}
+        : grid_(grid), words_(words), octant_(octant), brick_count_(static_cast<std::uint32_t>(brick_count)),
+          blocks_(grid.words.size(), kNoBlock), reach_(grid.words.size()) {
+        std::uint32_t count = brick_count_;
+        for (std::size_t c = 0; c < blocks_.size(); ++c) {
+            const std::uint32_t word = grid.words[c];
+            const bool filled = (word & PRO_SKIP_MASK) == 0;
+            const float cells = filled ? 0 : skippedCells(word >> (PRO_SKIP_BITS * octant) & PRO_SKIP_MASK);
+            reach_[c] = static_cast<std::uint8_t>(cells * PRO_BRICK_SIDE);
+            if (filled)
+                blocks_[c] = word >> PRO_GRID_BRICK_SHIFT;
+            else if (cells <= kNearBricks)
+                blocks_[c] = count++;
+        }
+        skips_.resize(std::size_t{count} * PRO_BRICK_WORDS);
+        run();
+    }
 
-    /// PRO_BRICK_WORDS for each brick; 0 for filled cells.
-    std::vector<std::uint8_t> run() {
-        // from the octant's far corner inwards: what a brick needs of others is there before it
+    /// Of a brick's word; 0 for filled ones.
+    std::uint8_t ofWord(std::size_t word) const { return skips_[word]; }
+    /// Of an empty grid cell.
+    std::uint8_t ofGridCell(std::size_t cell) const { return reach_[cell]; }
+
+private:
+    /// From the octant's far corner inwards: what a block needs of others is there before it.
+    void run() {
         Index cell;
         for (std::uint32_t k = 0; k < grid_.size[2]; ++k)
             for (std::uint32_t j = 0; j < grid_.size[1]; ++j)
                 for (std::uint32_t i = 0; i < grid_.size[0]; ++i) {
                     cell = {inwards(0, i), inwards(1, j), inwards(2, k)};
-                    const std::uint32_t word = gridWord(cell);
-                    if ((word & PRO_SKIP_MASK) == 0) fillBrick(cell, word >> PRO_GRID_BRICK_SHIFT);
+                    if (blocks_[indexOf(cell)] != kNoBlock) fillBlock(cell, indexOf(cell));
                 }
-        return std::move(skips_);
     }
 
-private:
     bool rises(std::uint32_t axis) const { return octant_ >> axis & 1; }
     std::uint32_t inwards(std::uint32_t axis, std::uint32_t i) const {
         return rises(axis) ? grid_.size[axis] - 1 - i : i;
     }
-    std::uint32_t gridWord(const Index& cell) const {
-        return grid_.words[(std::size_t{cell[2]} * grid_.size[1] + cell[1]) * grid_.size[0] + cell[0]];
+    std::size_t indexOf(const Index& cell) const {
+        return (std::size_t{cell[2]} * grid_.size[1] + cell[1]) * grid_.size[0] + cell[0];
     }
 
-    /// The word of the brick's cell at a place counted in the octant's directions.
-    std::size_t wordOf(std::uint32_t brick, const Index& at) const {
+    /// The word of a block's cell at a place counted in the octant's directions.
+    std::size_t wordOf(std::uint32_t block, const Index& at) const {
         std::size_t word = 0;
         for (std::uint32_t axis = 0; axis < 3; ++axis)
             word |= std::size_t{rises(axis) ? at[axis] : PRO_BRICK_SIDE - 1 - at[axis]} << (2 * axis);
-        return std::size_t{brick} * PRO_BRICK_WORDS + word;
+        return std::size_t{block} * PRO_BRICK_WORDS + word;
     }
 
-    void fillBrick(const Index& cell, std::uint32_t brick) {
+    void fillBlock(const Index& cell, std::size_t grid_index) {
+        const std::uint32_t number = blocks_[grid_index];
         Block block;
         for (std::uint32_t side = 1; side < 8; ++side) borrow(cell, side, block);
         Index at;
         for (at[2] = PRO_BRICK_SIDE; at[2]-- > 0;)
             for (at[1] = PRO_BRICK_SIDE; at[1]-- > 0;)
                 for (at[0] = PRO_BRICK_SIDE; at[0]-- > 0;) {
-                    const std::size_t word = wordOf(brick, at);
-                    const bool filled = (words_[word] & PRO_SKIP_MASK) == 0;
+                    const std::size_t word = wordOf(number, at);
+                    const bool filled = number < brick_count_ && (words_[word] & PRO_SKIP_MASK) == 0;
                     block[blockIndex(at)] = skips_[word] = filled ? std::uint8_t{0} : onward(block, blockIndex(at));
                 }
+        if (number >= brick_count_) reach_[grid_index] = std::max(reach_[grid_index], block[0]);
     }
 
     /// 1 and the least of the 7 cells further on, as in the grid.
@@ -75,7 +100,7 @@ private:
         constexpr std::uint32_t y = kBlockSide, z = kBlockSide * kBlockSide;
         const std::uint8_t* p = block.data() + at;
         const std::uint8_t least = std::min({p[1], p[y], p[1 + y], p[z], p[1 + z], p[y + z], p[1 + y + z]});
-        return std::min<std::uint8_t>(PRO_SKIP_CELLS_MAX, least + 1);
+        return std::min<std::uint8_t>(kSkippedMost, least + 1);
     }
 
     /// Copies the skips of the grid cell beyond by the axes in side (bit 0: x, ...) to the block's rim.
@@ -89,47 +114,56 @@ private:
             first[axis] = crossed ? PRO_BRICK_SIDE : 0;
             last[axis] = crossed ? PRO_BRICK_SIDE : PRO_BRICK_SIDE - 1;
         }
-        const std::uint32_t word = outside ? ~0u : gridWord(beyond); // outside, every nibble is the largest
-        const bool filled = (word & PRO_SKIP_MASK) == 0;
-        const std::uint32_t empty_cells = skippedCells(word >> (PRO_SKIP_BITS * octant_) & PRO_SKIP_MASK);
+        const std::uint32_t other = outside ? kNoBlock : blocks_[indexOf(beyond)];
+        const std::uint32_t reach = outside ? kSkippedMost * PRO_BRICK_SIDE : reach_[indexOf(beyond)];
         Index at;
         for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
             for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
                 for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
                     const Index inside{at[0] % PRO_BRICK_SIDE, at[1] % PRO_BRICK_SIDE, at[2] % PRO_BRICK_SIDE};
-                    if (filled) {
-                        block[blockIndex(at)] = skips_[wordOf(word >> PRO_GRID_BRICK_SHIFT, inside)];
+                    if (other != kNoBlock) {
+                        block[blockIndex(at)] = skips_[wordOf(other, inside)];
                         continue;
                     }
                     // of an empty stretch of grid cells, what lies beyond this place in the first of them
-                    const std::uint32_t left =
-                        empty_cells * PRO_BRICK_SIDE - std::max({inside[0], inside[1], inside[2]});
-                    block[blockIndex(at)] =
-                        static_cast<std::uint8_t>(std::min<std::uint32_t>(PRO_SKIP_CELLS_MAX, left));
+                    const std::uint32_t left = reach - std::max({inside[0], inside[1], inside[2]});
+                    block[blockIndex(at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(kSkippedMost, left));
                 }
     }
 
     const EntryGrid& grid_;
     const Words& words_;
-    std::uint32_t octant_;
-    std::vector<std::uint8_t> skips_;
+    std::uint32_t octant_, brick_count_;
+    std::vector<std::uint32_t> blocks_; ///< of each grid cell: its brick, or a number from brick_count_ on, or kNoBlock
+    std::vector<std::uint8_t> reach_;   ///< of each empty grid cell
+    std::vector<std::uint8_t> skips_;   ///< PRO_BRICK_WORDS for each block; 0 for filled cells
 };
+
+using AllSkips = std::array<std::optional<OctantSkips>, 8>;
+
+/// edges(octant) of the empty cube towards each octant, in edges of the word's own cell.
+template <typename Edges>
+void writeSkips(std::uint32_t& word, const Edges& edges) {
+    if ((word & PRO_SKIP_MASK) == 0) return;
+    word = 0;
+    for (std::uint32_t octant = 0; octant < 8; ++octant)
+        word |= std::uint32_t{skipCode(edges(octant))} << (PRO_SKIP_BITS * octant);
+}
 
 } // namespace
 
-void fillCellSkips(const EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads) {
-    std::array<std::vector<std::uint8_t>, 8> skips;
+void fillCellSkips(EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads) {
+    AllSkips skips;
     const auto fillOctant = [&](std::size_t octant) {
-        skips[octant] = OctantSkips(grid, brick_count, words, static_cast<std::uint32_t>(octant)).run();
+        skips[octant].emplace(grid, brick_count, words, static_cast<std::uint32_t>(octant));
     };
     forAll(8, fillOctant, threads);
-    const std::size_t count = skips[0].size();
-    for (std::size_t w = 0; w < count; ++w) {
-        if ((words[w] & PRO_SKIP_MASK) == 0) continue;
-        words[w] = 0;
-        for (std::uint32_t octant = 0; octant < 8; ++octant)
-            words[w] |= std::uint32_t{skipCode(skips[octant][w])} << (PRO_SKIP_BITS * octant);
-    }
+    for (std::size_t w = 0; w < brick_count * PRO_BRICK_WORDS; ++w)
+        writeSkips(words[w], [&](std::uint32_t octant) { return float{skips[octant]->ofWord(w)}; });
+    for (std::size_t c = 0; c < grid.words.size(); ++c)
+        writeSkips(grid.words[c], [&](std::uint32_t octant) {
+            return static_cast<float>(skips[octant]->ofGridCell(c)) / PRO_BRICK_SIDE;
+        });
 }
 
 } // namespace pointrt

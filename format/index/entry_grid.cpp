@@ -95,8 +95,7 @@ std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[
 std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
     // a border of empty cells around the grid saves asking where it ends
     const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
-    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], std::uint8_t{PRO_SKIP_CELLS_MAX}),
-        skips(filled.size());
+    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kSkippedMost), skips(filled.size());
     const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
                                                static_cast<std::ptrdiff_t>(size[0] * size[1])};
     std::ptrdiff_t toward[3];
@@ -113,7 +112,7 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
                 const std::ptrdiff_t dx = toward[0], dy = toward[1], dz = toward[2];
                 const std::uint8_t nearest =
                     std::min({at[dx], at[dy], at[dz], at[dx + dy], at[dx + dz], at[dy + dz], at[dx + dy + dz]});
-                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(PRO_SKIP_CELLS_MAX, nearest + 1);
+                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(kSkippedMost, nearest + 1);
                 skips[cell] = *at;
             }
     return skips;

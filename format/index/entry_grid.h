@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,22 +26,25 @@ struct EntryGrid {
     bool uneven = false; ///< so many of the octree's leaves lie deeper that cells are to be cut further
 };
 
-/// Whole cells that a skip code stands for, and the largest code for no more than so many, at least 1.
-constexpr std::uint32_t skippedCells(std::uint32_t code) {
-    return std::max(code, static_cast<std::uint32_t>(PRO_SKIP_SQUARE * static_cast<float>(code * code)));
+/// Edges of the empty cube that a skip code, 1 to 15, stands for.
+constexpr float skippedCells(std::uint32_t code) {
+    return code == PRO_SKIP_MASK ? PRO_SKIP_FARTHEST : std::bit_cast<float>((code << PRO_SKIP_SHIFT) + PRO_SKIP_BIAS);
 }
-constexpr std::uint8_t skipCode(std::uint32_t cells) {
+/// The largest code for a cube of no more than so many edges, at least 1.
+constexpr std::uint8_t skipCode(float cells) {
     std::uint32_t code = 1;
-    while (code < PRO_SKIP_MASK && std::max<float>(code + 1, PRO_SKIP_SQUARE * (code + 1) * (code + 1)) <= cells)
-        ++code;
+    while (code < PRO_SKIP_MASK && skippedCells(code + 1) <= cells) ++code;
     return static_cast<std::uint8_t>(code);
 }
+
+/// Whole edges of cubes larger than this make no difference to a code.
+constexpr auto kSkippedMost = static_cast<std::uint8_t>(PRO_SKIP_FARTHEST);
 
 /// A grid without words over the leaves of a validated file, of cells at depth deepest of the octree or above.
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest = PRO_MAX_DEPTH);
 
-/// Writes the words of a grid without any. corners: of its filled cells, in position steps; brick k is the one at
-/// corners[k]. threads: at most; 0 is all cores.
+/// Writes the words of a grid without any, with skips of whole cells. corners: of its filled cells, in position steps;
+/// brick k is the one at corners[k]. threads: at most; 0 is all cores.
 void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t threads = 0);
 
 } // namespace pointrt

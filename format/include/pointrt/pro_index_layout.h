@@ -4,13 +4,16 @@
 #ifndef POINTRT_PRO_INDEX_LAYOUT_H
 #define POINTRT_PRO_INDEX_LAYOUT_H
 
-// A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how many cells
-// around and including it are empty towards octant k (bit 0 of k: x rising, bit 1: y, bit 2: z), at least: the larger
-// of the nibble and PRO_SKIP_SQUARE times its square, 28.125 at most. The low nibble of a filled one is 0.
+// A word of the entry grid or of a brick is empty or filled. In an empty one nibble k, 1 to 15, says how large a cube,
+// in edges of its cell, is empty at least that has the cell in its corner and extends towards octant k (bit 0 of k: x
+// rising, bit 1: y, bit 2: z): PRO_SKIP_FARTHEST for 15, else the float with the bits (nibble << PRO_SKIP_SHIFT) +
+// PRO_SKIP_BIAS, which is 1, 1.25, 1.5, 1.75, 2, 2.5 and so on, with 3 bits of precision, up to 10. So a grid word's
+// cubes may end inside a brick, at a border of its cells. The low nibble of a filled word is 0.
 #define PRO_SKIP_BITS 4u
 #define PRO_SKIP_MASK 15u
-#define PRO_SKIP_SQUARE 0.125f
-#define PRO_SKIP_CELLS_MAX 29
+#define PRO_SKIP_SHIFT 21u
+#define PRO_SKIP_BIAS 0x3F600000u
+#define PRO_SKIP_FARTHEST 28.0f
 
 // A filled grid word names its brick: brick << PRO_GRID_BRICK_SHIFT.
 #define PRO_GRID_BRICK_SHIFT 4u
@@ -18,6 +21,7 @@
 // A brick: the words of 4 x 4 x 4 cells, x fastest; behind all bricks follow groups of 8 words, for cells with too many
 // splats. A filled word names a cell, or with PRO_CELL_INNER the group of its halves: index << PRO_CELL_INDEX_SHIFT.
 #define PRO_BRICK_SIDE 4
+#define PRO_BRICK_BITS 2u // log2 of that
 #define PRO_BRICK_WORDS 64u
 #define PRO_GROUP_WORDS 8u
 #define PRO_CELL_INNER 16u

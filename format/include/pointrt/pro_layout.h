@@ -157,7 +157,7 @@
 
 /* The entry grid's cells are cubes of the octree. */
 #define PRO_GRID_SHIFT_MIN 7u          /* log2 of their edge in position steps: a brick's cells keep 32 of them */
-#define PRO_GRID_WORDS_MAX 0x1000000u  /* 2^24, whose numbers shaders compute in floats */
+#define PRO_GRID_WORDS_MAX 0x1000000u  /* 2^24: a texel buffer of what devices the viewer takes holds them */
 #define PRO_INDEX_HALVINGS_MAX 12u     /* groups below a brick's cell, at most */
 #define PRO_INDEX_BLEND_MAX 0xFFFFu    /* splats that only blend in a cell, at most */
 #define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, at most: their bytes in four words fit 32 bits */
