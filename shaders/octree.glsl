@@ -8,13 +8,15 @@
 
 // What every step needs of the frame, loaded once.
 struct Grid {
-    uvec2 stride; // words in a row and in a layer
+    uint row; // words
+    uint layer;
     uint last_word;
+    uint last_brick_word;
 };
 
 Grid loadGridFrame() {
-    uvec4 size = instance.grid_size;
-    return Grid(uvec2(size.x, size.x * size.y), size.w);
+    uvec4 words = instance.grid_words;
+    return Grid(words.x, words.y, words.z, words.w);
 }
 
 // Of a point in cube units.
@@ -58,7 +60,7 @@ void descend(vec3 point, inout Spot spot) {
 // Of the grid cell with this lowest corner; from outside, of whatever cell.
 uint gridWord(ivec3 base, Grid grid) {
     uvec3 at = uvec3(base);
-    return loadGrid(min(at.x + at.y * grid.stride.x + at.z * grid.stride.y, grid.last_word));
+    return loadGrid(min(at.x + at.y * grid.row + at.z * grid.layer, grid.last_word));
 }
 
 // A brick's first word from the grid word that names it.
@@ -71,7 +73,8 @@ Spot spotAt(vec3 point, Grid grid) {
     bool filled = isFilled(grid_word);
     uvec3 part = uvec3(brick_base) & (PRO_BRICK_SIDE - 1u);
     uint cell = part.x | part.y << PRO_BRICK_BITS | part.z << 2u * PRO_BRICK_BITS;
-    uint brick_word = loadBrickWord(filled ? firstWord(grid_word) | cell : 0u);
+    // an empty word names no brick: any one's word will do
+    uint brick_word = loadBrickWord(min(firstWord(grid_word) | cell, grid.last_brick_word));
     Spot spot = Spot(vec3(filled ? brick_base : grid_base), filled ? 1.0 / float(PRO_BRICK_SIDE) : 1.0,
                      filled ? brick_word : grid_word);
     if (kUneven) descend(point, spot);
