@@ -159,7 +159,7 @@ void fillCellSkips(EntryGrid& grid, std::size_t brick_count, Words& words, std::
     };
     forAll(8, fillOctant, threads);
     for (std::size_t w = 0; w < brick_count * PRO_BRICK_WORDS; ++w)
-        writeSkips(words[w], [&](std::uint32_t octant) { return float{skips[octant]->ofWord(w)}; });
+        writeSkips(words[w], [&](std::uint32_t octant) { return static_cast<float>(skips[octant]->ofWord(w)); });
     for (std::size_t c = 0; c < grid.words.size(); ++c)
         writeSkips(grid.words[c], [&](std::uint32_t octant) {
             return static_cast<float>(skips[octant]->ofGridCell(c)) / PRO_BRICK_SIDE;
