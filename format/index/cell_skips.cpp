@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "format/src/parallel.h"
 #include "pointrt/pro_index_layout.h"
@@ -25,8 +26,13 @@ std::uint32_t blockIndex(const Index& at) { return (at[2] * kBlockSide + at[1]) 
 constexpr float kNearBricks = 3;
 constexpr std::uint32_t kNoBlock = ~0u;
 
-/// Skips towards one octant, in edges of bricks' cells. Empty grid cells near bricks are worked through as if they were
-/// bricks.
+/// Towards one octant, in edges of bricks' cells.
+struct Skips {
+    std::vector<std::uint8_t> of_words; ///< PRO_BRICK_WORDS for each brick; 0 for filled cells
+    std::vector<std::uint8_t> of_grid;  ///< of each empty grid cell
+};
+
+/// Empty grid cells near bricks are worked through as if they were bricks.
 class OctantSkips {
 public:
     OctantSkips(const EntryGrid& grid, std::size_t brick_count, const Words& words, std::uint32_t octant)
@@ -44,17 +50,10 @@ public:
                 blocks_[c] = count++;
         }
         skips_.resize(std::size_t{count} * PRO_BRICK_WORDS);
-        run();
     }
 
-    /// Of a brick's word; 0 for filled ones.
-    std::uint8_t ofWord(std::size_t word) const { return skips_[word]; }
-    /// Of an empty grid cell.
-    std::uint8_t ofGridCell(std::size_t cell) const { return reach_[cell]; }
-
-private:
-    /// From the octant's far corner inwards: what a block needs of others is there before it.
-    void run() {
+    Skips run() {
+        // from the octant's far corner inwards: what a block needs of others is there before it
         Index cell;
         for (std::uint32_t k = 0; k < grid_.size[2]; ++k)
             for (std::uint32_t j = 0; j < grid_.size[1]; ++j)
@@ -62,8 +61,12 @@ private:
                     cell = {inwards(0, i), inwards(1, j), inwards(2, k)};
                     if (blocks_[indexOf(cell)] != kNoBlock) fillBlock(cell, indexOf(cell));
                 }
+        skips_.resize(std::size_t{brick_count_} * PRO_BRICK_WORDS);
+        skips_.shrink_to_fit(); // eight of them wait for each other
+        return {std::move(skips_), std::move(reach_)};
     }
 
+private:
     bool rises(std::uint32_t axis) const { return octant_ >> axis & 1; }
     std::uint32_t inwards(std::uint32_t axis, std::uint32_t i) const {
         return rises(axis) ? grid_.size[axis] - 1 - i : i;
@@ -139,8 +142,6 @@ private:
     std::vector<std::uint8_t> skips_;   ///< PRO_BRICK_WORDS for each block; 0 for filled cells
 };
 
-using AllSkips = std::array<std::optional<OctantSkips>, 8>;
-
 /// edges(octant) of the empty cube towards each octant, in edges of the word's own cell.
 template <typename Edges>
 void writeSkips(std::uint32_t& word, const Edges& edges) {
@@ -153,17 +154,16 @@ void writeSkips(std::uint32_t& word, const Edges& edges) {
 } // namespace
 
 void fillCellSkips(EntryGrid& grid, std::size_t brick_count, Words& words, std::size_t threads) {
-    AllSkips skips;
+    std::array<Skips, 8> skips;
     const auto fillOctant = [&](std::size_t octant) {
-        skips[octant].emplace(grid, brick_count, words, static_cast<std::uint32_t>(octant));
+        skips[octant] = OctantSkips(grid, brick_count, words, static_cast<std::uint32_t>(octant)).run();
     };
     forAll(8, fillOctant, threads);
     for (std::size_t w = 0; w < brick_count * PRO_BRICK_WORDS; ++w)
-        writeSkips(words[w], [&](std::uint32_t octant) { return static_cast<float>(skips[octant]->ofWord(w)); });
+        writeSkips(words[w], [&](std::uint32_t octant) { return static_cast<float>(skips[octant].of_words[w]); });
     for (std::size_t c = 0; c < grid.words.size(); ++c)
-        writeSkips(grid.words[c], [&](std::uint32_t octant) {
-            return static_cast<float>(skips[octant]->ofGridCell(c)) / PRO_BRICK_SIDE;
-        });
+        writeSkips(grid.words[c],
+                   [&](std::uint32_t octant) { return static_cast<float>(skips[octant].of_grid[c]) / PRO_BRICK_SIDE; });
 }
 
 } // namespace pointrt
