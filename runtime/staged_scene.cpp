@@ -45,7 +45,7 @@ gpu::InstanceParams placeInstance(const Stage& stage, const Scene& file, const P
     params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
     const std::uint32_t layer = grid.size[0] * grid.size[1];
     params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
-    params.grid_words = {grid.size[0], layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1};
+    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
     params.materials = {number, 0, 0, 0};
     return params;
 }

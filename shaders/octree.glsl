@@ -16,7 +16,7 @@ struct Grid {
 
 Grid loadGridFrame() {
     uvec4 words = instance.grid_words;
-    return Grid(words.x, words.y, words.z, words.w);
+    return Grid(instance.grid_size.x, words.x, words.y, words.z);
 }
 
 // Of a point in cube units.

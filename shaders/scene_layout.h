@@ -82,7 +82,7 @@ struct InstanceParams {
     vec4 grid_scale;   // x: entry grid cells in a cube unit, y: one position step in cells
     uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
     uvec4 grid_size;   // xyz: cells
-    uvec4 grid_words;  // x: in a row, y: in a layer, z: number of the last, w: of the last one of a brick
+    uvec4 grid_words;  // x: in a layer, y: number of the last, z: of the last one of a brick
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };

@@ -152,7 +152,7 @@ private:
 
     CellBox boxOf(std::uint32_t cell, const Vector& offset) const {
         const auto middle = [&](std::uint32_t axis) {
-            return offset[axis] + static_cast<float>(cell >> (2 * axis) & (PRO_BRICK_SIDE - 1)) + 0.5f;
+            return offset[axis] + static_cast<float>(cell >> (PRO_BRICK_BITS * axis) & (PRO_BRICK_SIDE - 1)) + 0.5f;
         };
         return {{middle(0), middle(1), middle(2)}, 0.5f, slack_};
     }

@@ -39,9 +39,6 @@ struct IndexOptions {
     BrickLimits limits{};
 };
 
-/// An empty word before its skips are known: one cell in each direction.
-constexpr std::uint32_t kEmptyWord = 0x11111111u;
-
 /// Builds the bricks of a validated file, for all cells of its grid that discs cross. Where they would outgrow the
 /// limits, grid is framed anew, a depth less each time. Throws std::bad_alloc, or Error (kCannotRun) when no depth is
 /// left or a cell's list outgrows its word.

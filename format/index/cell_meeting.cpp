@@ -54,7 +54,7 @@ private:
             const float reach = disc_.reach[axis] + slab * std::fabs(disc_.normal[axis]);
             std::uint64_t reached = 0;
             for (std::uint32_t k = 0; k < PRO_BRICK_SIDE; ++k)
-                if (outside_[axis][k] <= reach) reached |= kAlong[axis] << (k << (2 * axis));
+                if (outside_[axis][k] <= reach) reached |= kAlong[axis] << (k << (PRO_BRICK_BITS * axis));
             all &= reached;
         }
         return all;

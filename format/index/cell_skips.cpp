@@ -79,7 +79,7 @@ private:
     std::size_t wordOf(std::uint32_t block, const Index& at) const {
         std::size_t word = 0;
         for (std::uint32_t axis = 0; axis < 3; ++axis)
-            word |= std::size_t{rises(axis) ? at[axis] : PRO_BRICK_SIDE - 1 - at[axis]} << (2 * axis);
+            word |= std::size_t{rises(axis) ? at[axis] : PRO_BRICK_SIDE - 1 - at[axis]} << (PRO_BRICK_BITS * axis);
         return std::size_t{block} * PRO_BRICK_WORDS + word;
     }
 
@@ -141,15 +141,6 @@ private:
     std::vector<std::uint8_t> reach_;   ///< of each empty grid cell
     std::vector<std::uint8_t> skips_;   ///< PRO_BRICK_WORDS for each block; 0 for filled cells
 };
-
-/// edges(octant) of the empty cube towards each octant, in edges of the word's own cell.
-template <typename Edges>
-void writeSkips(std::uint32_t& word, const Edges& edges) {
-    if ((word & PRO_SKIP_MASK) == 0) return;
-    word = 0;
-    for (std::uint32_t octant = 0; octant < 8; ++octant)
-        word |= std::uint32_t{skipCode(edges(octant))} << (PRO_SKIP_BITS * octant);
-}
 
 } // namespace
 

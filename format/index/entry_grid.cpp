@@ -134,7 +134,7 @@ EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32
 
 void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t threads) {
     std::vector<char> filled(wordCount(grid));
-    grid.words.assign(filled.size(), 0);
+    grid.words.assign(filled.size(), kEmptyWord);
     for (std::size_t k = 0; k < corners.size(); ++k) {
         std::size_t word = 0;
         for (std::size_t axis = 3; axis-- > 0;)
@@ -148,8 +148,7 @@ void fillEntryGrid(EntryGrid& grid, std::span<const Corner> corners, std::size_t
     };
     forAll(8, fillOctant, threads);
     for (std::size_t c = 0; c < filled.size(); ++c)
-        for (std::uint32_t octant = 0; octant < 8 && !filled[c]; ++octant)
-            grid.words[c] |= std::uint32_t{skipCode(skips[octant][c])} << (PRO_SKIP_BITS * octant);
+        writeSkips(grid.words[c], [&](std::uint32_t octant) { return static_cast<float>(skips[octant][c]); });
 }
 
 } // namespace pointrt

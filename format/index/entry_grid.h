@@ -37,6 +37,19 @@ constexpr std::uint8_t skipCode(float cells) {
     return static_cast<std::uint8_t>(code);
 }
 
+/// An empty word before its skips are known: one cell in each direction.
+constexpr std::uint32_t kEmptyWord = 0x11111111u;
+
+/// Writes an empty word's skips; leaves a filled one alone. edges(octant): of the empty cube towards it, in edges of
+/// the word's own cell.
+template <typename Edges>
+void writeSkips(std::uint32_t& word, const Edges& edges) {
+    if ((word & PRO_SKIP_MASK) == 0) return;
+    word = 0;
+    for (std::uint32_t octant = 0; octant < 8; ++octant)
+        word |= std::uint32_t{skipCode(edges(octant))} << (PRO_SKIP_BITS * octant);
+}
+
 /// Whole edges of cubes larger than this make no difference to a code.
 constexpr auto kSkippedMost = static_cast<std::uint8_t>(PRO_SKIP_FARTHEST);
 
