@@ -64,7 +64,7 @@ struct CellLists {
 
 void offer(const CellDisc& disc, const CellBox& box, CellLists& lists) {
     if (!mayMeet(disc, box, disc.slab)) return;
-    (mayMeet(disc, box, 0.0f) ? lists.hittable : lists.blending).push_back(&disc);
+    (meets(disc, box) ? lists.hittable : lists.blending).push_back(&disc);
 }
 
 /// How far a disc stays from the middle of a cell, less its radius.

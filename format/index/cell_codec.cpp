@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "format/index/disc_section.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
@@ -73,6 +74,26 @@ float quarterOctaveBelow(float value) {
     return std::floor(value / step) * step;
 }
 
+/// From the cell's middle, along a vector and in its lengths.
+struct Heights {
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+};
+
+/// Takes in the disc's part in the cell.
+void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const CellBox& box) {
+    const PlacedDisc placed{sum(disc.center, -1, box.middle), disc.normal, disc.radius};
+    const float middle = dot(normal, placed.center), half = box.half_edge + box.slack;
+    // not by 1 - cos^2, which cancels where a disc is nearly along the planes
+    const Vector axis = cross(normal, disc.normal);
+    const float sine = std::sqrt(dot(axis, axis)), reach = disc.radius * sine;
+    if (heights.least <= middle - reach && middle + reach <= heights.most) return;
+    Vector up = cross(disc.normal, axis);
+    for (float& component : up) component /= std::max(sine, std::numeric_limits<float>::min());
+    const Vector down{-up[0], -up[1], -up[2]};
+    heights.least = std::min(heights.least, middle - sine * reachInCube(placed, down, half));
+    heights.most = std::max(heights.most, middle + sine * reachInCube(placed, up, half));
+}
+
 /// Planes along the mean normal, rounded, outside of all discs and slack.
 std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box) {
     const Vector mean = meanNormal(discs);
@@ -84,15 +105,9 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
         normal[axis] = static_cast<float>(codes[axis]) / PRO_SLAB_NORMAL_MAX;
     }
     const float edges = 0.5f / box.half_edge;
-    float lo = std::numeric_limits<float>::infinity(), hi = -lo;
-    for (const CellDisc* disc : discs) {
-        const float height = dot(normal, sum(disc->center, -1, box.middle));
-        // not by 1 - cos^2, which cancels where a disc is nearly along the planes
-        const Vector sine = cross(normal, disc->normal);
-        const float reach = disc->radius * std::sqrt(dot(sine, sine)) + box.slack;
-        lo = std::min(lo, (height - reach) * edges);
-        hi = std::max(hi, (height + reach) * edges);
-    }
+    Heights heights;
+    for (const CellDisc* disc : discs) widen(heights, *disc, normal, box);
+    const float lo = (heights.least - box.slack) * edges, hi = (heights.most + box.slack) * edges;
     static constexpr float kMost = PRO_SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16
                                                         // edge (kHalfEdgeLeast, kDeepest)
     const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMost, kMost)); };

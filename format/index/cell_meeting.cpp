@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "format/index/disc_section.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt {
@@ -21,6 +22,7 @@ public:
                 const float distance = disc.center[axis] - offset[axis] - (static_cast<float>(k) + 0.5f);
                 const float outside = std::max(std::fabs(distance) - half_, 0.0f);
                 along_[axis][k] = disc.normal[axis] * distance;
+                distance_[axis][k] = distance;
                 beyond_[axis][k] = outside * outside;
                 outside_[axis][k] = outside;
             }
@@ -37,15 +39,18 @@ public:
             const float along = std::fabs(along_[0][x] + along_[1][y] + along_[2][z]);
             const float beyond = beyond_[0][x] + beyond_[1][y] + beyond_[2][z];
             const bool by_slab = along <= widest_ + slab && beyond <= radius_squared + slab * slab;
-            const bool by_disc = along <= widest_ && beyond <= radius_squared;
+            const bool by_disc = (disc_box >> cell & 1) != 0 && along <= widest_ && beyond <= radius_squared;
             met.by_slab |= std::uint64_t{by_slab} << cell;
-            met.by_disc |= std::uint64_t{by_disc} << cell;
+            met.by_disc |= std::uint64_t{by_disc && (beyond == 0 || meets(x, y, z))} << cell;
         }
-        met.by_disc &= disc_box;
         return met;
     }
 
 private:
+    bool meets(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+        return meetsCube({{distance_[0][x], distance_[1][y], distance_[2][z]}, disc_.normal, disc_.radius}, half_);
+    }
+
     /// Where the bounding box reaches: the bits of each axis, spread over the other two.
     std::uint64_t boxed(float slab) const {
         constexpr std::uint64_t kAlong[3] = {0x1111111111111111u, 0x000F000F000F000Fu, 0x000000000000FFFFu};
@@ -63,7 +68,7 @@ private:
     using PerCell = std::array<std::array<float, PRO_BRICK_SIDE>, 3>;
     const CellDisc& disc_;
     float half_, widest_ = 0;
-    PerCell along_, beyond_, outside_;
+    PerCell distance_, along_, beyond_, outside_;
 };
 
 } // namespace
@@ -80,6 +85,12 @@ bool mayMeet(const CellDisc& disc, const CellBox& box, float slab) {
         beyond += outside * outside;
     }
     return std::fabs(along) <= half * widest + slab && beyond <= disc.radius * disc.radius + slab * slab;
+}
+
+bool meets(const CellDisc& disc, const CellBox& box) {
+    PlacedDisc placed{disc.center, disc.normal, disc.radius};
+    for (std::size_t axis = 0; axis < 3; ++axis) placed.center[axis] -= box.middle[axis];
+    return mayMeet(disc, box, 0.0f) && meetsCube(placed, box.half_edge + box.slack);
 }
 
 CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack) {

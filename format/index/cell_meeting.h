@@ -12,13 +12,16 @@ namespace pointrt {
 /// do.
 bool mayMeet(const CellDisc& disc, const CellBox& box, float slab);
 
+/// Whether the disc meets the cell, by its section as well (disc_section.h).
+bool meets(const CellDisc& disc, const CellBox& box);
+
 /// Cells of a brick, a bit each.
 struct CellSets {
     std::uint64_t by_disc = 0, by_slab = 0;
 };
 
-/// mayMeet for all cells of a brick at once. Lengths are in edges of its cells; offset is its lowest corner, slack by
-/// how much cells are taken larger.
+/// mayMeet by slab, and meets, for all cells of a brick at once. Lengths are in edges of its cells; offset is its
+/// lowest corner, slack by how much cells are taken larger.
 CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack);
 
 } // namespace pointrt
