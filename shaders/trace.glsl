@@ -84,7 +84,7 @@ Walk startWalk(TraceRay ray, out float t_start) {
     return walk;
 }
 
-// Whether the ray comes between the planes that hold a cell's discs between t and t_out.
+// Whether the ray comes between the planes that hold the discs' parts in a cell, from t to t_out.
 bool meetsSlab(Walk walk, uint slab, vec3 middle, float edge, float t_out) {
     const int top = 32 - PRO_SLAB_NORMAL_BITS, height_top = 32 - PRO_SLAB_HEIGHT_BITS;
     vec3 normal = vec3(ivec3(slab) << (top - PRO_SLAB_NORMAL_BITS * ivec3(0, 1, 2)) >> top);

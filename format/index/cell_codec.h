@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the discs of a cell are written for the tracer: near splats, and the two planes that hold them all
+// How the discs of a cell are written for the tracer: near splats, and the two planes that hold their parts in it
 // (layout: pointrt/pro_index_layout.h).
 #pragma once
 
