@@ -7,8 +7,8 @@
 #define STRETCH 16u
 
 // lavapipe hands the first half of the workgroups to one thread and the rest to another: each takes one of every two
-// stretches, so that neither is left with the sky. Which one changes as in the Thue-Morse sequence, for in turn they would
-// share out the image by columns, where the stretches of a row are even in number.
+// stretches, so that neither is left with the sky. Which one changes as in the Thue-Morse sequence, for in turn they
+// would share out the image by columns, where the stretches of a row are even in number.
 uint balancedLane() {
     uint half_count = (gl_NumWorkGroups.x + 1u) >> 1;
     uint side = gl_WorkGroupID.x < half_count ? 0u : 1u, group = gl_WorkGroupID.x - side * half_count;

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <random>
 
 #include "pointrt/pro_index_layout.h"
 #include "runtime/vec.h"
+#include "tests/runtime/random_vectors.h"
 
 namespace pointrt {
 namespace {
@@ -100,26 +100,16 @@ Vec3 inEdges(Vec3 point) { return (point - toVec3(kBox.middle)) * (1 / kEdge); }
 Vec3 fromEdges(Vec3 local) { return toVec3(kBox.middle) + local * kEdge; }
 double largestPart(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-class RandomDiscs {
+class RandomDiscs : public test::RandomVectors {
 public:
-    explicit RandomDiscs(unsigned seed) : random_(seed) {}
+    using RandomVectors::RandomVectors;
 
-    double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
-    Vec3 direction() {
-        std::normal_distribution<double> gauss;
-        return normalize({gauss(random_), gauss(random_), gauss(random_)});
-    }
-    /// In the cell, in edges.
-    Vec3 point() { return {uniform(-0.5, 0.5), uniform(-0.5, 0.5), uniform(-0.5, 0.5)}; }
     /// Through a random point of the cell; radius in edges.
     CellDisc through(Vec3 normal, double radius) {
         const Vec3 across = normalize(cross(normal, direction()));
         const double distance = radius * std::sqrt(uniform(0, 0.99));
         return makeDisc(fromEdges(point() + across * distance), normal, radius * kEdge);
     }
-
-private:
-    std::mt19937 random_;
 };
 
 /// The normal's largest part is 127 codes and the others are rounded to whole codes.

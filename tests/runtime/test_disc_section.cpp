@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "tests/runtime/disc_polygon.h"
+#include "tests/runtime/random_vectors.h"
 
 namespace pointrt {
 namespace {
@@ -36,23 +35,16 @@ PlainDisc discOf(Vec3 center, Vec3 normal, double radius) {
     return disc;
 }
 
-class RandomDiscs {
+class RandomDiscs : public RandomVectors {
 public:
-    explicit RandomDiscs(unsigned seed) : engine_(seed) {}
-    double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
-    Vec3 direction() {
-        std::normal_distribution<double> gauss;
-        return normalize({gauss(engine_), gauss(engine_), gauss(engine_)});
-    }
+    using RandomVectors::RandomVectors;
+
     /// Whose plane meets the cube, and whose rim is about as likely to as not.
     PlainDisc next() {
-        const Vec3 normal = direction(), inside{uniform(-kHalf, kHalf), uniform(-kHalf, kHalf), uniform(-kHalf, kHalf)};
+        const Vec3 normal = direction(), inside = point();
         const double radius = std::pow(10.0, uniform(-1.5, 1)), away = radius * uniform(0, 1.2) + uniform(0, 0.5);
         return discOf(inside + normalize(cross(normal, direction())) * away, normal, radius);
     }
-
-private:
-    std::mt19937 engine_;
 };
 
 double leastComponent(Vec3 v) { return std::min({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }

@@ -34,9 +34,9 @@
 #define PRO_CELL_COUNT_MASK 0xFFFFu
 #define PRO_CELL_CODES_SHIFT 16u
 
-// Two planes that hold the parts of discs in a cell, in a word of their own. From the low bits up: their normal x, y, z as signed
-// codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's centre, in
-// PRO_SLAB_STEPS to an edge if the normal's codes were divided by PRO_SLAB_NORMAL_MAX.
+// Two planes that hold the parts of discs in a cell, in a word of their own. From the low bits up: their normal x, y, z
+// as signed codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's
+// centre, in PRO_SLAB_STEPS to an edge if the normal's codes were divided by PRO_SLAB_NORMAL_MAX.
 #define PRO_SLAB_NORMAL_BITS 6
 #define PRO_SLAB_NORMAL_MAX 31
 #define PRO_SLAB_HEIGHT_BITS 7
