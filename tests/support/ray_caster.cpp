@@ -304,6 +304,8 @@ std::vector<CastHit> RayCaster::loadedHits() {
     return hits;
 }
 
+double RayCaster::blendHits() { return state_->run(state_->surface, state_->loaded); }
+
 double RayCaster::traceSeconds() const { return state_->trace_seconds; }
 const std::string& RayCaster::deviceName() const { return state_->device.name; }
 double RayCaster::cellEdge() const {

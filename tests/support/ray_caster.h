@@ -67,6 +67,10 @@ public:
     /// it is not kNoSplat.
     std::vector<CastHit> loadedHits();
 
+    /// Blends the surfaces at the loaded rays' hits of the last trace, of first hits (or of traceCamera, whose rays
+    /// have been loaded since), as cast does. Seconds from submission to the end.
+    double blendHits();
+
     /// Seconds that the trace dispatches alone have taken so far, submission and waiting included.
     double traceSeconds() const;
     const std::string& deviceName() const;

@@ -89,12 +89,12 @@ python3 - "$out" <<'PYTHON'
 import json, sys
 figures = json.load(open(sys.argv[1]))
 print(figures[0]["device"])
-print("%-18s%10s  %-8s%9s%9s%8s%8s%8s%11s%8s%8s" % (
-    "scene", "splats", "rays", "Mrays/s", "Embree", "ratio", "min", "max", "agree %", "B/splat", "Embree"))
+print("%-18s%10s  %-8s%9s%9s%8s%8s%8s%9s%11s%8s%8s" % (
+    "scene", "splats", "rays", "Mrays/s", "Embree", "ratio", "min", "max", "blended", "agree %", "B/splat", "Embree"))
 for f in figures:
-    print("%-18.18s%10d  %-8s%9.2f%9.2f%8.3f%8.3f%8.3f%11.4f%8.1f%8.1f" % (
+    print("%-18.18s%10d  %-8s%9.2f%9.2f%8.3f%8.3f%8.3f%9.3f%11.4f%8.1f%8.1f" % (
         f["scene"], f["splats"], f["rays"], f["mrays_per_second"], f["embree_mrays_per_second"], f["ratio"],
-        f["ratio_min"], f["ratio_max"], 100 * f["agreement"], f["device_bytes_per_splat"],
-        f["embree_bytes_per_splat"]))
+        f["ratio_min"], f["ratio_max"], f["ratio_blended"], 100 * f["agreement"],
+        f["device_bytes_per_splat"], f["embree_bytes_per_splat"]))
 PYTHON
 echo "figures: $out"

@@ -20,8 +20,10 @@ double median(std::vector<double> values) {
 /// One turn's seconds.
 struct Turn {
     double ours = 0, single = 0, packets = 0;
+    double blending = 0; ///< after ours
     double embree() const { return std::min(single, packets); }
     double ratio() const { return embree() / ours; }
+    double blendedRatio() const { return embree() / (ours + blending); }
 };
 
 class Contest {
@@ -37,6 +39,8 @@ public:
         times.ours = camera_ ? caster_.traceCamera() : caster_.traceLoaded(any_hit_);
         times.single = embree(EmbreeMode::kSingle).seconds;
         times.packets = embree(EmbreeMode::kPackets).seconds;
+        if (camera_) caster_.load(rays_); // keeps their hits
+        if (!any_hit_) times.blending = caster_.blendHits();
         return times;
     }
 
@@ -94,6 +98,7 @@ Speed measureSpeed(RayCaster& caster, const EmbreeDiscs& discs, std::span<const 
     speed.ratio = median(ratios);
     speed.ratio_min = *std::min_element(ratios.begin(), ratios.end());
     speed.ratio_max = *std::max_element(ratios.begin(), ratios.end());
+    speed.ratio_blended = median(collect([](const Turn& turn) { return turn.blendedRatio(); }));
     const auto packets_won =
         std::count_if(turns.begin(), turns.end(), [](const Turn& turn) { return turn.packets < turn.single; });
     speed.embree_mode = 2 * packets_won > runs ? EmbreeMode::kPackets : EmbreeMode::kSingle;

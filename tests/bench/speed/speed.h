@@ -17,6 +17,7 @@ struct Speed {
     double hit_share = 0; ///< of our rays
     double ours = 0, embree = 0;
     double ratio = 0, ratio_min = 0, ratio_max = 0; ///< median, least and largest over the runs
+    double ratio_blended = 0;                       ///< median, with the surfaces at our first hits blended
     double agreement = 0;                           ///< share of rays with the same result, as sameResult says
     EmbreeMode embree_mode = EmbreeMode::kSingle;   ///< that won most of the runs
 };
@@ -25,7 +26,8 @@ struct Speed {
 bool sameFirstHit(std::span<const CubeSplat> splats, const CastHit& ours, const EmbreeHit& embrees);
 
 /// Times rays (not empty, at most the caster's batch): a first turn that is not counted, then runs turns of ours,
-/// Embree's single rays, Embree's packets of 8. Embree's time in a turn is its better one.
+/// Embree's single rays, Embree's packets of 8, and the blending of our first hits' surfaces, which Embree has none of.
+/// Embree's time in a turn is its better one.
 Speed measureSpeed(RayCaster& caster, const EmbreeDiscs& discs, std::span<const CubeSplat> splats,
                    std::span<const Ray> rays, RayKind kind, int runs);
 

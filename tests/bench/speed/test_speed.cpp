@@ -167,6 +167,8 @@ TEST(Speed, BothTracersAgreeAndLostDiscsShow) {
         EXPECT_GT(speed.ratio_min, 0);
         EXPECT_LE(speed.ratio_min, speed.ratio);
         EXPECT_LE(speed.ratio, speed.ratio_max);
+        EXPECT_GT(speed.ratio_blended, 0);
+        EXPECT_EQ(speed.ratio_blended < speed.ratio, kind != RayKind::kShadow) << nameOf(kind);
         const double lost = 1 - measureSpeed(caster, without, scene.splats, rays, kind, 1).agreement;
         EXPECT_GT(lost, 0.1 * speed.hit_share) << nameOf(kind);
     }

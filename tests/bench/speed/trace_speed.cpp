@@ -49,6 +49,7 @@ Json toJson(const Setting& setting, const Speed& speed) {
             {"ratio", speed.ratio},
             {"ratio_min", speed.ratio_min},
             {"ratio_max", speed.ratio_max},
+            {"ratio_blended", speed.ratio_blended},
             {"agreement", speed.agreement},
             {"embree_mode", nameOf(speed.embree_mode)},
             {"device", setting.device},
@@ -59,12 +60,12 @@ Json toJson(const Setting& setting, const Speed& speed) {
 void printTable(const Setting& setting, std::span<const Speed> speeds) {
     std::printf("%s: %zu splats; %.1f bytes a splat on the device, %.1f in Embree; %s\n", setting.scene.c_str(),
                 setting.splats, setting.device_bytes_per_splat, setting.embree_bytes_per_splat, setting.device.c_str());
-    std::printf("%-8s %9s %6s %8s %8s %7s %15s %10s  %s\n", "rays", "count", "hit %", "Mrays/s", "Embree", "ratio",
-                "min .. max", "agree %", "Embree by");
+    std::printf("%-8s %9s %6s %8s %8s %7s %15s %8s %10s  %s\n", "rays", "count", "hit %", "Mrays/s", "Embree", "ratio",
+                "min .. max", "blended", "agree %", "Embree by");
     for (const Speed& speed : speeds)
-        std::printf("%-8s %9zu %6.2f %8.2f %8.2f %7.3f %6.3f .. %5.3f %10.4f  %s\n", nameOf(speed.kind), speed.rays,
-                    100 * speed.hit_share, speed.ours, speed.embree, speed.ratio, speed.ratio_min, speed.ratio_max,
-                    100 * speed.agreement, nameOf(speed.embree_mode));
+        std::printf("%-8s %9zu %6.2f %8.2f %8.2f %7.3f %6.3f .. %5.3f %8.3f %10.4f  %s\n", nameOf(speed.kind),
+                    speed.rays, 100 * speed.hit_share, speed.ours, speed.embree, speed.ratio, speed.ratio_min,
+                    speed.ratio_max, speed.ratio_blended, 100 * speed.agreement, nameOf(speed.embree_mode));
 }
 
 int run(const Options& options) {
