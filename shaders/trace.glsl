@@ -4,7 +4,7 @@
 
 // Stackless traversal, in grid units. Each step finds the cell that the ray enters and passes it: an empty one with as
 // many more as its word allows in the ray's direction octant, a listed one by itself; its discs are looked at only
-// where the ray comes between the two planes that they lie between. Of all that only t is carried from step to step:
+// where the ray comes between the two planes that hold them there. Of all that only t is carried from step to step:
 // the ray looks one position step ahead, and the lists take in what that passes over.
 //
 // On lavapipe a loop runs its body once more after the last lane has left, unless that is asked at the end; and a lane

@@ -81,7 +81,7 @@ struct Heights {
 
 /// Takes in the disc's part in the cell.
 void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const CellBox& box) {
-    const PlacedDisc placed{sum(disc.center, -1, box.middle), disc.normal, disc.radius};
+    const PlacedDisc placed = placedIn(disc, box);
     const float middle = dot(normal, placed.center), half = box.half_edge + box.slack;
     // not by 1 - cos^2, which cancels where a disc is nearly along the planes
     const Vector axis = cross(normal, disc.normal);
@@ -94,7 +94,7 @@ void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const C
     heights.most = std::max(heights.most, middle + sine * reachInCube(placed, up, half));
 }
 
-/// Planes along the mean normal, rounded, outside of all discs and slack.
+/// Planes along the mean normal, rounded, outside of all discs' parts in the cell and slack.
 std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box) {
     const Vector mean = meanNormal(discs);
     const float length = std::sqrt(dot(mean, mean));

@@ -88,9 +88,7 @@ bool mayMeet(const CellDisc& disc, const CellBox& box, float slab) {
 }
 
 bool meets(const CellDisc& disc, const CellBox& box) {
-    PlacedDisc placed{disc.center, disc.normal, disc.radius};
-    for (std::size_t axis = 0; axis < 3; ++axis) placed.center[axis] -= box.middle[axis];
-    return mayMeet(disc, box, 0.0f) && meetsCube(placed, box.half_edge + box.slack);
+    return mayMeet(disc, box, 0.0f) && meetsCube(placedIn(disc, box), box.half_edge + box.slack);
 }
 
 CellSets cellsMet(const CellDisc& disc, const Vector& offset, float slack) {

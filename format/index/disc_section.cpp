@@ -68,6 +68,12 @@ float reachOfSection(const PlacedDisc& disc, const Vector& along, float half) {
 
 } // namespace
 
+PlacedDisc placedIn(const CellDisc& disc, const CellBox& box) {
+    PlacedDisc placed{disc.center, disc.normal, disc.radius};
+    for (std::size_t axis = 0; axis < 3; ++axis) placed.center[axis] -= box.middle[axis];
+    return placed;
+}
+
 bool meetsCube(const PlacedDisc& disc, float half) {
     if (disc.radius > kLargestRadius * half) return true;
     Around around;

@@ -13,6 +13,9 @@ struct PlacedDisc {
     float radius = 0;
 };
 
+/// As seen from the cell's middle.
+PlacedDisc placedIn(const CellDisc& disc, const CellBox& box);
+
 /// Whether the disc and the cube [-half, half]^3 have a point in common; sometimes true without. The cube must meet the
 /// disc's plane.
 bool meetsCube(const PlacedDisc& disc, float half);
