@@ -143,7 +143,7 @@ private:
             recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
             recordBarrier(commands);
         };
-        run(programs_.trace_shapes, sets_[0], offsetof(gpu::Control, ray_groups));
+        run(programs_.queued.trace_shapes, sets_[0], offsetof(gpu::Control, ray_groups));
         prepare(STEP_ASKED);
         for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
             const InstancePrograms& programs = programsFor(programs_, scene_, scene_.instances[i]);

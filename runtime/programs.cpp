@@ -10,6 +10,7 @@
 #include "runtime/frame_buffers.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
+#include "shaders/first_hits.spv.h"
 #include "shaders/light.spv.h"
 #include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
@@ -32,11 +33,12 @@ namespace {
 /// Values of the shaders' specialization constants, by number.
 struct Constants {
     InstanceTraits instance;
-    std::uint32_t sky_picture = 0, integrator = 0, features = 0;
+    std::uint32_t sky_picture = 0, integrator = 0, features = 0, camera_pass = 0;
 };
 
 std::vector<std::uint32_t> listed(const Constants& c) {
-    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_picture, c.integrator, c.features};
+    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_picture,
+                                      c.integrator,      c.features,          c.camera_pass};
     const PageCounts& pages = c.instance.pages;
     if (!isPaged(pages)) return values;
     values.push_back(pages.bits);
@@ -71,21 +73,28 @@ void orderFor(const InstanceTraits& instance, Constants constants, InstanceProgr
     constants.instance = instance;
     const bool paged = isPaged(instance.pages);
     const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> plain,
-                           std::span<const std::uint32_t> with_pages) {
+                           std::span<const std::uint32_t> with_pages, bool of_camera = false) {
+        constants.camera_pass = of_camera;
         orders.push_back({&program, name, paged ? with_pages : plain, constants});
     };
     order(programs.trace, "trace", trace_spv, trace_paged_spv);
     order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
+    order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
     order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
 }
 
 /// What is needed, for places in programs.
 std::vector<Order> orderAll(const StagedScene& scene, const Constants& constants, Programs& programs) {
+    Constants of_camera = constants;
+    of_camera.camera_pass = 1;
     std::vector<Order> orders{{&programs.prepare, "prepare", prepare_spv, constants},
-                              {&programs.trace_shapes, "trace_shapes", trace_shapes_spv, constants},
+                              {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
+                              {&programs.camera.trace_shapes, "trace_shapes (camera)", trace_shapes_spv, of_camera},
+                              {&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants},
                               {&programs.beam, "beam", beam_spv, constants},
-                              {&programs.shade, "shade", shade_spv, constants},
+                              {&programs.camera.shade, "shade (camera)", shade_spv, of_camera},
+                              {&programs.queued.shade, "shade", shade_spv, constants},
                               {&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants},
                               {&programs.light, "light", light_spv, constants}};
     if (castsCaustics(scene)) {
@@ -120,11 +129,12 @@ Programs createPrograms(Device& device, const StagedScene& scene, const RenderSe
 }
 
 void destroyPrograms(Device& device, Programs& programs) {
-    for (Program* program : {&programs.prepare, &programs.trace_shapes, &programs.beam, &programs.shade,
-                             &programs.shadow_shapes, &programs.light, &programs.photon, &programs.caustic})
+    for (Program* program : {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes,
+                             &programs.light, &programs.photon, &programs.caustic, &programs.camera.trace_shapes,
+                             &programs.camera.shade, &programs.queued.trace_shapes, &programs.queued.shade})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
-        for (Program* program : {&variant.trace, &variant.trace_primary, &variant.surface, &variant.shadow})
+        for (Program* program : {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface, &variant.shadow})
             destroyProgram(device, *program);
     programs.variants.clear();
 }
@@ -139,7 +149,7 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
     for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
     const Scene& file = scene.files[instance.file];
-    const VkDescriptorSet common = createDescriptorSet(device, pool, programs.shade, bindings);
+    const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
     const Program& trace = programsFor(programs, scene, instance).trace;
     return {common, createDescriptorSet(device, pool, trace, pageBindings(pagedBuffers(file)), 1)};

@@ -24,12 +24,18 @@ struct InstanceTraits {
 };
 
 struct InstancePrograms {
-    Program trace, trace_primary, surface, shadow;
+    Program trace, trace_primary, camera_surface, surface, shadow;
+};
+
+/// What camera rays and queued rays have one each of (shaders/features.glsl).
+struct PassPrograms {
+    Program trace_shapes, shade;
 };
 
 /// All declare the same bindings in set 0 (shaders/bindings.glsl), and those for paged instances in set 1.
 struct Programs {
-    Program prepare, trace_shapes, beam, shade, shadow_shapes, light, photon, caustic;
+    Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
+    PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
 };
 

@@ -11,7 +11,7 @@ void SampleRecorder::firstHits() {
     const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
     prepare(0, bits | STEP_RESET);
     primary(bits);
-    overRays(tracer_.programs.shade, 0, bits);
+    overRays(tracer_.programs.first_hits, 0, bits);
 }
 
 void SampleRecorder::begin() {
@@ -22,7 +22,7 @@ void SampleRecorder::begin() {
 
 void SampleRecorder::pass(std::uint32_t index) {
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
-    overRays(tracer_.programs.trace_shapes, index, queue);
+    overRays(tracer_.programs.queued.trace_shapes, index, queue);
     prepare(index, queue | STEP_ASKED);
     for (const TracerTarget& target : tracer_.targets) {
         overAsked(target.programs->trace, target.sets, index, queue);
@@ -33,7 +33,7 @@ void SampleRecorder::pass(std::uint32_t index) {
 
 void SampleRecorder::shade(std::uint32_t index, std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
-    overRays(programs.shade, index, bits);
+    overRays((index == 0 ? programs.camera : programs.queued).shade, index, bits);
     prepare(index, bits);
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
     if (lights == 0) return;
@@ -54,7 +54,7 @@ void SampleRecorder::shadows(std::uint32_t first, std::uint32_t pass, std::uint3
 
 /// First hits of the camera rays.
 void SampleRecorder::primary(std::uint32_t bits) {
-    overRays(tracer_.programs.trace_shapes, 0, bits);
+    overRays(tracer_.programs.camera.trace_shapes, 0, bits);
     for (std::size_t i = 0; i < tracer_.targets.size(); ++i) {
         const TracerTarget& target = tracer_.targets[i];
         if (i > 0) prepare(0, bits | STEP_RESET);
@@ -67,7 +67,7 @@ void SampleRecorder::primary(std::uint32_t bits) {
 /// Of what has just been hit: where a later instance is nearer, its own takes the place.
 void SampleRecorder::surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits) {
     prepare(pass, bits | STEP_HITS);
-    recordIndirect(target.programs->surface, target.sets, pass, bits, offsetof(gpu::Control, hit_groups));
+    recordIndirect(pass == 0 ? target.programs->camera_surface : target.programs->surface, target.sets, pass, bits, offsetof(gpu::Control, hit_groups));
 }
 
 void SampleRecorder::overRays(const Program& program, std::uint32_t pass, std::uint32_t bits) {

@@ -9,6 +9,10 @@ layout(constant_id = 3) const uint kIntegrator = INTEGRATOR_PHONG;
 // FEATURE_* bits
 layout(constant_id = 4) const uint kFeatures = 0xFFFFFFFFu;
 
+// Whether the lanes are the pixels and their rays the camera's, else they are those of the queue. Each has programs of its
+// own.
+layout(constant_id = 5) const bool kCameraPass = false;
+
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
 #define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)

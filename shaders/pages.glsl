@@ -7,14 +7,14 @@
 #include "pages.h"
 
 // Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to PAGES_MOST.
-layout(constant_id = 5) const uint kPageBits = 27u;
-layout(constant_id = 6) const uint kBrickPages = 1u;
-layout(constant_id = 7) const uint kCellPages = 1u;
-layout(constant_id = 8) const uint kSlabPages = 1u;
-layout(constant_id = 9) const uint kNearPages = 1u;
-layout(constant_id = 10) const uint kListPages = 1u;
-layout(constant_id = 11) const uint kBlendRangePages = 1u;
-layout(constant_id = 12) const uint kSplatPages = 1u;
+layout(constant_id = 6) const uint kPageBits = 27u;
+layout(constant_id = 7) const uint kBrickPages = 1u;
+layout(constant_id = 8) const uint kCellPages = 1u;
+layout(constant_id = 9) const uint kSlabPages = 1u;
+layout(constant_id = 10) const uint kNearPages = 1u;
+layout(constant_id = 11) const uint kListPages = 1u;
+layout(constant_id = 12) const uint kBlendRangePages = 1u;
+layout(constant_id = 13) const uint kSplatPages = 1u;
 
 layout(set = 1, binding = 0) uniform usamplerBuffer brick_pages[PAGES_MOST - 1];
 layout(set = 1, binding = 1) uniform usamplerBuffer cell_pages[PAGES_MOST - 1];

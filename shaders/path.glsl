@@ -3,12 +3,11 @@
 #ifndef POINTRT_SHADERS_PATH_GLSL
 #define POINTRT_SHADERS_PATH_GLSL
 #include "bindings.glsl"
+#include "features.glsl"
 #include "queue.glsl"
 #include "camera_ray.glsl"
 
 const uvec4 kNoHit = uvec4(0x7149F2CAu, NO_INDEX, NO_INDEX, 0u); // t is 1e30
-
-bool isCameraPass() { return push.step.z == 0u; }
 
 // Paths are numbered as lanes, by tiles of pixels: what is near each other then lies near each other in memory.
 uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PIXELS); }
@@ -25,14 +24,14 @@ PathState storedPath(uint index) {
 }
 
 PathState pathOf(uint index) {
-    if (isCameraPass()) return cameraPath(index);
+    if (kCameraPass) return cameraPath(index);
     return storedPath(index);
 }
 
 // index: the path's number, NO_INDEX where this lane has none.
 PathState currentPath(out uint index) {
     uint lane = balancedLane();
-    index = isCameraPass() ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
+    index = kCameraPass ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
     return pathOf(index != NO_INDEX ? index : 0u);
 }
 

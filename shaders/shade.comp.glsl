@@ -44,14 +44,6 @@ NextRay followed(Shading shading, uint waiting, float u, out bool defers) {
     return chosen;
 }
 
-void recordFirstHit(uint index, Point point) {
-    bool hit = point.t >= 0.0;
-    uint at = FIRST_HIT_VECTORS * (params.film.y + bandPixel(index));
-    first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
-    first_hits[at + 1u] =
-        vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
-}
-
 // The scene itself is what covers a pixel.
 bool covers(Point point) {
     bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.splat).kind.z & SHAPE_BACKDROP) != 0u;
@@ -72,10 +64,6 @@ void main() {
     index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
     Point point = findPoint(index, path, hit);
-    if (hasStep(STEP_FIRST_HIT)) {
-        if (live) recordFirstHit(index, point);
-        return;
-    }
     uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
     bool covered = covers(point);
     vec3 albedo = covered ? point.albedo : vec3(0.0);
@@ -85,8 +73,8 @@ void main() {
     SurfaceMaterial matter = matterOf(row, point.albedo, point.back, -dot(point.normal, path.direction.xyz));
     path.throughput.rgb *= point.back ? transmittance(row, point.t) : vec3(1.0);
     Shading shading = shadeAny(path, point, row, matter, index);
-    if (live && isCameraPass()) beginSample(index, push.step.x == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
-    if (live && !isCameraPass()) addLight(index, shading.added, bounce);
+    if (live && kCameraPass) beginSample(index, push.step.x == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
+    if (live && !kCameraPass) addLight(index, shading.added, bounce);
     appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
               shading.lit_weight, bounce);
 

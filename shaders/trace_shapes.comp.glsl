@@ -19,12 +19,12 @@ void main() {
     bool live = index != NO_INDEX;
     uint shapes = ofLane(params.scene.z);
     uint skipped = hasStep(STEP_FIRST_HIT) ? SHAPE_BACKDROP | SHAPE_UNSEEN_BY_CAMERA
-                                           : (isCameraPass() ? SHAPE_UNSEEN_BY_CAMERA : 0u);
+                                           : (kCameraPass ? SHAPE_UNSEEN_BY_CAMERA : 0u);
     vec3 origin = path.origin.xyz, direction = path.direction.xyz;
     float t_min = pathBits(path) >> PATH_OWNER_SHIFT == OWNER_SHAPES ? ownShapeReach(origin) : 0.0;
     ShapeHit hit = nearestShapeWithout(skipped, shapes, origin, direction, t_min);
     if (live)
         imageStore(hit_texels, int(index),
                    hit.shape >= shapes ? kNoHit : uvec4(floatBitsToUint(hit.t), 0u, hit.shape, OWNER_SHAPES));
-    appendEntry(APPEND_ASKED, live && !isCameraPass() && meetsInstances(origin, direction, hit.t), index);
+    appendEntry(APPEND_ASKED, live && !kCameraPass && meetsInstances(origin, direction, hit.t), index);
 }
