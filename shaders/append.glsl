@@ -12,8 +12,7 @@ uint addToCount(uint list, uint more) {
     if (list == APPEND_LIT) return atomicAdd(control.queued.z, more);
     if (list == APPEND_ASKED) return atomicAdd(control.appended.x, more);
     if (list == APPEND_HIT) return atomicAdd(control.appended.y, more);
-    if (hasStep(STEP_QUEUE_ONE)) return atomicAdd(control.queued.x, more);
-    return atomicAdd(control.queued.y, more);
+    return atomicAdd(control.queued[hasStep(STEP_QUEUE_ONE) ? 0 : 1], more);
 }
 
 uint listStart(uint list) {

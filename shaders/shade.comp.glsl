@@ -29,7 +29,8 @@ void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint
 }
 
 // Of two rays one is followed and the other waits; where no more can wait, chance takes one of them for both.
-NextRay followed(Shading shading, uint waiting, float u, out bool defers) {
+NextRay followed(Shading shading, uint bounce, uint index, uint waiting, out bool defers) {
+    float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
     float first = luminance(shading.first.weight), second = luminance(shading.second.weight);
     bool both = first > 0.0 && second > 0.0;
     defers = both && waiting < DEFERRED_MOST;
@@ -78,9 +79,8 @@ void main() {
     appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
               shading.lit_weight, bounce);
 
-    bool defers;
-    float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
-    NextRay next = followed(shading, waiting, u, defers);
+    bool defers = false;
+    NextRay next = kMayDefer ? followed(shading, bounce, index, waiting, defers) : shading.first;
     bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
     if (kMayDefer && live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
     PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
