@@ -134,12 +134,12 @@ private:
     void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
         const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
         const auto run = [&](const Program& program, const DescriptorSets& sets, std::size_t groups) {
-            const gpu::PushParams push{{batch, 0, pass, queue}};
+            const gpu::PushParams push{{batch, 0, 0, queue}};
             recordDispatchIndirect(commands, program, sets, pushBytes(push), buffers_.control, groups);
             recordBarrier(commands);
         };
         const auto prepare = [&](std::uint32_t bits) {
-            const gpu::PushParams push{{batch, 0, pass, queue | bits}};
+            const gpu::PushParams push{{batch, 0, 0, queue | bits}};
             recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
             recordBarrier(commands);
         };

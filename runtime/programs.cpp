@@ -134,7 +134,8 @@ void destroyPrograms(Device& device, Programs& programs) {
                              &programs.camera.shade, &programs.queued.trace_shapes, &programs.queued.shade})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
-        for (Program* program : {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface, &variant.shadow})
+        for (Program* program :
+             {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface, &variant.shadow})
             destroyProgram(device, *program);
     programs.variants.clear();
 }

@@ -22,18 +22,16 @@ public:
     void pass(std::uint32_t index);
 
 private:
-    void shade(std::uint32_t index, std::uint32_t bits);
+    void shade(const Program& program, std::uint32_t bits);
     void primary(std::uint32_t bits);
-    void shadows(std::uint32_t first, std::uint32_t pass, std::uint32_t bits);
-    void surface(const TracerTarget& target, std::uint32_t pass, std::uint32_t bits);
-    void overRays(const Program& program, std::uint32_t pass, std::uint32_t bits);
-    void overLit(const Program& program, std::uint32_t pass, std::uint32_t bits);
-    void overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits);
-    void prepare(std::uint32_t pass, std::uint32_t bits);
-    void record(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits,
-                std::uint32_t groups);
-    void recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t pass, std::uint32_t bits,
-                        std::size_t offset);
+    void shadows(std::uint32_t first, std::uint32_t bits);
+    void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
+    void overRays(const Program& program, std::uint32_t bits);
+    void overLit(const Program& program, std::uint32_t bits);
+    void overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
+    void prepare(std::uint32_t bits);
+    void record(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::uint32_t groups);
+    void recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::size_t offset);
 
     VkCommandBuffer commands_;
     const BandTracer& tracer_;

@@ -127,14 +127,14 @@ struct LitPoint {
 #define FIRST_HIT_VECTORS 2u
 
 struct PushParams {
-    uvec4 step; // x: sample, y: first of the turns asked for shadows, z: pass (0: camera rays), w: STEP_* bits
+    uvec4 step; // x: sample, y: first of the turns asked for shadows, w: STEP_* bits
 };
 
 // A photon's target, in its direction's w as bits: an owner, with the number of a shape above it.
 #define PHOTON_SHAPE_SHIFT 8u
 
 #define STEP_CENTER 1u     // rays go through pixel centres
-#define STEP_FIRST_HIT 2u  // shading only records the first hit
+#define STEP_FIRST_HIT 2u  // of them only what is hit first is kept
 #define STEP_RESET 4u      // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u  // rays are read from queue 1 and appended to queue 0
 #define STEP_FRESH 16u     // trace: all rays of the queue, for which nothing was traced before; hits are not listed
