@@ -20,7 +20,7 @@ Shading shadeClassic(PathState path, Point point, Material row, SurfaceMaterial 
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     SpecularPair pair = specularPair(matter, point.normal, view);
     vec3 added = throughput * (row.emission.rgb + smoothAlbedo(matter) * ambientLight(point.normal));
-    bool last = bounceOf(pathBits(path)) >= params.mode.y;
+    bool last = bounceOf(pathBits(path)) >= ofLane(params.mode.y);
     NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
     NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
     return Shading(added, hasSmoothLobe(matter) ? throughput : vec3(0.0), reflected, refracted);
