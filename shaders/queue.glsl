@@ -22,8 +22,7 @@ uint balancedLane() {
 // The path this lane works on in the queue of the step, or NO_INDEX.
 uint queuedIndex(uint lane) {
     bool second = hasStep(STEP_QUEUE_ONE);
-    uint count = second ? control.queued.y : control.queued.x;
-    return lane < count ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
+    return lane < control.queued[second ? 1 : 0] ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
 }
 
 // The lane's entry in the list of rays for instances, or NO_INDEX.
