@@ -13,8 +13,8 @@
 
 // One instance's.
 layout(set = 0, binding = 1, r32ui) uniform readonly uimageBuffer brick_words;
-layout(set = 0, binding = 2) uniform usamplerBuffer list_words;
-layout(set = 0, binding = 3) uniform usamplerBuffer splat_words;
+layout(set = 0, binding = 2, rgba32ui) uniform readonly uimageBuffer list_words;
+layout(set = 0, binding = 3, rgba32ui) uniform readonly uimageBuffer splat_words;
 layout(set = 0, binding = 4, r32ui) uniform readonly uimageBuffer grid_words;
 layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
 layout(set = 0, binding = 15, rgba32ui) uniform readonly uimageBuffer near_words;
@@ -64,8 +64,9 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadNear(i) imageLoad(near_words, int(i))
 #define loadBlendRange(i) texelFetch(blend_range_words, int(i)).xy
 // four to a texel: drivers count texels, often no more than 2^27
-#define loadListed(i) texelFetch(list_words, int((i) >> 2))[(i) & 3u]
-#define loadSplat(i) texelFetch(splat_words, int(i))
+#define loadListedTexel(i) imageLoad(list_words, int(i))
+#define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
+#define loadSplat(i) imageLoad(splat_words, int(i))
 #endif
 #define loadGrid(i) imageLoad(grid_words, int(i)).x
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))

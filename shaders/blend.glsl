@@ -2,6 +2,7 @@
 #ifndef POINTRT_SHADERS_BLEND_GLSL
 #define POINTRT_SHADERS_BLEND_GLSL
 #include "octree.glsl"
+#include "splat.glsl"
 
 // A surface, not confetti: around the first hit, the splats of its cell blend position, normal and colour.
 // Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
@@ -27,6 +28,7 @@ const float kSameSideCosine = 0.5;
 // Below the least sum of weights that an even sampling leaves anywhere, 0.63 (kOverlap in the bake sees to that).
 const float kWeightFloor = 0.5;
 
+// Lengths in position codes.
 struct Field {
     float weight;
     float height; // weighted sums from here on
@@ -37,62 +39,113 @@ struct Field {
     uint material;
 };
 
-// Adds one splat's share of the field at point. side is the first hit's normal towards the viewer, front the sign
-// that turns stored normals the same way, or 0 where the file's normals are not oriented.
-void addToField(inout Field field, uvec4 words, vec4 coding, vec3 point, vec3 side, float front) {
-    vec3 normal = normalize(splatDirection(words));
-    float cosine = dot(normal, side);
-    float turn = front == 0.0 ? (cosine < 0.0 ? -1.0 : 1.0) : front;
-    vec3 offset = point - splatPosition(words);
-    float radius = splatRadius(words, coding);
-    float height = dot(normal, offset);
-    float in_plane = 1.0 - (dot(offset, offset) - height * height) / (radius * radius);
-    float in_slab = 1.0 - height * height / (coding.z * coding.z * radius * radius);
-    bool counts = turn * cosine > kSameSideCosine && in_plane > 0.0 && in_slab > 0.0;
-    float weight = counts ? in_plane * in_plane * in_slab * in_slab : 0.0;
-    field.weight += weight;
-    field.height += weight * turn * height;
-    field.normal += weight * turn * normal;
-    field.color += weight * splatColor(words);
-    field.radius += weight * radius;
-    if (weight > field.heaviest) {
-        field.heaviest = weight;
-        field.material = splatMaterial(words);
-    }
+// Where the field is asked for. side is the first hit's normal towards the viewer, front the sign that turns stored
+// normals the same way, or 0 where the file's normals are not oriented.
+struct Probe {
+    vec3 point; // in position codes
+    vec3 side;
+    float front;
+};
+
+vec3 codesOf(vec3 point) { return point * PRO_POSITION_STEPS - 0.5; }
+
+// instance.splat with lengths in position codes, z: inverse square of blend_slab.
+vec4 codingInCodes() {
+    vec4 coding = instance.splat;
+    return vec4(coding.x * PRO_POSITION_STEPS, coding.y, 1.0 / (coding.z * coding.z), coding.w);
+}
+
+// Weights of two splats. turn: the signs that turn their normals to side.
+vec2 blendWeights(vec2 cosine, vec2 turn, vec2 in_plane, vec2 in_slab, bvec2 there) {
+    vec2 root = in_plane * in_slab, facing = turn * cosine;
+    bool first = there.x && facing.x > kSameSideCosine && in_plane.x > 0.0 && in_slab.x > 0.0;
+    bool second = there.y && facing.y > kSameSideCosine && in_plane.y > 0.0 && in_slab.y > 0.0;
+    return mix(vec2(0.0), root * root, bvec2(first, second));
+}
+
+// Adds the shares of two splats, where they are there. Two, because on processors a splat's share takes its chain of
+// operations, not their number: the other's fit in between.
+void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 there, vec4 coding, Probe probe) {
+    VectorPair position = positionCodes(first, second), normal = normalCodes(first, second);
+    VectorPair offset =
+        VectorPair(probe.point.x - position.x, probe.point.y - position.y, probe.point.z - position.z);
+    vec2 inverse_length = inversesqrt(dots(normal, normal));
+    vec2 cosine = dots(normal, probe.side) * inverse_length;
+    vec2 away = mix(vec2(1.0), vec2(-1.0), lessThan(cosine, vec2(0.0)));
+    vec2 turn = probe.front == 0.0 ? away : vec2(probe.front);
+    vec2 radius = vec2(splatRadius(first, coding), splatRadius(second, coding)), inverse = 1.0 / (radius * radius);
+    vec2 height = dots(normal, offset) * inverse_length, squared = height * height;
+    vec2 in_plane = 1.0 - (dots(offset, offset) - squared) * inverse, in_slab = 1.0 - squared * inverse * coding.z;
+    vec2 weight = blendWeights(cosine, turn, in_plane, in_slab, there), turned = weight * turn;
+    vec2 along = turned * inverse_length;
+    field.weight += weight.x + weight.y;
+    field.height += dot(turned, height);
+    field.normal += vec3(dot(along, normal.x), dot(along, normal.y), dot(along, normal.z));
+    field.color += weight.x * splatColor(first) + weight.y * splatColor(second);
+    field.radius += dot(weight, radius);
+    float heavier = max(weight.x, weight.y);
+    bool heaviest = heavier > field.heaviest;
+    field.material = heaviest ? splatMaterial(weight.y > weight.x ? second : first) : field.material;
+    field.heaviest = heaviest ? heavier : field.heaviest;
 }
 
 // What is missing to kWeightFloor is filled up by the disc hit first, whose plane goes on beyond its rim: where hardly
 // anything else blends, at rims that stick out and at borders, the surface passes into the flat disc without a step.
-void fillUp(inout Field field, uvec4 words, vec3 point, vec3 side) {
+void fillUp(inout Field field, uvec4 words, vec4 coding, Probe probe) {
     float missing = max(kWeightFloor - field.weight, 0.0);
     field.weight += missing;
-    field.height += missing * dot(side, point - splatPosition(words));
-    field.normal += missing * side;
+    field.height += missing * dot(probe.side, probe.point - firstOf(positionCodes(words, words)));
+    field.normal += missing * probe.side;
     field.color += missing * splatColor(words);
-    field.radius += missing * splatRadius(words, instance.splat);
+    field.radius += missing * splatRadius(words, coding);
 }
 
-// The field at a point, around the disc hit first.
-Field evaluateField(uint cell_index, uvec4 first, vec3 point, vec3 side, float front) {
+// A loop over a cell's discs and then those that only blend there, two words of the lists a turn, from an even one on.
+struct Turns {
+    uint of_discs, all;
+    uvec2 discs, others; // words of the lists: the first one, and the one behind the last
+};
+
+uint turnsOver(uvec2 range) { return (range.y - (range.x & ~1u) + 1u) / 2u; }
+
+Turns turnsOf(uint cell_index) {
+    uvec2 cell = loadCell(cell_index), blending = loadBlendRange(cell_index);
+    uint first = cell[PRO_CELL_FIRST];
+    uvec2 discs = uvec2(first, first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK));
+    uvec2 others = uvec2(blending.x, blending.x + blending.y);
+    return Turns(turnsOver(discs), turnsOver(discs) + turnsOver(others), discs, others);
+}
+
+// The splats of a turn, 0 where there is none.
+uvec2 splatsOf(Turns turns, uint turn, out bvec2 there) {
+    bool is_disc = turn < turns.of_discs, going = turn < turns.all;
+    uvec2 range = is_disc ? turns.discs : turns.others;
+    uint word = (range.x & ~1u) + 2u * (is_disc ? turn : turn - turns.of_discs);
+    there = bvec2(going && word >= range.x && word < range.y, going && word + 1u < range.y);
+    uvec4 texel = loadListedTexel((going ? word : 0u) >> 2);
+    return mix(uvec2(0u), (word & 2u) == 0u ? texel.xy : texel.zw, there);
+}
+
+// The field around the disc hit first.
+Field evaluateField(uint cell_index, uvec4 first, Probe probe) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
-    uvec2 cell = loadCell(cell_index);
-    uvec2 blending = loadBlendRange(cell_index);
-    uint discs = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
-    uint count = discs + blending.y, k = 0u;
-    vec4 coding = instance.splat;
-    while (k < count) {
-        uint listed = k < discs ? cell[PRO_CELL_FIRST] + k : blending.x + k - discs;
-        addToField(field, loadSplat(loadListed(listed)), coding, point, side, front);
-        k++;
-    }
-    fillUp(field, first, point, side);
+    Turns turns = turnsOf(cell_index);
+    vec4 coding = codingInCodes();
+    uint turn = 0u;
+    do { // lanes that are done take part until all are: see trace.glsl
+        bvec2 there;
+        uvec2 splats = splatsOf(turns, turn, there);
+        addToField(field, loadSplat(splats.x), loadSplat(splats.y), there, coding, probe);
+        turn++;
+    } while (turn < turns.all);
+    fillUp(field, first, coding, probe);
     return field;
 }
 
 // The step along the ray to the field's zero, at most one radius: at grazing angles the field says little.
 float newtonStep(Field field, vec3 direction, float radius) {
     float slope = dot(field.normal, direction);
-    float step = slope == 0.0 ? 0.0 : -field.height / slope;
+    float step = slope == 0.0 ? 0.0 : -field.height * PRO_POSITION_STEP / slope;
     return clamp(step, -radius, radius);
 }
 
@@ -126,16 +179,16 @@ Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
     vec3 point = origin + t * direction;
     uint cell = cellAt(point);
     cell = cell == NO_INDEX ? hit.y : cell; // the disc reaches into a cell that lists none
-    Field field = evaluateField(cell, words, point, side, front);
+    Field field = evaluateField(cell, words, Probe(codesOf(point), side, front));
     float t_blended = t + newtonStep(field, direction, radius);
     point = origin + t_blended * direction;
     uint second_cell = cellAt(point);
-    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, point, side, front);
+    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, Probe(codesOf(point), side, front));
     t_blended += newtonStep(field, direction, radius);
     surface.t = clamp(t_blended, t - radius, t + radius);
     surface.normal = bentToViewer(normalize(field.normal), direction);
     surface.color = field.color / field.weight;
-    surface.radius = field.radius / field.weight;
+    surface.radius = field.radius * PRO_POSITION_STEP / field.weight;
     surface.material = field.material;
     return surface;
 }

@@ -52,16 +52,17 @@ DEFINE_FETCH(fetchBrickWord, imageLoad, brick_words, brick_pages, kBrickPages)
 DEFINE_FETCH(fetchCell, texelFetch, cell_words, cell_pages, kCellPages)
 DEFINE_FETCH(fetchSlab, imageLoad, slab_words, slab_pages, kSlabPages)
 DEFINE_FETCH(fetchNear, imageLoad, near_words, near_pages, kNearPages)
-DEFINE_FETCH(fetchListed, texelFetch, list_words, list_pages, kListPages)
+DEFINE_FETCH(fetchListed, imageLoad, list_words, list_pages, kListPages)
 DEFINE_FETCH(fetchBlendRange, texelFetch, blend_range_words, blend_range_pages, kBlendRangePages)
-DEFINE_FETCH(fetchSplat, texelFetch, splat_words, splat_pages, kSplatPages)
+DEFINE_FETCH(fetchSplat, imageLoad, splat_words, splat_pages, kSplatPages)
 
 #define loadBrickWord(i) fetchBrickWord(i).x
 #define loadCell(i) fetchCell(i).xy
 #define loadSlab(i) fetchSlab(i).x
 #define loadNear(i) fetchNear(i)
 #define loadBlendRange(i) fetchBlendRange(i).xy
-#define loadListed(i) fetchListed((i) >> 2)[(i) & 3u]
+#define loadListedTexel(i) fetchListed(i)
+#define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
 #define loadSplat(i) fetchSplat(i)
 
 #endif

@@ -3,22 +3,40 @@
 #ifndef POINTRT_SHADERS_SPLAT_GLSL
 #define POINTRT_SHADERS_SPLAT_GLSL
 
-vec3 splatPosition(uvec4 words) {
-    uvec3 code = uvec3(words.x & PRO_POSITION_MASK,
-                       (words.x >> PRO_POSITION_BITS) | ((words.y & PRO_Y_HIGH_MASK) << PRO_Y_LOW_BITS),
-                       (words.y >> PRO_Y_HIGH_BITS) & PRO_POSITION_MASK);
-    return (vec3(code) + 0.5) * PRO_POSITION_STEP;
+// Two vectors, one in each component.
+struct VectorPair {
+    vec2 x, y, z;
+};
+
+vec3 firstOf(VectorPair pair) { return vec3(pair.x.x, pair.y.x, pair.z.x); }
+vec2 dots(VectorPair a, VectorPair b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+vec2 dots(VectorPair a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// By way of signed numbers, which processors convert by one instruction.
+vec2 floatsOf(uvec2 codes) { return vec2(ivec2(codes)); }
+
+// Of two splats.
+VectorPair positionCodes(uvec4 a, uvec4 b) {
+    uvec2 low = uvec2(a.x, b.x), high = uvec2(a.y, b.y);
+    return VectorPair(floatsOf(low & PRO_POSITION_MASK),
+                      floatsOf(low >> PRO_POSITION_BITS | (high & PRO_Y_HIGH_MASK) << PRO_Y_LOW_BITS),
+                      floatsOf(high >> PRO_Y_HIGH_BITS & PRO_POSITION_MASK));
 }
 
-// A normal of any length: enough for plane intersection, where length cancels.
-vec3 splatDirection(uvec4 words) {
-    vec2 uv = vec2(words.z & PRO_NORMAL_MASK, (words.z >> PRO_NORMAL_BITS) & PRO_NORMAL_MASK);
-    uv = uv * (2.0 / PRO_NORMAL_STEPS) - 1.0;
-    vec3 n = vec3(uv, 1.0 - abs(uv.x) - abs(uv.y));
-    float fold = max(-n.z, 0.0);
-    n.xy -= vec2(n.x >= 0.0 ? fold : -fold, n.y >= 0.0 ? fold : -fold);
-    return n;
+// Normals of two splats, of any length.
+VectorPair normalCodes(uvec4 a, uvec4 b) {
+    const float middle = 0.5 * PRO_NORMAL_STEPS;
+    uvec2 words = uvec2(a.z, b.z);
+    vec2 u = floatsOf(words & PRO_NORMAL_MASK) - middle, v = floatsOf(words >> PRO_NORMAL_BITS & PRO_NORMAL_MASK) - middle;
+    vec2 height = middle - abs(u) - abs(v), fold = max(-height, 0.0);
+    return VectorPair(u - mix(-fold, fold, greaterThanEqual(u, vec2(0.0))),
+                      v - mix(-fold, fold, greaterThanEqual(v, vec2(0.0))), height);
 }
+
+vec3 splatPosition(uvec4 words) { return (firstOf(positionCodes(words, words)) + 0.5) * PRO_POSITION_STEP; }
+
+// A normal of any length: enough for plane intersection, where length cancels.
+vec3 splatDirection(uvec4 words) { return firstOf(normalCodes(words, words)); }
 
 // coding: instance.splat, loaded before any loop: lavapipe takes its time for each load from a storage buffer.
 float splatRadius(uvec4 words, vec4 coding) {
