@@ -2,8 +2,8 @@
 // Every buffer, once. What is looked up at random is read through texel buffers: on lavapipe those are hardware
 // gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. More
 // than that, of an instance's, is in further pages in a set of their own, for programs built with PAGED (pages.glsl).
-// What the traversal's loops read are images of buffers: lavapipe makes those loads part of a program, where fetches of
-// texels are calls, for which all that is alive goes through memory.
+// What the loops of traversal and blending read are images of buffers: lavapipe makes those loads part of a program,
+// where fetches of texels are calls, for which all that is alive goes through memory.
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
 #include "params.h"

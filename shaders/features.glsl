@@ -9,8 +9,8 @@ layout(constant_id = 3) const uint kIntegrator = INTEGRATOR_PHONG;
 // FEATURE_* bits
 layout(constant_id = 4) const uint kFeatures = 0xFFFFFFFFu;
 
-// Whether the lanes are the pixels and their rays the camera's, else they are those of the queue. Each has programs of its
-// own.
+// Whether the lanes are the pixels and their rays the camera's; else they are those of the queue. Each has programs of
+// its own.
 layout(constant_id = 5) const bool kCameraPass = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)

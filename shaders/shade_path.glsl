@@ -33,7 +33,8 @@ Shading shadePath(PathState path, Point point, Material row, SurfaceMaterial mat
     vec2 u = sample2(pixel, push.step.x, dimensionPair(bounce, PAIR_DIRECTION), params.mode.w);
     vec2 choices = sample2(pixel, push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w);
     Scattering scattered = sampleBsdf(matter, point.normal, view, vec3(u, choices.x));
-    vec3 weight = bounce < ofLane(params.mode.y) ? roulette(throughput * scattered.weight, bounce, choices.y) : vec3(0.0);
+    bool last = bounce >= ofLane(params.mode.y);
+    vec3 weight = last ? vec3(0.0) : roulette(throughput * scattered.weight, bounce, choices.y);
     vec3 lit = hasSmoothLobe(matter) ? throughput : vec3(0.0);
     return Shading(added, lit, NextRay(scattered.direction, weight, scattered.pdf), noRay());
 }

@@ -27,7 +27,8 @@ VectorPair positionCodes(uvec4 a, uvec4 b) {
 VectorPair normalCodes(uvec4 a, uvec4 b) {
     const float middle = 0.5 * PRO_NORMAL_STEPS;
     uvec2 words = uvec2(a.z, b.z);
-    vec2 u = floatsOf(words & PRO_NORMAL_MASK) - middle, v = floatsOf(words >> PRO_NORMAL_BITS & PRO_NORMAL_MASK) - middle;
+    vec2 u = floatsOf(words & PRO_NORMAL_MASK) - middle;
+    vec2 v = floatsOf(words >> PRO_NORMAL_BITS & PRO_NORMAL_MASK) - middle;
     vec2 height = middle - abs(u) - abs(v), fold = max(-height, 0.0);
     return VectorPair(u - mix(-fold, fold, greaterThanEqual(u, vec2(0.0))),
                       v - mix(-fold, fold, greaterThanEqual(v, vec2(0.0))), height);
