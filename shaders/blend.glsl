@@ -118,11 +118,11 @@ Turns turnsOf(uint cell_index) {
 
 // The splats of a turn, 0 where there is none.
 uvec2 splatsOf(Turns turns, uint turn, out bvec2 there) {
-    bool is_disc = turn < turns.of_discs, going = turn < turns.all;
+    bool is_disc = turn < turns.of_discs;
     uvec2 range = is_disc ? turns.discs : turns.others;
     uint word = (range.x & ~1u) + 2u * (is_disc ? turn : turn - turns.of_discs);
-    there = bvec2(going && word >= range.x && word < range.y, going && word + 1u < range.y);
-    uvec4 texel = loadListedTexel((going ? word : 0u) >> 2);
+    there = bvec2(word >= range.x, word + 1u < range.y);
+    uvec4 texel = loadListedTexel(word >> 2);
     return mix(uvec2(0u), (word & 2u) == 0u ? texel.xy : texel.zw, there);
 }
 
@@ -132,12 +132,13 @@ Field evaluateField(uint cell_index, uvec4 first, Probe probe) {
     Turns turns = turnsOf(cell_index);
     vec4 coding = codingInCodes();
     uint turn = 0u;
-    do { // lanes that are done take part until all are: see trace.glsl
+    // asked at its top: at its end some lanes would lose what their last turn added (trace.glsl)
+    while (turn < turns.all) {
         bvec2 there;
         uvec2 splats = splatsOf(turns, turn, there);
         addToField(field, loadSplat(splats.x), loadSplat(splats.y), there, coding, probe);
         turn++;
-    } while (turn < turns.all);
+    }
     fillUp(field, first, coding, probe);
     return field;
 }
