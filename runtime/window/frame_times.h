@@ -2,6 +2,7 @@
 // How long the window's frames take, for its report.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

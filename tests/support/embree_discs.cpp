@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/embree_discs.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "pointrt/tool.hpp"
+#include "tests/support/embree.h"
 
 namespace pointrt::test {
 
@@ -26,8 +26,7 @@ EmbreeHit hitOf(unsigned primitive, float t) {
 }
 
 EmbreeHit castOne(RTCScene scene, const Ray& ray) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    embree::IntersectOptions options(embree::Coherence::kNone);
     RTCRayHit query{};
     query.ray.org_x = static_cast<float>(ray.origin.x);
     query.ray.org_y = static_cast<float>(ray.origin.y);
@@ -38,15 +37,14 @@ EmbreeHit castOne(RTCScene scene, const Ray& ray) {
     query.ray.tfar = kInfinity;
     query.ray.mask = ~0u;
     query.hit.geomID = query.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene, &context, &query);
+    embree::intersect1(scene, options, query);
     return hitOf(query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID,
                  query.ray.tfar);
 }
 
 /// rays and hits: the same count, at most kPacket.
 void castEight(RTCScene scene, std::span<const Ray> rays, EmbreeHit* hits) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    embree::IntersectOptions options(embree::Coherence::kNone);
     alignas(32) int valid[kPacket] = {};
     RTCRayHit8 query{};
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -61,7 +59,7 @@ void castEight(RTCScene scene, std::span<const Ray> rays, EmbreeHit* hits) {
         query.ray.mask[i] = ~0u;
         query.hit.geomID[i] = query.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect8(valid, scene, &context, &query);
+    embree::intersect8(valid, scene, options, query);
     for (std::size_t i = 0; i < rays.size(); ++i)
         hits[i] = hitOf(query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? RTC_INVALID_GEOMETRY_ID : query.hit.primID[i],
                         query.ray.tfar[i]);

@@ -9,7 +9,7 @@
 
 #include "tests/support/rays.h"
 
-struct RTCSceneTy; // embree3/rtcore_scene.h
+struct RTCSceneTy; // Embree's rtcore_scene.h
 
 namespace pointrt::test {
 

@@ -99,10 +99,8 @@ std::optional<RayHit> Tracing::firstHit(const Vec3f& origin, const Vec3f& direct
                  kInfinity,  ~0u,        0,          0};
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect1(scene_, &context, &query);
+    embree::IntersectOptions options(embree::Coherence::kCoherent);
+    embree::intersect1(scene_, options, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{query.ray.tfar, query.hit.primID, {query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z}};
 }

@@ -2,12 +2,11 @@
 // Embree over a mesh or discs: first hits and nearest faces.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <optional>
 #include <vector>
 
 #include "tests/bench/quality/scenes.h"
+#include "tests/support/embree.h"
 
 namespace pointrt::quality {
 

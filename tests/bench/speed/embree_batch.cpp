@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/speed/embree_batch.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <type_traits>
+
+#include "tests/support/embree.h"
 
 namespace pointrt::test {
 
@@ -39,23 +41,26 @@ RTCRay8& rayOf(RTCRay8& query) { return query; }
 RTCRay& rayOf(RTCRayHit& query) { return query.ray; }
 RTCRay8& rayOf(RTCRayHit8& query) { return query.ray; }
 
-void call(RTCScene scene, RTCIntersectContext& context, const Valid&, RTCRay& query) {
-    rtcOccluded1(scene, &context, &query);
+void call(RTCScene scene, embree::OccludedOptions& options, const Valid&, RTCRay& query) {
+    embree::occluded1(scene, options, query);
 }
-void call(RTCScene scene, RTCIntersectContext& context, const Valid&, RTCRayHit& query) {
-    rtcIntersect1(scene, &context, &query);
+void call(RTCScene scene, embree::IntersectOptions& options, const Valid&, RTCRayHit& query) {
+    embree::intersect1(scene, options, query);
 }
-void call(RTCScene scene, RTCIntersectContext& context, const Valid& valid, RTCRay8& query) {
-    rtcOccluded8(valid.lanes, scene, &context, &query);
+void call(RTCScene scene, embree::OccludedOptions& options, const Valid& valid, RTCRay8& query) {
+    embree::occluded8(valid.lanes, scene, options, query);
 }
-void call(RTCScene scene, RTCIntersectContext& context, const Valid& valid, RTCRayHit8& query) {
-    rtcIntersect8(valid.lanes, scene, &context, &query);
+void call(RTCScene scene, embree::IntersectOptions& options, const Valid& valid, RTCRayHit8& query) {
+    embree::intersect8(valid.lanes, scene, options, query);
 }
 
 template <typename Query>
 constexpr bool kHasHit = requires(Query query) {
     query.hit;
 };
+
+template <typename Query>
+using OptionsOf = std::conditional_t<kHasHit<Query>, embree::IntersectOptions, embree::OccludedOptions>;
 
 template <typename Query>
 void setRay(Query& query, std::size_t i, const Ray& from) {
@@ -100,15 +105,13 @@ double trace(RTCScene scene, std::vector<Query>& queries, std::size_t rays, bool
     tbb::parallel_for(
         all,
         [&](const tbb::blocked_range<std::size_t>& block) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+            OptionsOf<Query> options(coherent ? embree::Coherence::kCoherent : embree::Coherence::kNone);
             Valid valid;
             std::fill_n(valid.lanes, kPacket, -1);
             for (std::size_t q = block.begin(); q < block.end(); ++q) {
                 if (q + 1 == queries.size()) // the lanes beyond the last ray
                     std::fill(valid.lanes + rays - q * kLanes<Query>, valid.lanes + kLanes<Query>, 0);
-                call(scene, context, valid, queries[q]);
+                call(scene, options, valid, queries[q]);
             }
         },
         tbb::simple_partitioner());
