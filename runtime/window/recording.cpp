@@ -172,7 +172,8 @@ void addEvents(const Words& words, Recording& recording) {
     const std::uint32_t frame = parseCount(arguments.word(), 0, kMostRecordedFrame);
     if (!recording.events.empty() && frame < recording.events.back().frame)
         refuse("frame " + std::to_string(frame) + " comes after " + std::to_string(recording.events.back().frame));
-    const Kind& kind = kindNamed(arguments.word());
+    const std::string name = arguments.word();
+    const Kind& kind = kindNamed(name);
     arguments.usage = kind.usage;
     Steps steps;
     kind.take(arguments, steps);
