@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::pair<ImGuiKey_, Key> kUiKeys[] = {
+constexpr std::pair<ImGuiKey, Key> kUiKeys[] = {
     {ImGuiKey_Tab, Key::kTab},
     {ImGuiKey_LeftArrow, Key::kLeft},
     {ImGuiKey_RightArrow, Key::kRight},
@@ -32,12 +32,31 @@ constexpr std::pair<ImGuiKey_, Key> kUiKeys[] = {
     {ImGuiKey_Z, keyOf('Z')},
 };
 
+#if IMGUI_VERSION_NUM >= 18900 // keys have ImGui's numbers and come as events
+
+void nameKeys() {}
+
+void setKey(ImGuiIO& io, Key key, bool down) {
+    if (key == Key::kShift) io.AddKeyEvent(ImGuiMod_Shift, down);
+    if (key == Key::kControl) io.AddKeyEvent(ImGuiMod_Ctrl, down);
+    if (key == Key::kAlt) io.AddKeyEvent(ImGuiMod_Alt, down);
+    if (uiKey(key) != ImGuiKey_None) io.AddKeyEvent(uiKey(key), down);
+}
+
+#else
+
+void nameKeys() {
+    for (const auto& [theirs, ours] : kUiKeys) ImGui::GetIO().KeyMap[theirs] = static_cast<int>(ours);
+}
+
 void setKey(ImGuiIO& io, Key key, bool down) {
     io.KeysDown[static_cast<std::size_t>(key)] = down;
     if (key == Key::kShift) io.KeyShift = down;
     if (key == Key::kControl) io.KeyCtrl = down;
     if (key == Key::kAlt) io.KeyAlt = down;
 }
+
+#endif
 
 /// Hands events over one by one.
 struct Feeder {
@@ -85,9 +104,19 @@ void setClipboard(void* window, const char* text) { setClipboardText(*static_cas
 
 } // namespace
 
+ImGuiKey uiKey(Key key) {
+#if IMGUI_VERSION_NUM >= 18900
+    for (const auto& [theirs, ours] : kUiKeys)
+        if (ours == key) return theirs;
+    return ImGuiKey_None;
+#else
+    return static_cast<ImGuiKey>(key);
+#endif
+}
+
 void setUpUiInput() {
     ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [theirs, ours] : kUiKeys) io.KeyMap[theirs] = static_cast<int>(ours);
+    nameKeys();
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     io.BackendPlatformName = "pointrt";
 }

@@ -2,6 +2,8 @@
 // Input events for Dear ImGui.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -17,6 +19,10 @@ struct UiInput {
     std::array<bool, 3> pressed{}, released{}; ///< buttons, since the last frame
     std::vector<Key> pressed_keys, released_keys;
 };
+
+/// The number that ImGui's questions about a key take; newer ImGui has ImGuiKey_None for those it does not edit text
+/// with.
+ImGuiKey uiKey(Key key);
 
 /// Tells the current ImGui context which keys it edits text with. Once, before the first event.
 void setUpUiInput();
