@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/plane_fit.h"
 
+#include <algorithm>
 #include <limits>
 #include <pcl/common/eigen.h>
 

@@ -2,6 +2,8 @@
 // What the user does to the window.
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "pointrt/tool.hpp"
 #include "runtime/staging.h"
 #include "runtime/window/camera_text.h"

@@ -2,6 +2,7 @@
 // The worst-case errors that SPEC.md states.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

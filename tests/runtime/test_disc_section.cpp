@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/runtime/disc_polygon.h"
 #include "tests/runtime/random_vectors.h"
 

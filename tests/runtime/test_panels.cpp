@@ -2,6 +2,7 @@
 // The panels, used with a mouse, and shown with anything in them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,6 +2,7 @@
 // Shapes of the shaders against the same in doubles, found by other means.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>

@@ -2,6 +2,7 @@
 // First hits of arbitrary rays through the shaders against Embree's oriented discs, and the rays themselves.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

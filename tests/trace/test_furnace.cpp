@@ -2,6 +2,7 @@
 // Energy: what evenly lit white things look like is known without rendering.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -2,6 +2,7 @@
 // Shadows, mirrors and ray counts with known answers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
