@@ -32,9 +32,12 @@ constexpr std::pair<ImGuiKey, Key> kUiKeys[] = {
     {ImGuiKey_Z, keyOf('Z')},
 };
 
-#if IMGUI_VERSION_NUM >= 18900 // keys have ImGui's numbers and come as events
+// From 1.89 on ImGui takes input as events and numbers keys itself; before, as what is up or down at a frame's start.
+#if IMGUI_VERSION_NUM >= 18900
 
-void nameKeys() {}
+void setUpKeys(ImGuiIO& io) {
+    io.ConfigInputTrickleEventQueue = false; // an event a frame: the window draws none when nothing more comes in
+}
 
 void setKey(ImGuiIO& io, Key key, bool down) {
     if (key == Key::kShift) io.AddKeyEvent(ImGuiMod_Shift, down);
@@ -43,10 +46,14 @@ void setKey(ImGuiIO& io, Key key, bool down) {
     if (uiKey(key) != ImGuiKey_None) io.AddKeyEvent(uiKey(key), down);
 }
 
+void setButton(ImGuiIO& io, std::size_t button, bool down) { io.AddMouseButtonEvent(static_cast<int>(button), down); }
+void setCursor(ImGuiIO& io, float x, float y) { io.AddMousePosEvent(x, y); }
+void turnWheel(ImGuiIO& io, float x, float y) { io.AddMouseWheelEvent(x, y); }
+
 #else
 
-void nameKeys() {
-    for (const auto& [theirs, ours] : kUiKeys) ImGui::GetIO().KeyMap[theirs] = static_cast<int>(ours);
+void setUpKeys(ImGuiIO& io) {
+    for (const auto& [theirs, ours] : kUiKeys) io.KeyMap[theirs] = static_cast<int>(ours);
 }
 
 void setKey(ImGuiIO& io, Key key, bool down) {
@@ -54,6 +61,13 @@ void setKey(ImGuiIO& io, Key key, bool down) {
     if (key == Key::kShift) io.KeyShift = down;
     if (key == Key::kControl) io.KeyCtrl = down;
     if (key == Key::kAlt) io.KeyAlt = down;
+}
+
+void setButton(ImGuiIO& io, std::size_t button, bool down) { io.MouseDown[button] = down; }
+void setCursor(ImGuiIO& io, float x, float y) { io.MousePos = ImVec2(x, y); }
+void turnWheel(ImGuiIO& io, float x, float y) {
+    io.MouseWheelH += x;
+    io.MouseWheel += y;
 }
 
 #endif
@@ -77,17 +91,16 @@ struct Feeder {
     }
     void operator()(const ButtonEvent& event) const {
         const auto button = static_cast<std::size_t>(event.button);
-        if (event.down) io.MouseDown[button] = input.pressed[button] = true;
+        if (event.down) input.pressed[button] = true;
         input.released[button] = !event.down && input.pressed[button];
-        if (!event.down && !input.released[button]) io.MouseDown[button] = false;
+        if (!input.released[button]) setButton(io, button, event.down);
     }
     void operator()(const TextEvent& event) const { io.AddInputCharacter(event.code_point); }
     void operator()(const CursorEvent& event) const {
-        io.MousePos = ImVec2(static_cast<float>(event.x), static_cast<float>(event.y));
+        setCursor(io, static_cast<float>(event.x), static_cast<float>(event.y));
     }
     void operator()(const WheelEvent& event) const {
-        io.MouseWheelH += static_cast<float>(event.x);
-        io.MouseWheel += static_cast<float>(event.y);
+        turnWheel(io, static_cast<float>(event.x), static_cast<float>(event.y));
     }
     void operator()(const ResizeEvent&) const {}
     void operator()(const DropEvent&) const {}
@@ -116,7 +129,7 @@ ImGuiKey uiKey(Key key) {
 
 void setUpUiInput() {
     ImGuiIO& io = ImGui::GetIO();
-    nameKeys();
+    setUpKeys(io);
     io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
     io.BackendPlatformName = "pointrt";
 }
@@ -130,7 +143,7 @@ void beginUiFrame(UiInput& input, const ResizeEvent& size, double seconds) {
     io.DeltaTime = static_cast<float>(seconds);
     ImGui::NewFrame();
     for (std::size_t button = 0; button < input.released.size(); ++button)
-        if (input.released[button]) io.MouseDown[button] = false;
+        if (input.released[button]) setButton(io, button, false);
     for (Key key : input.released_keys) setKey(io, key, false);
     input = {};
 }
