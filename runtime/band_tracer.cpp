@@ -87,7 +87,7 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
         if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }
-    if (!sample.only_first_hits)
+    if (!sample.only_first_hits && tracer.programs.rays_go_on)
         for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
     submitAndWait(device, commands);
     const gpu::Control control = readControl(device, tracer);

@@ -59,8 +59,19 @@ void build(Device& device, const Order& order) {
         createProgram(device, order.name, order.spirv, std::span<const std::uint32_t>(listed(order.constants)));
 }
 
-Constants constantsFor(const StagedScene& scene, const RenderSettings& settings) {
-    return {{}, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
+/// Whether surfaces may send rays on: with path all do, with phong and whitted what shades by mirroring.
+bool raysGoOn(std::uint32_t features, Integrator integrator) {
+    if (integrator == Integrator::kPath) return true;
+    if (!showsLight(integrator)) return false;
+    const bool mirrors_highlights = integrator == Integrator::kWhitted && (features & FEATURE_HIGHLIGHTS) != 0;
+    return (features & FEATURE_MIRRORS) != 0 || mirrors_highlights;
+}
+
+Constants constantsFor(const StagedScene& scene, const RenderSettings& settings, const Programs& programs) {
+    return {{},
+            scene.sky_light != NO_LIGHT,
+            static_cast<std::uint32_t>(settings.integrator),
+            scene.features | (programs.rays_go_on ? FEATURE_GOES_ON : 0)};
 }
 
 InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
@@ -68,7 +79,7 @@ InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
     return {file.index.uneven != 0, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
-void orderFor(const InstanceTraits& instance, Constants constants, InstancePrograms& programs,
+void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
               std::vector<Order>& orders) {
     constants.instance = instance;
     const bool paged = isPaged(instance.pages);
@@ -77,11 +88,12 @@ void orderFor(const InstanceTraits& instance, Constants constants, InstanceProgr
         constants.camera_pass = of_camera;
         orders.push_back({&program, name, paged ? with_pages : plain, constants});
     };
-    order(programs.trace, "trace", trace_spv, trace_paged_spv);
     order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
+    if (all.show_light) order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
+    if (!all.rays_go_on) return;
+    order(programs.trace, "trace", trace_spv, trace_paged_spv);
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
-    order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
 }
 
 /// What is needed, for places in programs.
@@ -91,19 +103,23 @@ std::vector<Order> orderAll(const StagedScene& scene, const Constants& constants
     std::vector<Order> orders{{&programs.prepare, "prepare", prepare_spv, constants},
                               {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
                               {&programs.camera.trace_shapes, "trace_shapes (camera)", trace_shapes_spv, of_camera},
-                              {&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants},
                               {&programs.beam, "beam", beam_spv, constants},
-                              {&programs.camera.shade, "shade (camera)", shade_spv, of_camera},
-                              {&programs.queued.shade, "shade", shade_spv, constants},
-                              {&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants},
-                              {&programs.light, "light", light_spv, constants}};
-    if (castsCaustics(scene)) {
+                              {&programs.camera.shade, "shade (camera)", shade_spv, of_camera}};
+    if (programs.rays_go_on) {
+        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
+        orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
+    }
+    if (programs.show_light) {
+        orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
+        orders.push_back({&programs.light, "light", light_spv, constants});
+    }
+    if (programs.show_light && castsCaustics(scene)) {
         orders.push_back({&programs.photon, "photon", photon_spv, constants});
         orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
     }
     for (const Instance& instance : scene.instances) {
         const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
-        if (is_new) orderFor(variant->first, constants, variant->second, orders);
+        if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
     }
     return orders;
 }
@@ -119,8 +135,10 @@ void buildAll(Device& device, std::vector<Order> orders) {
 
 Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
     Programs programs;
+    programs.rays_go_on = raysGoOn(scene.features, settings.integrator);
+    programs.show_light = showsLight(settings.integrator);
     try {
-        buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
+        buildAll(device, orderAll(scene, constantsFor(scene, settings, programs), programs));
     } catch (...) {
         destroyPrograms(device, programs);
         throw;
@@ -152,8 +170,8 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const Scene& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
-    const Program& trace = programsFor(programs, scene, instance).trace;
-    return {common, createDescriptorSet(device, pool, trace, pageBindings(pagedBuffers(file)), 1)};
+    const Program& tracing = programsFor(programs, scene, instance).trace_primary;
+    return {common, createDescriptorSet(device, pool, tracing, pageBindings(pagedBuffers(file)), 1)};
 }
 
 } // namespace pointrt

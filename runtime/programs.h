@@ -24,7 +24,9 @@ struct InstanceTraits {
 };
 
 struct InstancePrograms {
-    Program trace, trace_primary, camera_surface, surface, shadow;
+    Program trace_primary, camera_surface;
+    Program trace, surface; ///< of rays that go on
+    Program shadow;         ///< of light
 };
 
 /// What camera rays and queued rays have one each of (shaders/features.glsl).
@@ -34,6 +36,7 @@ struct PassPrograms {
 
 /// All declare the same bindings in set 0 (shaders/bindings.glsl), and those for paged instances in set 1.
 struct Programs {
+    bool rays_go_on = true, show_light = true; ///< else the programs for that are not built
     Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;

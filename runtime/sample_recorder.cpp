@@ -37,7 +37,7 @@ void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
     overRays(program, bits);
     prepare(bits);
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
-    if (lights == 0) return;
+    if (lights == 0 || !programs.show_light) return;
     // path has one turn, and nothing in a second go
     for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, bits);
     overLit(programs.light, bits);

@@ -132,7 +132,12 @@ std::uint32_t featuresOf(const SceneRows& rows) {
     std::uint32_t bits = 0;
     for (const gpu::Light& light : rows.lights)
         if (light.position.w != LIGHT_SKY) bits |= FEATURE_LIGHT(light.position.w);
-    for (const gpu::Material& material : rows.materials) bits |= FEATURE_MATERIAL(material.gloss.x);
+    for (const gpu::Material& material : rows.materials) {
+        const bool matte = material.gloss.x == MATERIAL_MATTE;
+        bits |= FEATURE_MATERIAL(material.gloss.x);
+        if (!matte || material.gloss.w > 0) bits |= FEATURE_MIRRORS;
+        if (matte && material.phong.x > 0) bits |= FEATURE_HIGHLIGHTS;
+    }
     for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);
     return bits;
 }

@@ -58,6 +58,18 @@ Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matt
     return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.step.x, pair, params.mode.w));
 }
 
+// Queues the path's next ray: of two the other one waits, and where there is none, the last that waited is taken up.
+void goOn(PathState path, Point point, Shading shading, uint index, bool live) {
+    uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
+    bool defers = false;
+    NextRay next = kMayDefer ? followed(shading, bounce, index, waiting, defers) : shading.first;
+    bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
+    if (kMayDefer && live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
+    PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
+    if (kMayDefer && resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
+    appendRay(goes_on || resumes, index, after);
+}
+
 void main() {
     uint index;
     PathState path = currentPath(index);
@@ -65,7 +77,7 @@ void main() {
     index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
     Point point = findPoint(index, path, hit);
-    uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
+    uint bits = pathBits(path), bounce = bounceOf(bits);
     bool covered = covers(point);
     vec3 albedo = covered ? point.albedo : vec3(0.0);
     // glass is left where the surface is met from behind; where normals do not tell, every second time
@@ -79,11 +91,5 @@ void main() {
     appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
               shading.lit_weight, bounce);
 
-    bool defers = false;
-    NextRay next = kMayDefer ? followed(shading, bounce, index, waiting, defers) : shading.first;
-    bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
-    if (kMayDefer && live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
-    PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
-    if (kMayDefer && resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
-    appendRay(goes_on || resumes, index, after);
+    if (mayGoOn()) goOn(path, point, shading, index, live);
 }

@@ -47,6 +47,34 @@ Spread reflectionErrors(SceneDescription scene, const std::string& sky) {
     return spreadOf(std::move(errors));
 }
 
+/// Rays after the camera's, of a ball under an even sky.
+std::uint64_t raysThatGoOn(Integrator integrator, const MaterialDescription& material) {
+    SceneDescription scene = analyticSphere(material);
+    scene.sky = evenSky(1);
+    RenderSettings settings = square(32);
+    settings.integrator = integrator;
+    return renderScene(std::move(scene), settings).rays.secondary;
+}
+
+// Programs for them are built, and passes made, only for materials that send rays on with the integrator.
+TEST(Mirror, RaysGoOnFromWhatMirrorsAlone) {
+    MaterialDescription matte, share, highlight, metal;
+    share.mirror_share = 0.25f;
+    highlight.specular = 0.5f;
+    metal.kind = MaterialKind::kMetal;
+    for (const MaterialDescription& each : {matte, share, highlight, metal}) {
+        EXPECT_GT(raysThatGoOn(Integrator::kPath, each), 0u);
+        EXPECT_EQ(raysThatGoOn(Integrator::kNormal, each), 0u);
+    }
+    for (const Integrator classic : {Integrator::kPhong, Integrator::kWhitted}) {
+        EXPECT_EQ(raysThatGoOn(classic, matte), 0u);
+        EXPECT_GT(raysThatGoOn(classic, share), 0u);
+        EXPECT_GT(raysThatGoOn(classic, metal), 0u);
+    }
+    EXPECT_EQ(raysThatGoOn(Integrator::kPhong, highlight), 0u);
+    EXPECT_GT(raysThatGoOn(Integrator::kWhitted, highlight), 0u);
+}
+
 TEST(Mirror, ReflectsWhereTheAnalyticBallDoes) {
     MaterialDescription mirror;
     mirror.kind = MaterialKind::kMirror;
