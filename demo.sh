@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a scan to a ray-traced picture. Installs what is missing (Debian 12, root or sudo), builds, bakes, renders.
+# From a scan to a ray-traced picture. Installs what is missing (Debian 12 or 13, root or sudo), builds, bakes, renders.
 #   ./demo.sh              the Stanford bunny that Debian ships
 #   ./demo.sh SCAN...      your scans, merged into one scene
 # The results lie in demo/: NAME.pro, NAME.png and the figures as JSON.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing (Debian 12, root or sudo), builds everything and runs every test.
+# Installs what is missing (Debian 12 or 13, root or sudo), builds everything and runs every test.
 #   ./test.sh [CTEST OPTION...]      for example ./test.sh -R octree
 # POINTRT_DATA names a folder of real scans for the tests that can use one; without it they say that they skip.
 set -euo pipefail
