@@ -165,7 +165,7 @@ void fillSet(Device& device, const Program& program, VkDescriptorSet set, std::s
 
 void recordState(VkCommandBuffer commands, const Program& program, const DescriptorSets& sets,
                  std::span<const std::byte> push) {
-    if (!program.pipeline) throw std::logic_error("a program is to run that the scene was not to need");
+    if (!program.pipeline) throw std::logic_error("a program is to run that was not built");
     const std::uint32_t declared = program.shader.push_bytes;
     if (declared != 0 && push.size() != declared)
         throw std::logic_error(program.name + ": " + std::to_string(push.size()) + " bytes of push constants, " +

@@ -36,7 +36,8 @@ constexpr std::pair<ImGuiKey, Key> kUiKeys[] = {
 #if IMGUI_VERSION_NUM >= 18900
 
 void setUpKeys(ImGuiIO& io) {
-    io.ConfigInputTrickleEventQueue = false; // an event a frame: the window draws none when nothing more comes in
+    // else it takes an event a frame, and the window draws no frames for those that are left
+    io.ConfigInputTrickleEventQueue = false;
 }
 
 void setKey(ImGuiIO& io, Key key, bool down) {
