@@ -34,7 +34,11 @@ void addBitmapFont(ImFontAtlas& atlas, float pixels) {
     config.GlyphOffset.y = 0.5f * (pixels - config.SizePixels);
     ImFont* font = atlas.AddFontDefault(&config);
     atlas.Build();
+#if IMGUI_VERSION_NUM >= 19200 // where sizes belong to what is drawn
+    font->LegacySize = pixels;
+#else
     font->FontSize = pixels;
+#endif
 }
 
 void setUpFont(float pixels, float pixels_per_unit) {
