@@ -59,19 +59,8 @@ void build(Device& device, const Order& order) {
         createProgram(device, order.name, order.spirv, std::span<const std::uint32_t>(listed(order.constants)));
 }
 
-/// Whether surfaces may send rays on: with path all do, with phong and whitted what shades by mirroring.
-bool raysGoOn(std::uint32_t features, Integrator integrator) {
-    if (integrator == Integrator::kPath) return true;
-    if (!showsLight(integrator)) return false;
-    const bool mirrors_highlights = integrator == Integrator::kWhitted && (features & FEATURE_HIGHLIGHTS) != 0;
-    return (features & FEATURE_MIRRORS) != 0 || mirrors_highlights;
-}
-
-Constants constantsFor(const StagedScene& scene, const RenderSettings& settings, const Programs& programs) {
-    return {{},
-            scene.sky_light != NO_LIGHT,
-            static_cast<std::uint32_t>(settings.integrator),
-            scene.features | (programs.rays_go_on ? FEATURE_GOES_ON : 0)};
+Constants constantsFor(const StagedScene& scene, const RenderSettings& settings) {
+    return {{}, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
 }
 
 InstanceTraits traitsOf(const StagedScene& scene, const Instance& instance) {
@@ -135,10 +124,10 @@ void buildAll(Device& device, std::vector<Order> orders) {
 
 Programs createPrograms(Device& device, const StagedScene& scene, const RenderSettings& settings) {
     Programs programs;
-    programs.rays_go_on = raysGoOn(scene.features, settings.integrator);
+    programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
     programs.show_light = showsLight(settings.integrator);
     try {
-        buildAll(device, orderAll(scene, constantsFor(scene, settings, programs), programs));
+        buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     } catch (...) {
         destroyPrograms(device, programs);
         throw;

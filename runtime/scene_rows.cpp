@@ -122,24 +122,32 @@ private:
     const RenderSettings& settings_;
 };
 
-} // namespace
-
-SceneRows makeSceneRows(const StagedScene& scene, const SceneDescription& description, const RenderSettings& settings) {
-    return RowMaker(scene, description, settings).rows;
+/// Whether a surface of the material may send rays on: with path all do, with phong what mirrors, and whitted lets
+/// matte ones with a highlight mirror as well.
+bool sendsOn(const gpu::Material& material, Integrator integrator) {
+    const bool mirrors = material.gloss.x != MATERIAL_MATTE || material.gloss.w > 0;
+    return integrator == Integrator::kPath || (mirrors && showsLight(integrator)) ||
+           (material.phong.x > 0 && integrator == Integrator::kWhitted);
 }
 
-std::uint32_t featuresOf(const SceneRows& rows) {
+std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
     std::uint32_t bits = 0;
     for (const gpu::Light& light : rows.lights)
         if (light.position.w != LIGHT_SKY) bits |= FEATURE_LIGHT(light.position.w);
     for (const gpu::Material& material : rows.materials) {
-        const bool matte = material.gloss.x == MATERIAL_MATTE;
         bits |= FEATURE_MATERIAL(material.gloss.x);
-        if (!matte || material.gloss.w > 0) bits |= FEATURE_MIRRORS;
-        if (matte && material.phong.x > 0) bits |= FEATURE_HIGHLIGHTS;
+        if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;
     }
     for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);
     return bits;
+}
+
+} // namespace
+
+SceneRows makeSceneRows(const StagedScene& scene, const SceneDescription& description, const RenderSettings& settings) {
+    SceneRows rows = RowMaker(scene, description, settings).rows;
+    rows.features = featuresOf(rows, settings.integrator);
+    return rows;
 }
 
 } // namespace pointrt

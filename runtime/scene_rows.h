@@ -16,13 +16,11 @@ struct SceneRows {
     std::vector<gpu::InstanceParams> instances;
     std::vector<bool> casting_shapes;   ///< of the description's, those that throw caustics
     std::uint32_t sky_light = NO_LIGHT; ///< number of the light that stands for the sky's picture
+    std::uint32_t features = 0;         ///< FEATURE_* of shaders/params.h
 };
 
 /// description names the files that are in scene, at the places where they stand there. Throws Error kBadInput where an
 /// override asks for a material row that its file does not have.
 SceneRows makeSceneRows(const StagedScene& scene, const SceneDescription& description, const RenderSettings& settings);
-
-/// FEATURE_* of shaders/params.h.
-std::uint32_t featuresOf(const SceneRows& rows);
 
 } // namespace pointrt

@@ -119,12 +119,11 @@ void furnishRows(Device& device, StagedScene& scene, SceneRows rows) {
         instance.params = rows.instances[i];
         uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
     }
-    const std::uint32_t features = featuresOf(rows);
-    const bool table = needsGgxAlbedo(features);
+    const bool table = needsGgxAlbedo(rows.features);
     if (!scene.ggx_albedo.handle || table != needsGgxAlbedo(scene.features))
         replaceBuffer(device, scene.ggx_albedo, "GGX table",
                       table ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES), VK_FORMAT_R32G32_SFLOAT);
-    scene.features = features;
+    scene.features = rows.features;
     scene.casting_shapes = std::move(rows.casting_shapes);
     scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
     scene.light_rows = rows.lights;
@@ -192,7 +191,7 @@ bool furnishAlike(Device& device, StagedScene& scene, const SceneDescription& de
                   const RenderSettings& settings) {
     if (!standsAlike(scene.description, description) || skyImage(description) != scene.sky_image) return false;
     SceneRows rows = makeSceneRows(scene, description, settings);
-    if (featuresOf(rows) != scene.features) return false;
+    if (rows.features != scene.features) return false;
     scene.description = description;
     furnishSky(device, scene, settings, std::nullopt);
     furnishRows(device, scene, std::move(rows));

@@ -34,7 +34,7 @@ struct StagedScene {
     std::vector<gpu::Light> light_rows;
     std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
     std::uint32_t shape_count = 0;
-    std::uint32_t features = 0;          ///< FEATURE_* of shaders/params.h: kinds of lights, materials and shapes
+    std::uint32_t features = 0;          ///< FEATURE_* of shaders/params.h, with the settings it is furnished by
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
     gpu::EnvironmentFrame environment{}; ///< of that picture
     std::string sky_image;               ///< path of that picture, which is read once

@@ -15,7 +15,7 @@ layout(constant_id = 5) const bool kCameraPass = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
-#define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)
 #define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)
+#define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)
 
 #endif

@@ -33,9 +33,7 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
-#define FEATURE_MIRRORS (1u << 29)    // a material that is not matte, or matte with a mirror share
-#define FEATURE_HIGHLIGHTS (1u << 30) // a matte one with a highlight, which whitted mirrors by
-#define FEATURE_GOES_ON (1u << 31)    // what programs are told of those two: rays go on with their integrator
+#define FEATURE_GOES_ON (1u << 31) // some surface may send rays on
 
 #define OPTION_BLEND 1u
 #define OPTION_SHADOWS 2u
