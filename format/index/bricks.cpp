@@ -10,10 +10,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "format/base/parallel.h"
 #include "format/index/cell_codec.h"
 #include "format/index/cell_meeting.h"
 #include "format/index/node_walk.h"
-#include "format/src/parallel.h"
 #include "pointrt/pro_index_layout.h"
 #include "pointrt/tool.hpp"
 
@@ -29,7 +29,7 @@ constexpr std::size_t kListedEach = 1024, kListedAlways = std::size_t{1} << 24;
 constexpr std::size_t kRunNodes = 256;
 
 /// Cells are taken this much larger, in edges of a brick's cells, because of rounding; and by this many position
-/// steps, because rays look one step ahead (shaders/trace.glsl).
+/// steps, because rays look one step ahead (shaders/trace/trace.glsl).
 constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 
 /// Where the file has leaves below the grid, cells with more discs are cut into halves, this often at most, unless the

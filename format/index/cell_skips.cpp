@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "format/src/parallel.h"
+#include "format/base/parallel.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt {

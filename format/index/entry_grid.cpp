@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "format/src/parallel.h"
+#include "format/base/parallel.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "export_ply.h"
+#include "format/info/export_ply.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "../src/atomic_file.h"
+#include "format/base/atomic_file.h"
 
 namespace pointrt {
 

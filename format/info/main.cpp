@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
-#include "export_ply.h"
-#include "metadata.h"
-#include "print.h"
+#include "format/info/export_ply.h"
+#include "format/info/metadata.h"
+#include "format/info/print.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print.h"
+#include "format/info/print.h"
 
 #include <fmt/format.h>
 
-#include "metadata.h"
+#include "format/info/metadata.h"
 
 namespace pointrt {
 

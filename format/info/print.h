@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "summary.h"
+#include "format/info/summary.h"
 
 namespace pointrt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "summary.h"
+#include "format/info/summary.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "checks.h"
-#include "parallel.h"
+#include "format/base/parallel.h"
+#include "format/src/checks.h"
 #include "pointrt/pro_index_layout.h"
 
 namespace pointrt::format {

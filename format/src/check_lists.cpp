@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "checks.h"
-#include "leaf.h"
+#include "format/src/checks.h"
+#include "format/src/leaf.h"
 
 namespace pointrt::format {
 

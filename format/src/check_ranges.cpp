@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "checks.h"
+#include "format/src/checks.h"
 
 namespace pointrt::format {
 

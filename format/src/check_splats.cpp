@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "checks.h"
-#include "leaf.h"
-#include "leaf_walk.h"
+#include "format/src/checks.h"
+#include "format/src/leaf.h"
+#include "format/src/leaf_walk.h"
 
 namespace pointrt::format {
 

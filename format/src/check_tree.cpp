@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "checks.h"
-#include "leaf_walk.h"
+#include "format/src/checks.h"
+#include "format/src/leaf_walk.h"
 
 namespace pointrt::format {
 

@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "findings.h"
-#include "header.h"
+#include "format/src/findings.h"
+#include "format/src/header.h"
 
 namespace pointrt::format {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "header.h"
+#include "format/src/header.h"
 
 #include <bit>
 #include <cstring>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mapped_file.h"
+#include "format/src/mapped_file.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <system_error>
 
-#include "findings.h"
+#include "format/src/findings.h"
 
 namespace pointrt::format {
 

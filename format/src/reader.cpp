@@ -4,8 +4,8 @@
 #include <memory>
 #include <new>
 
-#include "mapped_file.h"
-#include "validate.h"
+#include "format/src/mapped_file.h"
+#include "format/src/validate.h"
 
 using namespace pointrt::format;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "validate.h"
+#include "format/src/validate.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "header.h"
-#include "parallel.h"
+#include "format/base/parallel.h"
+#include "format/src/header.h"
 
 namespace pointrt::format {
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "checks.h"
+#include "format/src/checks.h"
 
 namespace pointrt::format {
 

@@ -3,9 +3,9 @@
 #include <exception>
 #include <vector>
 
-#include "atomic_file.h"
-#include "checks.h"
-#include "header.h"
+#include "format/base/atomic_file.h"
+#include "format/src/checks.h"
+#include "format/src/header.h"
 
 using namespace pointrt::format;
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "preprocess/input/detect.h"
-#include "preprocess/input/readers.h"
-#include "preprocess/input/text.h"
+#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/source/text.h"
 
 namespace pointrt {
 namespace {

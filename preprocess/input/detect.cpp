@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "preprocess/input/readers.h"
-#include "preprocess/input/text.h"
+#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/source/text.h"
 
 namespace pointrt {
 namespace {

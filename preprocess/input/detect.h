@@ -2,7 +2,7 @@
 // Which reader a source is for.
 #pragma once
 
-#include "preprocess/input/sink.h"
+#include "preprocess/input/source/sink.h"
 
 namespace pointrt {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "preprocess/cloud.h"
-#include "preprocess/input/sink.h"
+#include "preprocess/cloud/cloud.h"
+#include "preprocess/input/source/sink.h"
 
 namespace pointrt {
 

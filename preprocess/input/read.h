@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/cloud.h"
+#include "preprocess/cloud/cloud.h"
 
 namespace pointrt {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ray hits and blending weights of a leaf's discs, as the tracer computes them (shaders/blend.glsl), eight at a time.
+// Ray hits and blending weights of a leaf's discs, as the tracer computes them (shaders/surface/blend.glsl), eight at a
+// time.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ namespace pointrt {
 /// sheet stay apart. Without orientation the sign of the normals says nothing and is left out.
 constexpr float kSameSideCosine = 0.5f;
 
-/// What the weights at a point lack to this the disc hit first fills up (shaders/blend.glsl).
+/// What the weights at a point lack to this the disc hit first fills up (shaders/surface/blend.glsl).
 constexpr float kWeightFloor = 0.5f;
 
 /// A leaf's discs, one array a coordinate, padded to whole vectors with discs that nothing hits.

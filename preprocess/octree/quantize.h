@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pointrt/pro.h"
-#include "preprocess/surface/splats.h"
+#include "preprocess/cloud/splats.h"
 
 namespace pointrt {
 

@@ -9,7 +9,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "pointrt/tool.hpp"
-#include "preprocess/surface/bounds.h"
+#include "preprocess/cloud/bounds.h"
 
 namespace pointrt::surface {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "preprocess/cloud.h"
+#include "preprocess/cloud/cloud.h"
 
 namespace pointrt::surface {
 

@@ -7,15 +7,15 @@
 #include <optional>
 
 #include "pointrt/tool.hpp"
+#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/neighbors/points.h"
+#include "preprocess/neighbors/stages.h"
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/lines.h"
-#include "preprocess/surface/neighbors.h"
 #include "preprocess/surface/normals.h"
 #include "preprocess/surface/orient.h"
 #include "preprocess/surface/outliers.h"
-#include "preprocess/surface/points.h"
 #include "preprocess/surface/radii.h"
-#include "preprocess/surface/stages.h"
 
 namespace pointrt {
 namespace surface {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "pointrt/tool.hpp"
-#include "preprocess/surface/plane_fit.h"
+#include "preprocess/neighbors/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/surface_options.h"
 
 namespace pointrt::surface {
 

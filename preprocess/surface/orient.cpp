@@ -6,7 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "pointrt/tool.hpp"
-#include "preprocess/surface/components.h"
+#include "preprocess/neighbors/components.h"
 #include "preprocess/surface/orient_tree.h"
 
 namespace pointrt::surface {

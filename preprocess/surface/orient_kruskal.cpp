@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
-#include "preprocess/surface/components.h"
+#include "preprocess/neighbors/components.h"
 
 namespace pointrt::surface {
 namespace {

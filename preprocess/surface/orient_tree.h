@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/neighbors/neighbors.h"
 
 namespace pointrt::surface {
 

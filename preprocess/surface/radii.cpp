@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "preprocess/surface/voronoi_cell.h"
+#include "preprocess/neighbors/voronoi_cell.h"
 
 namespace pointrt::surface {
 namespace {

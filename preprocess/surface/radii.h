@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "preprocess/surface/neighbors.h"
+#include "preprocess/neighbors/neighbors.h"
 
 namespace pointrt::surface {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The camera rays that shaders/trace_primary.comp.glsl traces, in the order of its lanes: first_hits gets the
+// The camera rays that shaders/trace/trace_primary.comp.glsl traces, in the order of its lanes: first_hits gets the
 // directions and, as bits, the pixels; film gets the origins.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bindings.glsl"
-#include "camera_ray.glsl"
+#include "shaders/frame/bindings.glsl"
+#include "shaders/frame/camera_ray.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

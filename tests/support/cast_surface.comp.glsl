@@ -2,9 +2,9 @@
 // The surface at traced hits, as shading sees it: first_hits gets normal and t, film.x the radius around.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bindings.glsl"
-#include "splat.glsl"
-#include "blend.glsl"
+#include "shaders/frame/bindings.glsl"
+#include "shaders/trace/splat.glsl"
+#include "shaders/surface/blend.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/vec.h"
+#include "runtime/util/vec.h"
 
 namespace pointrt::test {
 

@@ -9,13 +9,13 @@
 #include <numeric>
 
 #include "pointrt/tool.hpp"
-#include "runtime/camera.h"
-#include "runtime/caustics.h"
-#include "runtime/frame_buffers.h"
-#include "runtime/frame_params.h"
-#include "runtime/program.h"
-#include "runtime/staged_scene.h"
-#include "runtime/staging.h"
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/gpu/program.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/default_lighting.h"
+#include "runtime/tracer/caustics.h"
+#include "runtime/tracer/frame_buffers.h"
+#include "runtime/tracer/frame_params.h"
 #include "shaders/any_hit.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
@@ -42,12 +42,12 @@ struct RayCaster::State {
             destroyProgram(device, *program);
         destroyFrameBuffers(device, buffers);
         destroyCaustics(device, no_caustics);
-        destroyStagedScene(device, scene);
+        destroyDeviceScene(device, scene);
         destroyDevice(device);
     }
 
     Device device;
-    StagedScene scene;
+    DeviceScene scene;
     std::uint32_t batch_rays;
     std::uint32_t loaded = 0; ///< rays on the device
     bool any_traced = false;  ///< the last trace asked for any hits
@@ -55,7 +55,7 @@ struct RayCaster::State {
     FrameBuffers buffers;
     CausticMap no_caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/bindings.glsl)
+    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/frame/bindings.glsl)
     double trace_seconds = 0;
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
 
@@ -117,7 +117,7 @@ struct RayCaster::State {
         return frameCamera(request, scene.bounds.lo, scene.bounds.hi, 1.0);
     }
 
-    const Scene& file() const { return scene.files[0]; }
+    const DeviceScan& file() const { return scene.files[0]; }
 
     void open(const std::string& path) {
         SceneDescription description;
@@ -128,7 +128,7 @@ struct RayCaster::State {
         RenderSettings settings;
         settings.lights = 1;
         addSurroundings(scene.description, settings, cameraOf({}), scene.bounds.lo, scene.bounds.hi);
-        furnishScene(device, scene, settings);
+        uploadSceneTables(device, scene, settings);
     }
 
     /// The scene's own parameters are the viewer's; the camera and the light matter to cameraRays alone.

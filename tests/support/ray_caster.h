@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any rays through the product's own shaders: shaders/trace.comp.glsl as it stands, then shaders/blend.glsl.
+// Any rays through the product's own shaders: shaders/trace/trace.comp.glsl as it stands, then
+// shaders/surface/blend.glsl.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/device.h"
-#include "runtime/render.h"
+#include "runtime/gpu/device.h"
+#include "runtime/scene/render_settings.h"
 #include "tests/support/rays.h"
 
 namespace pointrt::test {
@@ -44,7 +45,7 @@ public:
     std::vector<CastHit> cast(std::span<const Ray> rays);
 
     /// The product's camera rays for the default view of size x size pixels, through their centres, in the order in
-    /// which its lanes take them (shaders/trace_primary.comp.glsl). size is a multiple of 8, size * size at most
+    /// which its lanes take them (shaders/trace/trace_primary.comp.glsl). size is a multiple of 8, size * size at most
     /// batch_rays. fov_deg at its default frames the scene, as pointrt-view does; a smaller one stays where it is and
     /// zooms in.
     std::vector<Ray> cameraRays(std::uint32_t size, double fov_deg = CameraRequest{}.fov_deg);

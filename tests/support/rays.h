@@ -14,7 +14,7 @@ namespace pointrt::test {
 struct Ray {
     Vec3 origin;
     Vec3 direction;   ///< unit length to float precision
-    Vec3 own_normal;  ///< of the surface it left, 0 for none: see TraceRay in shaders/trace.glsl
+    Vec3 own_normal;  ///< of the surface it left, 0 for none: see TraceRay in shaders/trace/trace.glsl
     double own_t = 0; ///< hits nearer than this on discs facing like own_normal are ignored
 };
 

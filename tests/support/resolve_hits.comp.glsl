@@ -2,8 +2,8 @@
 // What shading makes of traced hits before it blends: first_hits gets the exact distance and, as bits, the splat.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "bindings.glsl"
-#include "splat.glsl"
+#include "shaders/frame/bindings.glsl"
+#include "shaders/trace/splat.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

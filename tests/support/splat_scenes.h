@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "preprocess/cloud/splats.h"
 #include "preprocess/octree/octree.h"
 #include "preprocess/octree/write.h"
-#include "preprocess/surface/splats.h"
 
 namespace pointrt::test {
 

@@ -11,9 +11,9 @@
 #include <numeric>
 
 #include "pointrt/pro_index_layout.h"
-#include "runtime/camera.h"
-#include "runtime/image_exr.h"
-#include "runtime/staging.h"
+#include "runtime/image/image_exr.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/default_lighting.h"
 #include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
@@ -46,12 +46,12 @@ RenderSettings square(std::uint32_t size) {
 Rendered renderScene(SceneDescription description, RenderSettings settings) {
     Device& device = sharedDevice();
     settings.first_hits = true;
-    StagedScene scene = openScene(device, std::move(description), false);
+    DeviceScene scene = openScene(device, std::move(description), false);
     Rendered rendered;
     rendered.camera = frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
                                   static_cast<double>(settings.width) / settings.height);
     addSurroundings(scene.description, settings, rendered.camera, scene.bounds.lo, scene.bounds.hi);
-    furnishScene(device, scene, settings);
+    uploadSceneTables(device, scene, settings);
     rendered.scene = scene.description;
     if (!scene.instances.empty()) {
         rendered.info = scene.files[0].info;
@@ -62,7 +62,7 @@ Rendered renderScene(SceneDescription description, RenderSettings settings) {
     rendered.rays = renderFrame(device, tracer, {});
     rendered.film = readFilm(tracer);
     destroyTracer(device, tracer);
-    destroyStagedScene(device, scene);
+    destroyDeviceScene(device, scene);
     EXPECT_EQ(validationMessages(), 0u);
     return rendered;
 }
@@ -106,7 +106,7 @@ std::string writeSky(const std::string& name, std::uint32_t height, const std::f
     const std::uint32_t width = 2 * height;
     std::vector<float> texels;
     for (std::uint32_t y = 0; y < height; ++y)
-        for (std::uint32_t x = 0; x < width; ++x) { // shaders/environment_layout.h
+        for (std::uint32_t x = 0; x < width; ++x) { // shaders/shared/environment_layout.h
             const double theta = std::numbers::pi * (y + 0.5) / height,
                          phi = 2 * std::numbers::pi * ((x + 0.5) / width - 0.5);
             const Color c =

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/frame_params.h"
-#include "runtime/render.h"
-#include "runtime/scene_description.h"
-#include "runtime/tracer.h"
+#include "runtime/image/film.h"
+#include "runtime/scene/render_settings.h"
+#include "runtime/scene/scene_description.h"
+#include "runtime/tracer/frame_params.h"
+#include "runtime/tracer/tracer.h"
 
 namespace pointrt::test {
 

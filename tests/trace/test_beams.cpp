@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "shaders/params.h"
+#include "shaders/shared/params.h"
 #include "tests/support/ray_caster.h"
 #include "tests/support/splat_scenes.h"
 

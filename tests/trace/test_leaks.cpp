@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave blended surfaces as shaders/shade.comp.glsl makes them, on bodies whose surface is known: none may
-// hit the patch that it left (acne), none may go through a surface (leak).
+// Rays that leave blended surfaces as shaders/integrator/shade.comp.glsl makes them, on bodies whose surface is known:
+// none may hit the patch that it left (acne), none may go through a surface (leak).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -109,7 +109,7 @@ struct Leaving {
     double radius = 0;
 };
 
-/// As leaveSurface (shaders/offset.glsl) and pathAfter (shaders/shade.comp.glsl) have it.
+/// As leaveSurface (shaders/trace/offset.glsl) and pathAfter (shaders/integrator/shade.comp.glsl) have it.
 Leaving leave(const Ray& ray, const CastHit& hit, const std::vector<CubeSplat>& splats, Kind kind, Random& random) {
     const Vec3 stored = splats[hit.splat].normal;
     const bool back = dot(stored, ray.direction) > 0;

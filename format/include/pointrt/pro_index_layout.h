@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracing index: the entry grid, its bricks and their cells, made of the octree by format/index and kept in a .pro's
-// optional sections. Valid in C99, C++ and GLSL.
+// The tracing index: the entry grid, its bricks and their cells, made of the octree by format/index and kept in a
+// .pro's optional sections. Valid in C99, C++ and GLSL.
 #ifndef POINTRT_PRO_INDEX_LAYOUT_H
 #define POINTRT_PRO_INDEX_LAYOUT_H
 

@@ -37,34 +37,34 @@
 #define PRO_SECTION_ALIGNMENT 4096
 
 /* Header fields: byte offsets. Unlisted bytes are reserved and 0. */
-#define PRO_OFF_MAGIC 0            /* uint32[2], PRO_MAGIC_WORD0 and 1 */
-#define PRO_OFF_VERSION_MAJOR 8    /* uint32 */
-#define PRO_OFF_VERSION_MINOR 12   /* uint32 */
-#define PRO_OFF_FILE_BYTES 16      /* uint64 */
-#define PRO_OFF_HEADER_XXH3 24     /* uint64, XXH3-64 of bytes 32 to 4095 */
-#define PRO_OFF_SECTION_COUNT 32   /* uint32 */
-#define PRO_OFF_SECTION_STRIDE 36  /* uint32, PRO_SECTION_BYTES */
-#define PRO_OFF_FLAGS 40           /* uint32, PRO_FLAG_* */
-#define PRO_OFF_MAX_DEPTH 44       /* uint32, depth of the deepest leaf; the root has depth 0 */
-#define PRO_OFF_SPLAT_COUNT 48     /* uint32 */
-#define PRO_OFF_NODE_COUNT 52      /* uint32, a multiple of 8 */
-#define PRO_OFF_LEAF_COUNT 56      /* uint32, filled leaves */
-#define PRO_OFF_REF_COUNT 60       /* uint32 */
-#define PRO_OFF_MATERIAL_COUNT 64  /* uint32, 1 to 256 */
-#define PRO_OFF_RADIUS_MAX 68      /* float, cube units */
-#define PRO_OFF_RADIUS_STEP 72     /* float, octaves per radius code */
-#define PRO_OFF_BLEND_SLAB 76      /* float, half height of a splat's blending slab over its radius */
-#define PRO_OFF_ORIGIN 80          /* double[3], input coordinates of the cube's lowest corner */
-#define PRO_OFF_SCALE 104          /* double, cube edge in input units */
-#define PRO_OFF_BOUNDS_MIN 112     /* double[3], splat centres, input coordinates */
-#define PRO_OFF_BOUNDS_MAX 136     /* double[3] */
-#define PRO_OFF_GRID_SHIFT 160     /* uint32, since 1.1 like all up to BRICK_COUNT; 0 without an index */
-#define PRO_OFF_GRID_ORIGIN 164    /* uint32[3], lowest cell */
-#define PRO_OFF_GRID_SIZE 176      /* uint32[3], cells */
-#define PRO_OFF_GRID_UNEVEN 188    /* uint32, 0 or 1 */
-#define PRO_OFF_BRICK_COUNT 192    /* uint32 */
+#define PRO_OFF_MAGIC 0           /* uint32[2], PRO_MAGIC_WORD0 and 1 */
+#define PRO_OFF_VERSION_MAJOR 8   /* uint32 */
+#define PRO_OFF_VERSION_MINOR 12  /* uint32 */
+#define PRO_OFF_FILE_BYTES 16     /* uint64 */
+#define PRO_OFF_HEADER_XXH3 24    /* uint64, XXH3-64 of bytes 32 to 4095 */
+#define PRO_OFF_SECTION_COUNT 32  /* uint32 */
+#define PRO_OFF_SECTION_STRIDE 36 /* uint32, PRO_SECTION_BYTES */
+#define PRO_OFF_FLAGS 40          /* uint32, PRO_FLAG_* */
+#define PRO_OFF_MAX_DEPTH 44      /* uint32, depth of the deepest leaf; the root has depth 0 */
+#define PRO_OFF_SPLAT_COUNT 48    /* uint32 */
+#define PRO_OFF_NODE_COUNT 52     /* uint32, a multiple of 8 */
+#define PRO_OFF_LEAF_COUNT 56     /* uint32, filled leaves */
+#define PRO_OFF_REF_COUNT 60      /* uint32 */
+#define PRO_OFF_MATERIAL_COUNT 64 /* uint32, 1 to 256 */
+#define PRO_OFF_RADIUS_MAX 68     /* float, cube units */
+#define PRO_OFF_RADIUS_STEP 72    /* float, octaves per radius code */
+#define PRO_OFF_BLEND_SLAB 76     /* float, half height of a splat's blending slab over its radius */
+#define PRO_OFF_ORIGIN 80         /* double[3], input coordinates of the cube's lowest corner */
+#define PRO_OFF_SCALE 104         /* double, cube edge in input units */
+#define PRO_OFF_BOUNDS_MIN 112    /* double[3], splat centres, input coordinates */
+#define PRO_OFF_BOUNDS_MAX 136    /* double[3] */
+#define PRO_OFF_GRID_SHIFT 160    /* uint32, since 1.1 like all up to BRICK_COUNT; 0 without an index */
+#define PRO_OFF_GRID_ORIGIN 164   /* uint32[3], lowest cell */
+#define PRO_OFF_GRID_SIZE 176     /* uint32[3], cells */
+#define PRO_OFF_GRID_UNEVEN 188   /* uint32, 0 or 1 */
+#define PRO_OFF_BRICK_COUNT 192   /* uint32 */
 #define PRO_FIELDS_END 196
-#define PRO_FIELDS_END_1_0 160     /* of version 1.0 */
+#define PRO_FIELDS_END_1_0 160 /* of version 1.0 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -138,7 +138,7 @@
 #define PRO_SPLAT_WORDS 4u
 #define PRO_POSITION_BITS 21u
 #define PRO_POSITION_MASK 0x1FFFFFu
-#define PRO_POSITION_STEPS 2097152.0f /* 2^21 */
+#define PRO_POSITION_STEPS 2097152.0f          /* 2^21 */
 #define PRO_POSITION_STEP 4.76837158203125e-7f /* 2^-21 */
 #define PRO_Y_LOW_BITS 11u
 #define PRO_Y_LOW_MASK 0x7FFu
@@ -156,10 +156,10 @@
 #define PRO_MAX_DEPTH PRO_POSITION_BITS
 
 /* The entry grid's cells are cubes of the octree. */
-#define PRO_GRID_SHIFT_MIN 7u          /* log2 of their edge in position steps: a brick's cells keep 32 of them */
-#define PRO_GRID_WORDS_MAX 0x1000000u  /* 2^24: a texel buffer of what devices the viewer takes holds them */
-#define PRO_INDEX_HALVINGS_MAX 12u     /* groups below a brick's cell, at most */
-#define PRO_INDEX_BLEND_MAX 0xFFFFu    /* splats that only blend in a cell, at most */
+#define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: a brick's cells keep 32 of them */
+#define PRO_GRID_WORDS_MAX 0x1000000u    /* 2^24: a texel buffer of what devices the viewer takes holds them */
+#define PRO_INDEX_HALVINGS_MAX 12u       /* groups below a brick's cell, at most */
+#define PRO_INDEX_BLEND_MAX 0xFFFFu      /* splats that only blend in a cell, at most */
 #define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, at most: their bytes in four words fit 32 bits */
 
 /* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */

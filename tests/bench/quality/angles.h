@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "preprocess/cloud.h"
+#include "preprocess/cloud/cloud.h"
 
 namespace pointrt::quality {
 

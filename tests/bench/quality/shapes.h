@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "preprocess/cloud.h"
+#include "preprocess/cloud/cloud.h"
 
 namespace pointrt::quality {
 

@@ -4,10 +4,10 @@
 #include <cstdio>
 
 #include "pointrt/tool.hpp"
-#include "runtime/device.h"
-#include "runtime/program.h"
-#include "runtime/report.h"
-#include "runtime/resources.h"
+#include "runtime/gpu/device.h"
+#include "runtime/gpu/program.h"
+#include "runtime/gpu/resources.h"
+#include "runtime/session/report.h"
 #include "shaders/nothing.spv.h"
 
 namespace pointrt {

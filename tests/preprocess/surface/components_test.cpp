@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "preprocess/surface/components.h"
+#include "preprocess/neighbors/components.h"
 
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>

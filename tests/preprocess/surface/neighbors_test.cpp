@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "preprocess/neighbors/neighbors.h"
 #include "preprocess/surface/lines.h"
-#include "preprocess/surface/neighbors.h"
 #include "shapes.h"
 
 namespace pointrt::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "preprocess/surface/voronoi_cell.h"
+#include "preprocess/neighbors/voronoi_cell.h"
 
 #include <gtest/gtest.h>
 

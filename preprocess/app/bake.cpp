@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/bake.h"
+
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+#include "format/index/build_index.h"
+#include "pointrt/tool.hpp"
+#include "preprocess/app/interrupt.h"
+#include "preprocess/app/progress.h"
+#include "preprocess/octree/write.h"
+
+namespace pointrt {
+
+namespace {
+
+/// What a scan without colours is made of: a pale plaster, with a soft highlight.
+constexpr std::array<float, 3> kPlaster{0.72f, 0.69f, 0.64f};
+constexpr float kSpecular = 0.15f;
+constexpr float kShininess = 24.0f;
+
+std::size_t threadCount(int requested) {
+    return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+/// The report must not land on a scan or on the scene.
+void checkStats(const BakeOptions& options) {
+    const std::string& path = options.stats_path;
+    if (path.empty() || path == "-") return;
+    for (const std::string& other : options.inputs)
+        if (sameFile(path, other)) throw Error(ExitCode::kBadUsage, path + ": --stats would overwrite an input");
+    if (sameFile(path, options.output))
+        throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty() && access(folder.c_str(), W_OK) != 0)
+        throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+}
+
+/// What only building and pruning the octree need, before the index takes memory.
+void freeScaffold(PackedSplats& splats) {
+    std::vector<Disc>().swap(splats.discs); // {} would keep the memory
+    std::vector<Rgb8>().swap(splats.colors);
+    std::vector<std::uint64_t>().swap(splats.morton);
+}
+
+/// Found out before the work, not after it.
+void checkOutput(const BakeOptions& options) {
+    const std::filesystem::path path(options.output);
+    const auto fail = [&](const std::string& reason) {
+        throw Error(ExitCode::kCannotWrite, options.output + ": " + reason);
+    };
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail("is a directory");
+    if (!options.force && std::filesystem::exists(path, ignored)) fail("exists already; --force overwrites it");
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder, ignored)) fail("no such folder: " + folder.string());
+    if (access(folder.c_str(), W_OK) != 0) fail(std::string("cannot write there: ") + std::strerror(errno));
+}
+
+std::string sourceName(const BakeOptions& options) {
+    return options.inputs.size() == 1
+               ? options.inputs.front()
+               : options.inputs.front() + " and " + std::to_string(options.inputs.size() - 1) + " more";
+}
+
+/// Reasons found later than the reader belong to the inputs as a whole: they get their name here.
+Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, Progress& progress) {
+    std::string stage;
+    const std::uint64_t points = cloud.positions.size();
+    const auto show = [&](const char* name, double share) {
+        if (stage != name) progress.begin(stage = name, points);
+        progress.update(share);
+    };
+    try {
+        return estimateSplats(std::move(cloud), options.surface, report.surface, show);
+    } catch (const Error& error) {
+        throw Error(error.code, sourceName(options) + ": " + error.what());
+    }
+}
+
+MaterialRow materialRow(const BakeOptions& options, bool has_color) {
+    MaterialRow row{};
+    for (std::size_t c = 0; c < 3; ++c) row[PRO_MAT_BASE_COLOR + c] = has_color ? 1.0f : kPlaster[c];
+    row[PRO_MAT_REFLECTIVITY] = options.reflectivity;
+    row[PRO_MAT_SPECULAR] = kSpecular;
+    row[PRO_MAT_SHININESS] = kShininess;
+    return row;
+}
+
+TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
+    try {
+        return buildTracingIndex(sections.info, sections.view, {threadCount(options.threads), progress});
+    } catch (const Error& error) {
+        throw Error(error.code, sourceName(options) + ": " + error.what() +
+                                    "; --compact writes the file without it, for other viewers than pointrt-view");
+    }
+}
+
+void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report,
+           Progress& progress) {
+    ProContent content;
+    content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
+    content.metadata = metadataJson(options);
+    content.pruned = options.prune;
+    const ProSections sections = makeSections(splats, octree, content);
+    TracingIndex index;
+    pro_index index_view{};
+    if (options.index) {
+        progress.begin("index", report.splats);
+        index = buildIndexNamed(sections, options, [&](double share) { progress.update(share); });
+        index_view = indexView(index);
+    }
+    progress.begin("write", report.splats);
+    const InterruptGuard guard;
+    report.octree = writePro(options.output, sections, options.index ? &index_view : nullptr);
+}
+
+} // namespace
+
+BakeReport bake(const BakeOptions& options) {
+    checkOutput(options);
+    checkStats(options);
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
+    Progress progress(options.verbosity, options.progress);
+    const auto show = [&](double share) { progress.update(share); };
+    BakeReport report;
+
+    progress.begin("read", 0);
+    Cloud cloud = readInputs(options.inputs, options.read, show);
+    progress.setPoints(cloud.positions.size());
+    report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
+    report.points_non_finite = cloud.points_non_finite;
+
+    Splats splats = estimateNamed(std::move(cloud), options, report, progress);
+    progress.begin("quantize", splats.positions.size());
+    PackedSplats packed = quantizeSplats(std::move(splats));
+    report.merged = packed.merged;
+    report.splats = packed.words.size();
+
+    progress.begin("octree", report.splats);
+    Octree octree = buildOctree(packed, options.octree, show);
+    report.references_unpruned = report.splats + octree.refs.size();
+    if (options.prune) {
+        progress.begin("prune", report.splats);
+        report.harm_allowed = options.probes.harm;
+        report.pruning = pruneOctree(packed, options.probes, octree, show);
+    }
+    freeScaffold(packed);
+    store(options, packed, octree, report, progress);
+    progress.finish();
+    report.seconds = progress.seconds();
+    report.seconds_total = progress.totalSeconds();
+    return report;
+}
+
+} // namespace pointrt

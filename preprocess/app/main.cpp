@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+
+#include "pointrt/tool.hpp"
+#include "preprocess/app/bake.h"
+#include "preprocess/app/interrupt.h"
+
+int main(int argc, char** argv) {
+    using namespace pointrt;
+    return runTool("pointrt-bake", [&] {
+        BakeOptions options;
+        if (!parseOptions(argc, argv, options)) return static_cast<int>(ExitCode::kDone);
+        installInterruptHandlers();
+        const BakeReport report = bake(options);
+        if (options.verbosity != Verbosity::kQuiet)
+            std::fprintf(stderr, "%s: %s\n", options.output.c_str(), summaryLine(report).c_str());
+        if (!options.stats_path.empty()) writeStats(report, options.stats_path);
+        return static_cast<int>(ExitCode::kDone);
+    });
+}

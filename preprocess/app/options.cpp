@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+namespace {
+
+const std::map<std::string, NormalSource> kNormalSources{
+    {"auto", NormalSource::kAuto}, {"keep", NormalSource::kKeep}, {"estimate", NormalSource::kEstimate}};
+const std::map<std::string, OrientMode> kOrientModes{{"auto", OrientMode::kAuto},
+                                                     {"sensor", OrientMode::kSensor},
+                                                     {"mst", OrientMode::kMst},
+                                                     {"none", OrientMode::kNone}};
+const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
+const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::kAuto},
+                                                           {"lines", ProgressStyle::kLines}};
+const std::map<std::string, bool> kOutlierModes{{"remove", true}, {"keep", false}};
+
+template <typename Value>
+std::string nameIn(const std::map<std::string, Value>& choices, Value value) {
+    return std::find_if(choices.begin(), choices.end(), [&](const auto& choice) { return choice.second == value; })
+        ->first;
+}
+
+template <typename Value>
+std::string joined(const std::map<std::string, Value>& choices) {
+    std::string names;
+    for (const auto& [name, unused] : choices) names += (names.empty() ? "" : "|") + name;
+    return names;
+}
+
+template <typename Value>
+CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
+                       const std::map<std::string, Value>& choices, const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [&value, &choices, name](const std::string& text) {
+                const auto choice = choices.find(text);
+                if (choice != choices.end()) {
+                    value = choice->second;
+                    return;
+                }
+                throw CLI::ValidationError(name, "'" + text + "' is none of " + joined(choices));
+            },
+            help)
+        ->type_name(joined(choices));
+}
+
+/// A range check that leaves saying the range to the option's own help text.
+template <typename Value>
+CLI::Validator range(Value least, Value most) {
+    return CLI::Range(least, most).description("");
+}
+
+void addInputOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Scans in, scene out");
+    app.add_option("input", options.inputs, "Scan files, merged into one cloud; - reads standard input")->required();
+    app.add_option("-o,--output", options.output, "The .pro to write")->required()->type_name("FILE");
+    app.add_flag("-f,--force", options.force, "Overwrite the output");
+    app.add_flag_callback(
+        "--compact", [&] { options.index = false; },
+        "Leave the tracing index out: a file a quarter the size, which pointrt-view opens more slowly");
+    app.add_option("--input-format", options.read.format,
+                   "Format: ply, pcd, xyz, obj, off, drc or conf (default: by content)")
+        ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}).description(""))
+        ->type_name("NAME");
+    app.add_option("--sample", options.read.sample_count,
+                   "Points to spread over a mesh's faces, 1 to 2000000000 (default: its vertices)")
+        ->check(range(std::uint64_t{1}, std::uint64_t{2000000000}))
+        ->type_name("N");
+    app.add_option("--seed", options.read.seed, "Of sampling and probe rays (default 0, 0 to 2^64 - 1)")
+        ->type_name("N");
+}
+
+void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Surface");
+    auto& surface = options.surface;
+    addChoice(app, "--normals", surface.normals, kNormalSources,
+              "Normals; auto estimates what is missing (default auto)");
+    app.add_option("--neighbors", surface.neighbors, "Neighbours of a normal estimate, 3 to 255 (default 16)")
+        ->check(range(3, 255))
+        ->type_name("K");
+    addChoice(app, "--orient", surface.orient, kOrientModes,
+              "Their side; auto takes sensors where known, else a minimum spanning tree (default auto)");
+    app.add_option("--radius-scale", surface.radius_scale, "Multiplies the radii, 0.01 to 100 (default 1)")
+        ->check(range(0.01, 100.0))
+        ->type_name("S");
+    addChoice(app, "--outliers", surface.remove_outliers, kOutlierModes, "Points far off any surface (default remove)");
+    app.add_option("--reflectivity", options.reflectivity, "Of the material, 0 matte to 1 mirror (default 0)")
+        ->check(range(0.0, 1.0))
+        ->type_name("R");
+}
+
+void addOctreeOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Octree");
+    app.add_option("--max-leaf-splats", options.octree.max_leaf_splats,
+                   "Members before a leaf more than 11 radii wide splits, 1 to 65535 (default 8)")
+        ->check(range(1u, PRO_LEAF_LIST_MAX))
+        ->type_name("N");
+    app.add_option("--max-depth", options.octree.max_depth, "Levels below the root, 0 to 21 (default 21)")
+        ->check(range(0u, PRO_MAX_DEPTH))
+        ->type_name("N");
+    addChoice(app, "--prune", options.prune, kSwitch,
+              "Drop references that probe rays show to be needless (default on)");
+    app.add_option("--probe-rays", options.probes.probe_rays, "Probes a leaf, 1 to 65536 (default 64)")
+        ->check(range(1u, 65536u))
+        ->type_name("N");
+    app.add_option("--prune-harm", options.probes.harm,
+                   "Share of rays whose hit pruning may move by 1% of a radius, 1e-7 to 0.5 (default 0.0001)")
+        ->check(range(1e-7, 0.5))
+        ->type_name("H");
+}
+
+void addReportOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Running and reporting");
+    app.add_option("-j,--threads", options.threads, "Threads, 0 to 4096, 0 uses all cores (default 0)")
+        ->check(range(0, 4096))
+        ->type_name("N");
+    app.add_option("--stats", options.stats_path, "Write figures as JSON, - for standard output (default: none)")
+        ->type_name("FILE");
+    addChoice(app, "--progress", options.progress, kProgressStyles,
+              "On standard error; lines: 'progress SHARE STAGE POINTS_PER_SECOND' for programs (default auto)");
+    app.add_flag_callback(
+        "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; },
+        "No progress, but what --progress lines asks for");
+    app.add_flag_callback(
+        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail");
+}
+
+void checkOptions(BakeOptions& options) {
+    const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
+    const std::string suffix = ".pro";
+    const bool named = options.output.size() > suffix.size() && options.output.ends_with(suffix);
+    if (!named) usage(options.output + ": the output's name must end in .pro");
+    const bool from_stdin = std::find(options.inputs.begin(), options.inputs.end(), "-") != options.inputs.end();
+    if (from_stdin && options.read.format.empty()) usage("-: standard input needs --input-format");
+    if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1)
+        usage("-: standard input can be read only once");
+    if (!std::isfinite(options.surface.radius_scale)) usage("--radius-scale: must be a number");
+    if (!std::isfinite(options.reflectivity)) usage("--reflectivity: must be a number");
+    options.probes.seed = options.read.seed;
+}
+
+} // namespace
+
+std::string choiceName(NormalSource source) { return nameIn(kNormalSources, source); }
+std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }
+
+bool parseOptions(int argc, char** argv, BakeOptions& options) {
+    CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\n"
+                 "Reads PLY, PCD, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf sets.",
+                 "pointrt-bake"};
+    app.footer("Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.");
+    app.set_version_flag("--version", "pointrt-bake " POINTRT_VERSION);
+    addInputOptions(app, options);
+    addSurfaceOptions(app, options);
+    addOctreeOptions(app, options);
+    addReportOptions(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& request) { // help and version
+        app.exit(request);
+        return false;
+    } catch (const CLI::ParseError& error) {
+        throw Error(ExitCode::kBadUsage, std::string(error.what()) + " (see --help)");
+    }
+    checkOptions(options);
+    return true;
+}
+
+} // namespace pointrt

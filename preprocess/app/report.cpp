@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/report.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::uint64_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+Json toJson(const BakeReport& report) {
+    Json json;
+    json["input_points"] = report.input_points;
+    json["points_non_finite"] = report.points_non_finite;
+    json["duplicates_removed"] = report.surface.duplicates_removed + report.merged;
+    json["outliers_removed"] = report.surface.outliers_removed;
+    json["normals_estimated"] = report.surface.normals_estimated;
+    json["normals_flipped"] = report.surface.normals_flipped;
+    json["splats"] = report.splats;
+    json["nodes"] = report.octree.nodes;
+    json["filled_leaves"] = report.octree.filled_leaves;
+    json["border_leaves"] = report.octree.border_leaves;
+    json["empty_leaves"] = report.octree.empty_leaves;
+    json["max_depth"] = report.octree.max_depth;
+    json["references_unpruned"] = report.references_unpruned;
+    json["references"] = report.octree.references;
+    json["pruning"] = {{"rounds", report.pruning.rounds},
+                       {"cutoff", report.pruning.cutoff},
+                       {"probes", report.pruning.probes},
+                       {"harm", report.pruning.harm},
+                       {"harm_bound", report.pruning.harm_bound}};
+    json["bytes"] = report.octree.file_bytes;
+    json["peak_rss_bytes"] = peakRssBytes();
+    for (const auto& [stage, seconds] : report.seconds) json["seconds"][stage] = seconds;
+    json["seconds"]["total"] = report.seconds_total;
+    return json;
+}
+
+/// " (left out: 2 not finite, 1 stray)", or nothing.
+std::string leftOut(const BakeReport& report) {
+    const std::pair<std::uint64_t, const char*> reasons[] = {
+        {report.points_non_finite, "not finite"},
+        {report.surface.duplicates_removed + report.merged, "duplicate"},
+        {report.surface.outliers_removed, "stray"}};
+    std::string text;
+    for (const auto& [count, reason] : reasons)
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason);
+    return text.empty() ? text : " (left out: " + text + ")";
+}
+
+/// What to say where pruning harms more than it was allowed to; nothing otherwise.
+std::string missedBound(const BakeReport& report) {
+    const PruneReport& pruning = report.pruning;
+    if (pruning.harm_bound <= report.harm_allowed) return {};
+    return fmt::format(" (pruning may change {:.2g} of the hits, more than the {:.2g} allowed: --prune off keeps all)",
+                       pruning.harm_bound, report.harm_allowed);
+}
+
+} // namespace
+
+void writeStats(const BakeReport& report, const std::string& path) {
+    const std::string text = toJson(report).dump(2) + "\n";
+    std::FILE* file = path == "-" ? stdout : std::fopen(path.c_str(), "wb");
+    if (!file) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+    const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
+    if (!written || !closed) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+}
+
+std::string summaryLine(const BakeReport& report) {
+    const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
+    return fmt::format("{} points{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
+                       "{} bytes ({:.1f} per splat), {:.2f} s",
+                       report.input_points, leftOut(report), report.splats, report.octree.filled_leaves,
+                       per_splat(report.references_unpruned), per_splat(report.octree.references),
+                       report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total) +
+           missedBound(report);
+}
+
+std::string metadataJson(const BakeOptions& options) {
+    Json json;
+    json["writer"] = "pointrt-bake " POINTRT_VERSION;
+    for (const std::string& input : options.inputs) // folders are nobody else's business
+        json["sources"].push_back(std::filesystem::path(input).filename().string());
+    Json& settings = json["settings"];
+    settings["sample"] = options.read.sample_count;
+    settings["seed"] = options.read.seed;
+    settings["neighbors"] = options.surface.neighbors;
+    settings["normals"] = choiceName(options.surface.normals);
+    settings["orient"] = choiceName(options.surface.orient);
+    settings["radius_scale"] = options.surface.radius_scale;
+    settings["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
+    settings["max_leaf_splats"] = options.octree.max_leaf_splats;
+    settings["max_depth"] = options.octree.max_depth;
+    settings["prune"] = options.prune;
+    settings["probe_rays"] = options.probes.probe_rays;
+    settings["prune_harm"] = options.probes.harm;
+    settings["reflectivity"] = options.reflectivity;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace); // names need not be UTF-8
+}
+
+} // namespace pointrt

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of a bake, as JSON and as one line for people.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "preprocess/app/options.h"
+#include "preprocess/octree/write.h"
+
+namespace pointrt {
+
+struct BakeReport {
+    std::uint64_t input_points = 0, points_non_finite = 0;
+    SurfaceReport surface;
+    std::uint64_t merged = 0; ///< splats at one quantised position
+    std::uint64_t splats = 0;
+    std::uint64_t references_unpruned = 0; ///< members included
+    PruneReport pruning;                   ///< zeros without pruning
+    double harm_allowed = 0;               ///< --prune-harm
+    OctreeCounts octree;                   ///< as written
+    std::vector<std::pair<std::string, double>> seconds;
+    double seconds_total = 0;
+};
+
+/// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
+void writeStats(const BakeReport& report, const std::string& path);
+
+/// One line for people.
+std::string summaryLine(const BakeReport& report);
+
+/// Provenance for the file: tool, settings, sources. Holds nothing that differs between runs or thread counts.
+std::string metadataJson(const BakeOptions& options);
+
+} // namespace pointrt

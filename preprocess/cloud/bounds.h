@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounding box in double, so that the extent of any finite floats is finite.
+#pragma once
+
+#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+#include <vector>
+
+#include "preprocess/cloud/cloud.h"
+
+namespace pointrt::surface {
+
+struct Bounds {
+    Vec3d low = Vec3d::Constant(std::numeric_limits<double>::infinity());
+    Vec3d high = Vec3d::Constant(-std::numeric_limits<double>::infinity());
+
+    double longestEdge() const { return (high - low).maxCoeff(); }
+};
+
+inline Bounds boundsOf(const std::vector<Vec3f>& positions) {
+    const auto addRange = [&](const auto& range, Bounds bounds) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            bounds.low = bounds.low.cwiseMin(positions[i].cast<double>());
+            bounds.high = bounds.high.cwiseMax(positions[i].cast<double>());
+        }
+        return bounds;
+    };
+    const auto both = [](const Bounds& a, const Bounds& b) {
+        return Bounds{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, positions.size()), Bounds{}, addRange, both);
+}
+
+} // namespace pointrt::surface

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Oriented discs with a radius each: what surface estimation hands to the octree.
+#pragma once
+
+#include "preprocess/cloud/cloud.h"
+
+namespace pointrt {
+
+/// Discs in the cloud's frame; all arrays but colors have the same length, colors may be empty.
+/// They stand along a Morton curve, so that neighbours in space are mostly neighbours in memory.
+struct Splats {
+    Vec3d origin = Vec3d::Zero(); ///< input coordinate = origin + position
+    std::vector<Vec3f> positions;
+    std::vector<Vec3f> normals;             ///< unit length
+    std::vector<float> radii;               ///< input units, > 0, finite
+    std::vector<Rgb8> colors;               ///< sRGB, or empty
+    std::vector<std::uint32_t> input_index; ///< index of each splat's point in the cloud
+    bool oriented = false;                  ///< normals point outwards as far as can be told
+};
+
+} // namespace pointrt

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The PCD format: https://pointclouds.org/documentation/tutorials/pcd_file_format.html
+#include <bit>
+#include <cmath>
+
+#include "preprocess/input/formats/lzf.h"
+#include "preprocess/input/formats/pcd_header.h"
+#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/source/text.h"
+
+namespace pointrt {
+namespace {
+
+void setPackedColor(Row& row, std::uint32_t rgb) {
+    row[kRed] = rgb >> 16 & 255;
+    row[kGreen] = rgb >> 8 & 255;
+    row[kBlue] = rgb & 255;
+}
+
+/// Packed colours in text are the number that the 32 bits make as a float or, from newer writers whatever the TYPE
+/// says, as an integer, which has neither point nor exponent.
+std::uint32_t packedColor(std::string_view word, char type, double value) {
+    const bool as_float = type == 'F' && word.find_first_of(".eEnN") != std::string_view::npos;
+    if (as_float) return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    if (!(std::abs(value) < 4294967296.0)) return 0;
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+}
+
+void readAscii(const Source& source, const PcdHeader& header, Sink& sink) {
+    std::string_view rest = header.body;
+    Row row{};
+    for (std::uint64_t i = 0; i < header.points; ++i) {
+        for (const PcdField& field : header.fields) {
+            for (std::uint64_t k = 0; k < field.count; ++k) {
+                const std::string_view word = nextWord(rest);
+                if (word.empty()) refuse(source, fmt::format("cut short: {} of {} points are there", i, header.points));
+                double& value = row[field.role];
+                if (!wholeNumber(word, value))
+                    refuseLine(source, word.data(), fmt::format("{} is no number", quoted(word)));
+                if (field.packed_color) setPackedColor(row, packedColor(word, field.type, value));
+            }
+        }
+        addVertex(sink, row);
+    }
+}
+
+/// Where a field's values lie: the point's own bytes one after the other, or all points' values of one field.
+struct FieldBytes {
+    const PcdField* field;
+    const char* first;
+    std::size_t stride;
+};
+
+std::vector<FieldBytes> layOut(const PcdHeader& header, const char* bytes) {
+    std::vector<FieldBytes> all;
+    const bool by_field = header.data == PcdData::kCompressed;
+    for (const PcdField& field : header.fields) {
+        const std::size_t size = field.size * field.count;
+        if (field.role != kIgnored || field.packed_color)
+            all.push_back({&field, bytes, by_field ? size : header.point_size});
+        bytes += by_field ? size * header.points : size;
+    }
+    return all;
+}
+
+void readBytes(const PcdHeader& header, const char* bytes, Sink& sink) {
+    const std::vector<FieldBytes> fields = layOut(header, bytes);
+    Row row{};
+    for (std::uint64_t i = 0; i < header.points; ++i) {
+        for (const FieldBytes& field : fields) {
+            const char* const at = field.first + i * field.stride;
+            if (field.field->packed_color)
+                setPackedColor(row, static_cast<std::uint32_t>(loadScalar(at, Scalar::kU32, false)));
+            else
+                row[field.field->role] = loadScalar(at, field.field->scalar, false);
+        }
+        addVertex(sink, row);
+    }
+}
+
+std::string unpackBody(const Source& source, const PcdHeader& header) {
+    // The sizes, 32 bits each, are those of the packed and the unpacked bytes.
+    if (header.body.size() < 8) refuse(source, "cut short: the sizes of the compressed data are missing");
+    const auto packed_size = static_cast<std::size_t>(loadScalar(header.body.data(), Scalar::kU32, false));
+    const auto size = static_cast<std::size_t>(loadScalar(header.body.data() + 4, Scalar::kU32, false));
+    const std::string_view packed = header.body.substr(8);
+    if (packed_size > packed.size())
+        refuse(source, fmt::format("cut short: {} of {} compressed bytes are there", packed.size(), packed_size));
+    if (size / header.point_size != header.points || size % header.point_size != 0)
+        refuse(source, fmt::format("{} points of {} bytes do not make the {} bytes announced", header.points,
+                                   header.point_size, size));
+    std::string bytes;
+    if (size > packed_size * kLargestLzfGain || !unpackLzf(packed.substr(0, packed_size), size, bytes))
+        refuse(source, "the compressed data is broken");
+    return bytes;
+}
+
+void checkBodySize(const Source& source, const PcdHeader& header) {
+    if (header.data == PcdData::kBinary && header.points > header.body.size() / header.point_size)
+        refuse(source, fmt::format("cut short: {} of {} points are there", header.body.size() / header.point_size,
+                                   header.points));
+    std::uint64_t values = 0;
+    for (const PcdField& field : header.fields) values += field.count;
+    // A value takes two bytes at least, a digit and what separates it from the next; the last needs no separator.
+    if (header.data == PcdData::kAscii && header.points > (header.body.size() + 1) / (2 * values))
+        refuse(source, fmt::format("the header promises {} points, only {} bytes are left for them", header.points,
+                                   header.body.size()));
+}
+
+ScanTraits traitsOf(const PcdHeader& header) {
+    ScanTraits traits;
+    traits.vertices = header.points;
+    for (const PcdField& field : header.fields) {
+        traits.normals = traits.normals || field.role == kNormalX;
+        traits.colors = traits.colors || field.role == kRed || field.packed_color;
+        if (field.role == kRed) traits.color_scale = isReal(field.scalar) ? ColorScale::kReal : ColorScale::kInteger;
+    }
+    return traits;
+}
+
+} // namespace
+
+void readPcd(const Source& source, Sink& sink) {
+    const PcdHeader header = readPcdHeader(source);
+    checkBodySize(source, header);
+    std::string unpacked;
+    if (header.data == PcdData::kCompressed) unpacked = unpackBody(source, header);
+    beginScan(sink, source, traitsOf(header));
+    sink.sensor = header.sensor;
+    if (header.data == PcdData::kAscii)
+        readAscii(source, header, sink);
+    else
+        readBytes(header, header.data == PcdData::kBinary ? header.body.data() : unpacked.data(), sink);
+    finishScan(sink, source);
+}
+
+} // namespace pointrt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The header of a PCD file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "preprocess/cloud/cloud.h"
+#include "preprocess/input/source/roles.h"
+#include "preprocess/input/source/scalar.h"
+#include "preprocess/input/source/source.h"
+
+namespace pointrt {
+
+enum class PcdData { kAscii, kBinary, kCompressed };
+
+struct PcdField {
+    std::string name;
+    std::size_t size = 4;
+    char type = 'F';
+    std::uint64_t count = 1;
+    Scalar scalar = Scalar::kF32;
+    Role role = kIgnored;
+    bool packed_color = false; ///< 0xRRGGBB in 32 bits of any type
+};
+
+struct PcdHeader {
+    std::vector<PcdField> fields;
+    std::uint64_t points = 0;
+    std::size_t point_size = 0; ///< bytes
+    PcdData data = PcdData::kAscii;
+    std::optional<Vec3d> sensor; ///< VIEWPOINT, where it means something
+    std::string_view body;
+};
+
+/// Reads the header. Throws Error when a line is malformed or there are no x, y and z. The points promised are not yet
+/// checked against the bytes that follow.
+PcdHeader readPcdHeader(const Source& source);
+
+} // namespace pointrt

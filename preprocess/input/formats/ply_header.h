@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The header of a PLY file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "preprocess/input/source/roles.h"
+#include "preprocess/input/source/scalar.h"
+#include "preprocess/input/source/source.h"
+
+namespace pointrt {
+
+enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
+
+struct PlyProperty {
+    std::string name;
+    Scalar type = Scalar::kF32;
+    bool is_list = false;
+    Scalar count_type = Scalar::kU8; ///< of a list
+    Role role = kIgnored;            ///< of a scalar of the vertex element
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+    PlyEncoding encoding = PlyEncoding::kAscii;
+    std::vector<PlyElement> elements;
+    const char* body = nullptr;   ///< the first byte after the header
+    bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
+};
+
+/// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of
+/// the Stanford repository have some). Throws Error when there is no vertex element with x, y and z, or the elements
+/// promised cannot fit in the bytes that follow.
+PlyHeader readPlyHeader(const Source& source);
+
+/// The vertex element.
+const PlyElement& vertexElement(const PlyHeader& header);
+
+/// "vertices", "faces" or "'NAME' elements", for messages.
+std::string pluralOf(const PlyElement& element);
+
+} // namespace pointrt

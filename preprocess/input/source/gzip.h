@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scans packed with gzip.
+#pragma once
+
+#include "preprocess/input/source/source.h"
+
+namespace pointrt {
+
+bool isGzip(std::string_view bytes);
+
+/// Replaces the bytes of source by what they unpack to. Throws Error when they are cut short or broken.
+void unpackGzip(Source& source);
+
+} // namespace pointrt

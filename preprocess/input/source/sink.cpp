@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/source/sink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointrt {
+namespace {
+
+constexpr Rgb8 kGrey = {200, 200, 200};
+constexpr std::uint64_t kMostPoints = kNoSensor - 1;
+
+/// Grows by half at least, so that many small files do not copy the cloud over and over.
+template <typename Item>
+void makeRoom(std::vector<Item>& items, std::size_t room) {
+    if (room > items.capacity()) items.reserve(std::max(room, items.capacity() + items.capacity() / 2));
+}
+
+/// The fill for vertices of files without the attribute, up to the current number of positions.
+void fillMissing(Cloud& cloud) {
+    const std::size_t count = cloud.positions.size();
+    if (!cloud.normals.empty()) cloud.normals.resize(count, Vec3f::Zero());
+    if (!cloud.colors.empty()) cloud.colors.resize(count, kGrey);
+    if (!cloud.sensor_of_point.empty()) cloud.sensor_of_point.resize(count, kNoSensor);
+}
+
+Vec3d wholeNumbers(const Vec3d& position) {
+    // Adding zero turns -0 into 0.
+    return position.array().unaryExpr([](double value) { return std::trunc(value) + 0.0; });
+}
+
+bool addPosition(Cloud& cloud, const Vec3d& position) {
+    if (!position.allFinite()) return false;
+    if (cloud.positions.empty()) cloud.origin = wholeNumbers(position);
+    const Vec3f local = (position - cloud.origin).cast<float>();
+    if (!local.allFinite()) return false;
+    cloud.positions.push_back(local);
+    return true;
+}
+
+Vec3f cleanNormal(const Sink& sink, const Row& row) {
+    Vec3d normal(row[kNormalX], row[kNormalY], row[kNormalZ]);
+    if (!normal.allFinite()) return Vec3f::Zero();
+    if (sink.world_from_scan) normal = sink.world_from_scan->rotation * normal;
+    const Vec3f rounded = normal.cast<float>();
+    return rounded.allFinite() ? rounded : Vec3f(Vec3f::Zero());
+}
+
+std::uint8_t toByte(double value) {
+    if (!(value > 0)) return 0;
+    return value < 255 ? static_cast<std::uint8_t>(value + 0.5) : std::uint8_t{255};
+}
+
+void addColor(Sink& sink, const Row& row) {
+    if (sink.traits.color_scale == ColorScale::kByte) {
+        sink.cloud.colors.push_back({toByte(row[kRed]), toByte(row[kGreen]), toByte(row[kBlue])});
+        return;
+    }
+    sink.wide_colors.push_back(
+        {static_cast<float>(row[kRed]), static_cast<float>(row[kGreen]), static_cast<float>(row[kBlue])});
+}
+
+void scaleWideColors(Sink& sink) {
+    float largest = 0;
+    for (const auto& color : sink.wide_colors)
+        for (const float value : color)
+            if (std::isfinite(value)) largest = std::max(largest, value);
+    const bool shares = sink.traits.color_scale == ColorScale::kReal && largest <= 1;
+    const bool wide = largest > 255;
+    auto scaled = [&](float value) {
+        if (shares) return toByte(255.0 * value);
+        // Of 16 bits the upper 8, as a shift would give them.
+        return wide ? toByte(std::floor(value / 256.0)) : toByte(value);
+    };
+    for (const auto& color : sink.wide_colors)
+        sink.cloud.colors.push_back({scaled(color[0]), scaled(color[1]), scaled(color[2])});
+    sink.wide_colors = {};
+}
+
+/// File indices to cloud indices; a triangle with a dropped vertex goes.
+void settleTriangles(Sink& sink, const Source& source) {
+    auto& triangles = sink.cloud.triangles;
+    std::size_t kept = sink.first_triangle;
+    for (std::size_t i = sink.first_triangle; i < triangles.size(); ++i) {
+        auto triangle = triangles[i];
+        bool whole = true;
+        for (std::uint32_t& corner : triangle) {
+            if (corner >= sink.vertices) refuse(source, fmt::format("face: vertex index {} is out of range", corner));
+            const auto before = std::lower_bound(sink.dropped.begin(), sink.dropped.end(), corner);
+            whole = whole && (before == sink.dropped.end() || *before != corner);
+            corner = static_cast<std::uint32_t>(corner - (before - sink.dropped.begin()) + sink.first_position);
+        }
+        if (whole) triangles[kept++] = triangle;
+    }
+    triangles.resize(kept);
+}
+
+} // namespace
+
+void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
+    Cloud& cloud = sink.cloud;
+    if (traits.vertices > kMostPoints - cloud.positions.size())
+        refuse(source, fmt::format("more than {} points in all", kMostPoints));
+    sink.traits = traits;
+    sink.vertices = 0;
+    sink.dropped.clear();
+    sink.wide_colors.clear();
+    sink.sensor.reset();
+    sink.first_position = cloud.positions.size();
+    sink.first_triangle = cloud.triangles.size();
+    const std::size_t room = sink.first_position + traits.vertices;
+    makeRoom(cloud.positions, room);
+    if (traits.normals) {
+        makeRoom(cloud.normals, room);
+        cloud.normals.resize(sink.first_position, Vec3f::Zero());
+    }
+    if (traits.colors) {
+        makeRoom(cloud.colors, room);
+        cloud.colors.resize(sink.first_position, kGrey);
+    }
+}
+
+void addVertex(Sink& sink, const Row& row) {
+    const Vec3d position = toWorld(sink, {row[kX], row[kY], row[kZ]});
+    const std::uint64_t index = sink.vertices++;
+    constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
+    if (index % kStep == 0 && sink.progress && sink.traits.vertices > 0)
+        sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
+    if (index >= kMostPoints)
+        throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMostPoints));
+    if (!addPosition(sink.cloud, position)) {
+        sink.dropped.push_back(static_cast<std::uint32_t>(index));
+        return;
+    }
+    if (sink.traits.normals) sink.cloud.normals.push_back(cleanNormal(sink, row));
+    if (sink.traits.colors) addColor(sink, row);
+}
+
+void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sink.cloud.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+void finishScan(Sink& sink, const Source& source) {
+    Cloud& cloud = sink.cloud;
+    const std::size_t kept = cloud.positions.size() - sink.first_position;
+    if (sink.vertices == 0) refuse(source, "holds no points");
+    if (kept == 0) refuse(source, fmt::format("none of its {} points is finite", sink.vertices));
+    if (cloud.positions.size() > kMostPoints) refuse(source, fmt::format("more than {} points in all", kMostPoints));
+    scaleWideColors(sink);
+    settleTriangles(sink, source);
+    fillMissing(cloud);
+    cloud.points_read += sink.vertices;
+    cloud.points_non_finite += sink.dropped.size();
+    sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
+    if (sink.sensor) setSensor(cloud, sink.scans.back(), toWorld(sink, *sink.sensor));
+}
+
+void setSensor(Cloud& cloud, const ScanRange& scan, const Vec3d& world_position) {
+    const Vec3f local = (world_position - cloud.origin).cast<float>();
+    if (!local.allFinite()) return;
+    cloud.sensor_of_point.resize(cloud.positions.size(), kNoSensor);
+    const auto first = cloud.sensor_of_point.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
+    std::fill_n(first, scan.position_count, static_cast<std::uint32_t>(cloud.sensors.size()));
+    cloud.sensors.push_back(local);
+}
+
+Vec3d toWorld(const Sink& sink, const Vec3d& position) {
+    if (!sink.world_from_scan) return position;
+    return sink.world_from_scan->rotation * position + sink.world_from_scan->translation;
+}
+
+} // namespace pointrt

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/neighbors/points.h"
+
+#include <cmath>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+#include <tuple>
+
+#include "preprocess/cloud/bounds.h"
+
+namespace pointrt::surface {
+namespace {
+
+struct CurvePoint {
+    std::uint64_t code;
+    std::uint32_t index;
+};
+
+/// Spreads the low 21 bits of value so that two zero bits follow each.
+std::uint64_t spreadBits(std::uint64_t value) {
+    value = (value | value << 32) & 0x001F00000000FFFFu;
+    value = (value | value << 16) & 0x001F0000FF0000FFu;
+    value = (value | value << 8) & 0x100F00F00F00F00Fu;
+    value = (value | value << 4) & 0x10C30C30C30C30C3u;
+    return (value | value << 2) & 0x1249249249249249u;
+}
+
+std::uint64_t mortonCode(const Vec3f& position, const Bounds& bounds, double steps_per_unit) {
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double steps = (double(position[axis]) - bounds.low[axis]) * steps_per_unit;
+        code |= spreadBits(std::uint64_t(steps)) << axis;
+    }
+    return code;
+}
+
+std::vector<CurvePoint> sortAlongCurve(const std::vector<Vec3f>& positions, const Bounds& bounds) {
+    constexpr double kSteps = double((1 << 21) - 1); // 21 bits an axis fill 63 of the code's 64
+    const double steps_per_unit = kSteps / bounds.longestEdge();
+    std::vector<CurvePoint> order(positions.size());
+    tbb::parallel_for(std::size_t(0), order.size(), [&](std::size_t i) {
+        order[i] = {mortonCode(positions[i], bounds, steps_per_unit), std::uint32_t(i)};
+    });
+    const auto key = [&](const CurvePoint& point) {
+        const Vec3f& p = positions[point.index];
+        return std::make_tuple(p.x(), p.y(), p.z(), point.index);
+    };
+    tbb::parallel_sort(order, [&](const CurvePoint& a, const CurvePoint& b) {
+        return a.code != b.code ? a.code < b.code : key(a) < key(b);
+    });
+    return order;
+}
+
+/// Cloud indices along the curve, the first of each run of equal positions.
+std::vector<std::uint32_t> distinctIndices(const std::vector<Vec3f>& positions, const Bounds& bounds) {
+    std::vector<std::uint32_t> distinct;
+    distinct.reserve(positions.size());
+    for (const CurvePoint& point : sortAlongCurve(positions, bounds))
+        if (distinct.empty() || positions[distinct.back()] != positions[point.index]) distinct.push_back(point.index);
+    return distinct;
+}
+
+template <typename T>
+std::vector<T> gatherAndFree(std::vector<T>& source, const std::vector<std::uint32_t>& indices) {
+    std::vector<T> gathered;
+    if (source.empty()) return gathered;
+    gathered.resize(indices.size());
+    tbb::parallel_for(std::size_t(0), indices.size(), [&](std::size_t i) { gathered[i] = source[indices[i]]; });
+    std::vector<T>().swap(source);
+    return gathered;
+}
+
+template <typename T, typename Body>
+void forAll(std::vector<T>& values, const Body& body) {
+    tbb::parallel_for(std::size_t(0), values.size(), [&](std::size_t i) { body(values[i]); });
+}
+
+Vec3f scaled(const Vec3f& vector, double factor) { return (vector.cast<double>() * factor).cast<float>(); }
+
+/// Unit length, or zero for what is no direction.
+Vec3f unitOrZero(const Vec3f& normal) {
+    const Vec3d wide = normal.cast<double>();
+    const double length = wide.norm();
+    if (!std::isfinite(length) || length == 0) return Vec3f::Zero();
+    return (wide / length).cast<float>();
+}
+
+template <typename T>
+void keepFlagged(std::vector<T>& values, const std::vector<std::uint8_t>& keep) {
+    if (values.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i)
+        if (keep[i]) values[kept++] = values[i];
+    values.resize(kept);
+}
+
+/// Scales positions and sensors, so far of this extent, by a power of two: no bit is lost.
+void toUnitSize(Points& points, double extent) {
+    int exponent;
+    std::frexp(extent, &exponent);
+    const double factor = std::ldexp(1.0, -exponent);
+    forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
+    for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
+    points.scale_exponent += exponent;
+}
+
+} // namespace
+
+const Vec3f* Points::sensorOf(std::size_t point) const {
+    if (sensor_of_point.empty() || sensor_of_point[point] >= sensors.size()) return nullptr;
+    return &sensors[sensor_of_point[point]];
+}
+
+Points takePoints(Cloud&& cloud) {
+    std::vector<std::array<std::uint32_t, 3>>().swap(cloud.triangles);
+    const Bounds bounds = boundsOf(cloud.positions);
+    Points points;
+    points.input_index = distinctIndices(cloud.positions, bounds);
+    points.positions = gatherAndFree(cloud.positions, points.input_index);
+    points.normals = gatherAndFree(cloud.normals, points.input_index);
+    points.colors = gatherAndFree(cloud.colors, points.input_index);
+    points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
+    points.sensors = std::move(cloud.sensors);
+    toUnitSize(points, bounds.longestEdge());
+    forAll(points.normals, [](Vec3f& normal) { normal = unitOrZero(normal); });
+    return points;
+}
+
+void keepPoints(Points& points, const std::vector<std::uint8_t>& keep) {
+    keepFlagged(points.positions, keep);
+    keepFlagged(points.normals, keep);
+    keepFlagged(points.colors, keep);
+    keepFlagged(points.sensor_of_point, keep);
+    keepFlagged(points.input_index, keep);
+}
+
+bool refit(Points& points) {
+    // Down to there 15 of the 21 bits an axis of the curve's code still tell points apart.
+    constexpr double kSmall = 1.0 / 64;
+    const Bounds bounds = boundsOf(points.positions);
+    const double extent = bounds.longestEdge();
+    if (extent >= kSmall || extent == 0) return false;
+    const std::vector<std::uint32_t> order = distinctIndices(points.positions, bounds);
+    points.positions = gatherAndFree(points.positions, order);
+    points.normals = gatherAndFree(points.normals, order);
+    points.colors = gatherAndFree(points.colors, order);
+    points.sensor_of_point = gatherAndFree(points.sensor_of_point, order);
+    points.input_index = gatherAndFree(points.input_index, order);
+    toUnitSize(points, extent);
+    return true;
+}
+
+} // namespace pointrt::surface

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// pointrt-view: options -> device -> scene -> frames -> picture.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "pointrt/tool.hpp"
+#include "runtime/app/render_job.h"
+#include "runtime/gpu/device.h"
+#include "runtime/scene/turntable.h"
+#include "runtime/session/options.h"
+#include "runtime/session/render_session.h"
+#include "runtime/session/report.h"
+#include "runtime/session/settings.h"
+#include "runtime/util/interrupt.h"
+#include "runtime/util/output_file.h"
+#ifdef POINTRT_HAS_WINDOW
+#include "runtime/window/app/window.h"
+#endif
+
+namespace {
+
+using namespace pointrt;
+
+void render(const Options& options) {
+    const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
+    for (const std::string& path : {first, options.stats})
+        if (!path.empty() && path != "-") requireWritable(path);
+    SceneDescription description = describeScene(options);
+    Report report;
+    RenderSession session(options);
+    loadSession(session, std::move(description), options, report);
+    (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
+    const std::string json = reportJson(report);
+    if (options.bench_frames != 0) writeText("-", json);
+    // A benchmark has already printed it.
+    if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-")) writeText(options.stats, json);
+}
+
+void showWindow(const Options& options) {
+    if (!options.stats.empty() && options.stats != "-") requireWritable(options.stats);
+#ifdef POINTRT_HAS_WINDOW
+    runWindow(options);
+#else
+    throw Error{ExitCode::kBadUsage, "this build has no window; -o FILE.png or -o FILE.exr renders to a file"};
+#endif
+}
+
+int run(int argc, const char* const* argv) {
+    secondsSinceStart(); // where the kernel does not tell, the clock starts here
+    Options options;
+    if (const std::optional<int> done = parseOptions(argc, argv, options)) return *done;
+    if (options.list_devices)
+        writeText("-", listDevices());
+    else if (opensWindow(options))
+        showWindow(options);
+    else
+        render(options);
+    if (const std::uint64_t messages = validationMessages())
+        throw Error{ExitCode::kCannotRun, "the validation layer had " + std::to_string(messages) + " messages"};
+    passInterruptOn();
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return pointrt::runTool("pointrt-view", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/device_scan.h"
+
+#include <array>
+#include <cstdio>
+#include <iterator>
+#include <span>
+
+#include "pointrt/pro_index_layout.h"
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+namespace {
+
+ExitCode exitCodeFor(pro_result result) {
+    return result == PRO_OUT_OF_MEMORY ? ExitCode::kCannotRun : ExitCode::kBadInput;
+}
+
+void mapFile(DeviceScan& scan) {
+    pro_message message{};
+    const pro_result result = pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, &message);
+    if (result != PRO_OK) throw Error(exitCodeFor(result), scan.path + ": " + message.text);
+    pro_get_info(scan.file, &scan.info);
+    pro_get_view(scan.file, &scan.view);
+}
+
+void uploadSections(Device& device, DeviceScan& scan) {
+    const pro_info& info = scan.info;
+    const pro_view& view = scan.view;
+    const std::uint64_t bytes = std::uint64_t{info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
+    scan.splats = createPagedBuffer(device, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
+    scan.device_bytes += bytes;
+}
+
+struct IndexBuffer {
+    PagedBuffer DeviceScan::*buffer;
+    const char* what;
+    VkFormat format;
+};
+constexpr IndexBuffer kIndexBuffers[] = {{&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT},
+                                         {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32_UINT},
+                                         {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT},
+                                         {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT},
+                                         {&DeviceScan::lists, "list buffer", VK_FORMAT_R32G32B32A32_UINT},
+                                         {&DeviceScan::blend_ranges, "blend range buffer", VK_FORMAT_R32G32_UINT}};
+
+/// In the order of kIndexBuffers.
+std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(const pro_index& index) {
+    const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
+        return std::span(data, static_cast<std::size_t>(count * each));
+    };
+    const std::uint64_t brick_words = std::uint64_t{index.brick_count} * PRO_BRICK_WORDS;
+    return {words(index.bricks, brick_words + std::uint64_t{index.group_count} * PRO_GROUP_WORDS, 1),
+            words(index.cells, index.cell_count, PRO_CELL_WORDS),
+            words(index.slabs, index.cell_count, 1),
+            words(index.near_splats, index.near_count, PRO_NEAR_WORDS),
+            words(index.lists, index.list_count, 1),
+            words(index.blend_ranges, index.cell_count, PRO_BLEND_RANGE_WORDS)};
+}
+
+void uploadIndex(Device& device, DeviceScan& scan) {
+    const pro_index& index = scan.index;
+    const std::uint64_t grid_bytes =
+        std::uint64_t{index.size[0]} * index.size[1] * index.size[2] * sizeof(std::uint32_t);
+    scan.grid_words = createTexelBuffer(device, "grid buffer", index.grid, grid_bytes, VK_FORMAT_R32_UINT);
+    scan.device_bytes += grid_bytes;
+    const auto words = wordsOf(index);
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const IndexBuffer& each = kIndexBuffers[k];
+        scan.*each.buffer = createPagedBuffer(device, each.what, words[k].data(), words[k].size_bytes(), each.format);
+        scan.device_bytes += words[k].size_bytes();
+    }
+}
+
+/// Of a file without an index; what was copied to the device is let go.
+void buildAndUploadIndex(Device& device, DeviceScan& scan) {
+    scan.built = buildTracingIndex(scan.info, scan.view);
+    scan.index = indexView(scan.built);
+    uploadIndex(device, scan);
+    Bricks& bricks = scan.built.bricks;
+    Words* const words[] = {&bricks.words, &bricks.cells, &bricks.slabs,
+                            &bricks.near,  &bricks.lists, &bricks.blend_ranges};
+    for (std::size_t k = 0; k < std::size(words); ++k)
+        if (!isImported(scan.*kIndexBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
+    if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
+}
+
+/// All that the device reads. Errors name the file.
+void upload(Device& device, DeviceScan& scan) {
+    try {
+        uploadSections(device, scan);
+        if (pro_get_index(scan.file, &scan.index))
+            uploadIndex(device, scan);
+        else
+            buildAndUploadIndex(device, scan);
+    } catch (const Error& error) {
+        throw Error(error.code, scan.path + ": " + error.what());
+    }
+    scan.pages = pageCounts(device, pagedBuffers(scan));
+}
+
+} // namespace
+
+DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
+    DeviceScan scan;
+    scan.path = path;
+    try {
+        mapFile(scan);
+        upload(device, scan);
+    } catch (...) {
+        destroyScan(device, scan);
+        throw;
+    }
+    if (verbose)
+        std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
+                     scan.info.splat_count, isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",
+                     isPaged(scan.pages) ? ", in pages" : "", scan.built.grid.size[0] == 0 ? "from the file" : "built",
+                     scan.index.size[0], scan.index.size[1], scan.index.size[2]);
+    return scan;
+}
+
+DeviceScan blankScan(Device& device) {
+    DeviceScan scan;
+    static constexpr std::uint32_t kZeros[4] = {}; // it may become device memory as it is
+    const auto blank = [&](VkFormat format) {
+        return createTexelBuffer(device, "blank buffer", kZeros, sizeof kZeros, format);
+    };
+    scan.grid_words = blank(VK_FORMAT_R32_UINT);
+    for (PagedBuffer* buffer : {&scan.brick_words, &scan.slabs}) buffer->pages = {blank(VK_FORMAT_R32_UINT)};
+    for (PagedBuffer* buffer : {&scan.cells, &scan.blend_ranges}) buffer->pages = {blank(VK_FORMAT_R32G32_UINT)};
+    for (PagedBuffer* buffer : {&scan.splats, &scan.near, &scan.lists})
+        buffer->pages = {blank(VK_FORMAT_R32G32B32A32_UINT)};
+    return scan;
+}
+
+std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
+    return {{1, &scan.brick_words.pages[0]}, {2, &scan.lists.pages[0]},        {3, &scan.splats.pages[0]},
+            {4, &scan.grid_words},           {14, &scan.cells.pages[0]},       {15, &scan.near.pages[0]},
+            {21, &scan.slabs.pages[0]},      {16, &scan.blend_ranges.pages[0]}};
+}
+
+PagedBuffers pagedBuffers(const DeviceScan& scan) {
+    return {&scan.brick_words, &scan.cells, &scan.slabs, &scan.near, &scan.lists, &scan.blend_ranges, &scan.splats};
+}
+
+void destroyScan(Device& device, DeviceScan& scan) {
+    for (PagedBuffer* buffer :
+         {&scan.splats, &scan.brick_words, &scan.cells, &scan.slabs, &scan.near, &scan.lists, &scan.blend_ranges})
+        destroyPagedBuffer(device, *buffer);
+    destroyBuffer(device, scan.grid_words);
+    scan.built = {};
+    scan.index = {};
+    if (scan.file) pro_close(scan.file);
+    scan.file = nullptr;
+}
+
+} // namespace pointrt

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/device_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "pointrt/tool.hpp"
+#include "runtime/device_scene/environment.h"
+#include "runtime/device_scene/ggx_albedo.h"
+#include "runtime/device_scene/scene_rows.h"
+#include "runtime/scene/default_lighting.h"
+#include "shaders/shared/ggx_table.h"
+
+namespace pointrt {
+
+namespace {
+
+/// The number of path's file, opened once.
+std::uint32_t fileNumber(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
+    const auto known =
+        std::find_if(scene.files.begin(), scene.files.end(), [&](const DeviceScan& f) { return f.path == path; });
+    if (known == scene.files.end()) {
+        scene.files.push_back(loadScan(device, path, verbose));
+        scene.device_bytes += scene.files.back().device_bytes;
+        return static_cast<std::uint32_t>(scene.files.size() - 1);
+    }
+    return static_cast<std::uint32_t>(known - scene.files.begin());
+}
+
+/// What does not depend on the materials.
+gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                  std::uint32_t number) {
+    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
+    const pro_index& grid = file.index;
+    const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
+    gpu::InstanceParams params{};
+    params.row_x = rows[0];
+    params.row_y = rows[1];
+    params.row_z = rows[2];
+    params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
+                    std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
+    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
+    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
+    const std::uint32_t layer = grid.size[0] * grid.size[1];
+    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
+    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
+    params.materials = {number, 0, 0, 0};
+    return params;
+}
+
+/// Of the instances; without any, of the bounded shapes.
+Bounds findBounds(const DeviceScene& scene) {
+    std::optional<Bounds> all;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const pro_info& info = scene.files[scene.instances[i].file].info;
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
+        all = all ? joined(*all, bounds) : bounds;
+    }
+    if (!all) all = boundsOfShapes(scene.description);
+    return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
+}
+
+/// Rough metal and plastic read it; others only where it makes no difference, which zeros tell sooner.
+bool needsGgxAlbedo(std::uint32_t features) {
+    return (features & (FEATURE_MATERIAL(MATERIAL_METAL) | FEATURE_MATERIAL(MATERIAL_PLASTIC))) != 0;
+}
+
+template <typename Row>
+void replaceBuffer(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows,
+                   VkFormat format = VK_FORMAT_R32G32B32A32_UINT) {
+    Buffer fresh = createTexelRows(device, what, std::move(rows), format);
+    destroyBuffer(device, buffer);
+    buffer = fresh;
+}
+
+/// In place where there are as many as before.
+template <typename Row>
+void replaceRows(Device& device, Buffer& buffer, const char* what, std::vector<Row> rows) {
+    const std::uint64_t bytes = rows.size() * sizeof(Row);
+    if (bytes > 0 && buffer.bytes == bytes)
+        uploadBuffer(device, buffer, rows.data(), bytes);
+    else
+        replaceBuffer(device, buffer, what, std::move(rows));
+}
+
+std::string skyImage(const SceneDescription& description) {
+    return description.sky ? description.sky->image : std::string();
+}
+
+/// The sky's picture; nothing where it is on the device already, or where there is none to read.
+std::optional<Environment> readSky(const DeviceScene& scene) {
+    const std::string image = skyImage(scene.description);
+    if (scene.environment_texels.handle && image == scene.sky_image) return std::nullopt;
+    return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
+}
+
+void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settings,
+                std::optional<Environment> picture) {
+    if (picture) {
+        scene.sky_image.clear(); // until all of it is there
+        replaceBuffer(device, scene.environment_texels, "environment buffer", std::exchange(picture->texels, {}),
+                      VK_FORMAT_R32G32B32A32_SFLOAT);
+        replaceBuffer(device, scene.environment_cdf, "environment distribution", std::exchange(picture->cdf, {}),
+                      VK_FORMAT_R32_SFLOAT);
+        scene.sky_image = skyImage(scene.description);
+        scene.sky_sizes = std::move(*picture);
+    }
+    if (scene.sky_image.empty()) return;
+    const SkyDescription& sky = *scene.description.sky;
+    const auto rows = mapFromWorld(sceneUp(scene.description, settings), sky.rotation_deg);
+    scene.environment = environmentFrame(scene.sky_sizes, rows, sky.strength);
+}
+
+void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        Instance& instance = scene.instances[i];
+        instance.params = rows.instances[i];
+        uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
+    }
+    const bool table = needsGgxAlbedo(rows.features);
+    if (!scene.ggx_albedo.handle || table != needsGgxAlbedo(scene.features))
+        replaceBuffer(device, scene.ggx_albedo, "GGX table",
+                      table ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES), VK_FORMAT_R32G32_SFLOAT);
+    scene.features = rows.features;
+    scene.casting_shapes = std::move(rows.casting_shapes);
+    scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
+    scene.light_rows = rows.lights;
+    scene.sky_light = rows.sky_light;
+    replaceRows(device, scene.materials, "material buffer", std::move(rows.materials));
+    replaceRows(device, scene.shapes, "shape buffer", std::move(rows.shapes));
+    replaceRows(device, scene.lights, "light buffer", std::move(rows.lights));
+}
+
+/// All programs name an instance's buffers, those too that never read them.
+void addBlank(Device& device, DeviceScene& scene) {
+    scene.blank.file = static_cast<std::uint32_t>(scene.files.size());
+    scene.files.push_back(blankScan(device));
+    scene.blank.params_buffer =
+        createBuffer(device, "instance parameters", sizeof scene.blank.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+}
+
+} // namespace
+
+DeviceScene openScene(Device& device, SceneDescription description, bool verbose) {
+    DeviceScene scene;
+    scene.description = std::move(description);
+    try {
+        std::vector<pro_info> infos;
+        for (const InstanceDescription& each : scene.description.instances) {
+            Instance instance;
+            instance.file = fileNumber(device, scene, each.path, verbose);
+            const DeviceScan& file = scene.files[instance.file];
+            instance.oriented = (file.info.flags & PRO_FLAG_ORIENTED) != 0;
+            scene.instances.push_back(instance);
+            scene.splat_count += file.info.splat_count;
+            infos.push_back(file.info);
+        }
+        scene.space = chooseRenderSpace(scene.description, infos);
+        scene.bounds = findBounds(scene);
+        for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+            Instance& instance = scene.instances[i];
+            instance.params = placeInstance(scene.space, scene.files[instance.file],
+                                            scene.description.instances[i].placement, static_cast<std::uint32_t>(i));
+            instance.params_buffer =
+                createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        }
+        if (scene.instances.empty()) addBlank(device, scene);
+    } catch (...) {
+        destroyDeviceScene(device, scene);
+        throw;
+    }
+    return scene;
+}
+
+void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings) {
+    SceneRows rows = makeSceneRows(scene, scene.description, settings);
+    furnishSky(device, scene, settings, readSky(scene));
+    furnishRows(device, scene, std::move(rows));
+}
+
+bool standsAlike(const SceneDescription& a, const SceneDescription& b) {
+    return std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
+                      [](const InstanceDescription& one, const InstanceDescription& other) {
+                          return one.path == other.path && one.placement == other.placement;
+                      });
+}
+
+bool furnishAlike(Device& device, DeviceScene& scene, const SceneDescription& description,
+                  const RenderSettings& settings) {
+    if (!standsAlike(scene.description, description) || skyImage(description) != scene.sky_image) return false;
+    SceneRows rows = makeSceneRows(scene, description, settings);
+    if (rows.features != scene.features) return false;
+    scene.description = description;
+    furnishSky(device, scene, settings, std::nullopt);
+    furnishRows(device, scene, std::move(rows));
+    return true;
+}
+
+bool castsCaustics(const DeviceScene& scene) {
+    const auto casts = [](const Instance& instance) { return instance.params.materials.w != 0; };
+    const std::vector<bool>& shapes = scene.casting_shapes;
+    return !scene.light_rows.empty() && (std::any_of(scene.instances.begin(), scene.instances.end(), casts) ||
+                                         std::find(shapes.begin(), shapes.end(), true) != shapes.end());
+}
+
+std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance) {
+    std::vector<BufferBinding> bindings = scanBindings(scene.files[instance.file]);
+    bindings.insert(bindings.end(), {{22, &instance.params_buffer},
+                                     {5, &scene.materials},
+                                     {23, &scene.shapes},
+                                     {24, &scene.lights},
+                                     {28, &scene.ggx_albedo},
+                                     {29, &scene.environment_texels},
+                                     {30, &scene.environment_cdf}});
+    return bindings;
+}
+
+void destroyDeviceScene(Device& device, DeviceScene& scene) {
+    for (Buffer* buffer : {&scene.materials, &scene.shapes, &scene.lights, &scene.ggx_albedo, &scene.environment_texels,
+                           &scene.environment_cdf})
+        destroyBuffer(device, *buffer);
+    destroyBuffer(device, scene.blank.params_buffer);
+    for (Instance& instance : scene.instances) destroyBuffer(device, instance.params_buffer);
+    for (DeviceScan& file : scene.files) destroyScan(device, file);
+    scene = {};
+}
+
+} // namespace pointrt

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that is in the picture, on the device: the .pro files, where they stand, shapes, materials and lights.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/device_scene/device_scan.h"
+#include "runtime/device_scene/environment.h"
+#include "runtime/device_scene/render_space.h"
+#include "runtime/gpu/device.h"
+#include "runtime/gpu/resources.h"
+#include "runtime/scene/scene_description.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+
+/// A file as it stands in the scene.
+struct Instance {
+    std::uint32_t file = 0; ///< in DeviceScene::files
+    gpu::InstanceParams params{};
+    Buffer params_buffer;
+    bool oriented = false;
+};
+
+struct DeviceScene {
+    SceneDescription description;
+    RenderSpace space;
+    std::vector<DeviceScan> files; ///< each .pro once, however often it stands in the scene
+    std::vector<Instance> instances;
+    Instance blank; ///< stands for them in the bindings of scenes without any
+    Bounds bounds;  ///< of the instances; without any, of what shapes are bounded
+    std::vector<gpu::Light> light_rows;
+    std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
+    std::uint32_t shape_count = 0;
+    std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by
+    std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
+    gpu::EnvironmentFrame environment{}; ///< of that picture
+    std::string sky_image;               ///< path of that picture, which is read once
+    Environment sky_sizes;               ///< of that picture, without texels
+    std::uint64_t splat_count = 0;
+    std::uint64_t device_bytes = 0;
+    Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
+};
+
+/// Maps the files that description names and puts them on the device, with where they stand; shapes, materials and
+/// lights follow with uploadSceneTables, for which the bounds must be known. Throws Error as loadScan does.
+DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
+
+/// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before. The
+/// sky's picture is read only where it is another one. Throws Error kBadInput where it cannot be read, and where an
+/// override asks for a material row that its file does not have; nothing is changed then.
+void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
+
+/// Furnishes scene for description in a few milliseconds, where programs built for what it was furnished for will do.
+/// Returns false, with nothing changed, where there are other kinds of lights, materials or shapes, another picture of
+/// the sky, or other files or places. Throws as uploadSceneTables does.
+bool furnishAlike(Device& device, DeviceScene& scene, const SceneDescription& description,
+                  const RenderSettings& settings);
+
+/// Whether the same files stand at the same places.
+bool standsAlike(const SceneDescription& a, const SceneDescription& b);
+
+/// Whether anything throws caustics, and there are lights for it.
+bool castsCaustics(const DeviceScene& scene);
+
+/// The buffers of an instance, or of scene.blank, at their places in shaders/frame/bindings.glsl.
+std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
+
+void destroyDeviceScene(Device& device, DeviceScene& scene);
+
+} // namespace pointrt

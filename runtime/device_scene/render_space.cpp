@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/render_space.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace pointrt {
+
+namespace {
+
+using Rows = std::array<Vec3, 3>;
+
+Vec3 applied(const Rows& rows, Vec3 v) { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+
+Rows transposed(const Rows& r) {
+    return {Vec3{r[0].x, r[1].x, r[2].x}, Vec3{r[0].y, r[1].y, r[2].y}, Vec3{r[0].z, r[1].z, r[2].z}};
+}
+
+Vec3 vecOf(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+Vec3 placed(const Placement& placement, Vec3 input) {
+    return placement.translation + placement.scale * applied(placement.rotation, input);
+}
+
+gpu::vec4 packColor(const Color& color, float w = 0) { return {color[0], color[1], color[2], w}; }
+
+gpu::vec4 packColor(const Color& color, double factor, float w) {
+    return packColor({static_cast<float>(factor * color[0]), static_cast<float>(factor * color[1]),
+                      static_cast<float>(factor * color[2])},
+                     w);
+}
+
+/// Half edges of the box around the ellipsoid (or ellipse) that u, v and w span.
+Vec3 roundHalf(Vec3 u, Vec3 v, Vec3 w) {
+    return {std::hypot(u.x, v.x, w.x), std::hypot(u.y, v.y, w.y), std::hypot(u.z, v.z, w.z)};
+}
+
+double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
+
+gpu::Light packed(const RenderSpace& space, const PointLight& light) {
+    return {pack(renderPoint(space, light.position), LIGHT_POINT),
+            packColor(light.intensity, 1.0 / (space.scale * space.scale), 0),
+            {},
+            {},
+            {}};
+}
+
+gpu::Light packed(const RenderSpace& space, const SpotLight& light) {
+    return {pack(renderPoint(space, light.position), LIGHT_SPOT),
+            packColor(light.intensity, 1.0 / (space.scale * space.scale), 0),
+            pack(light.direction, cosineOf(light.outer_deg)),
+            pack({cosineOf(light.inner_deg), 0, 0}),
+            {}};
+}
+
+gpu::Light packed(const RenderSpace&, const SunLight& light) {
+    return {pack({}, LIGHT_SUN), packColor(light.irradiance), pack(light.towards, cosineOf(light.radius_deg)), {}, {}};
+}
+
+gpu::Light packed(const RenderSpace& space, const SphereLight& light) {
+    return {pack(renderPoint(space, light.center), LIGHT_SPHERE),
+            packColor(light.radiance),
+            pack({}, light.radius / space.scale),
+            {},
+            {}};
+}
+
+gpu::Light packed(const RenderSpace& space, const QuadLight& light) {
+    const double units = 1.0 / space.scale;
+    return {pack(renderPoint(space, light.center), LIGHT_QUAD), packColor(light.radiance),
+            pack(normalize(cross(light.u, light.v))), pack(units * light.u), pack(units * light.v)};
+}
+
+constexpr std::array<std::uint32_t, 5> kShapeKinds = {SHAPE_PLANE, SHAPE_DISC, SHAPE_QUAD, SHAPE_BOX, SHAPE_SPHERE};
+constexpr std::array<float, 5> kMaterialKinds = {MATERIAL_MATTE, MATERIAL_METAL, MATERIAL_PLASTIC, MATERIAL_MIRROR,
+                                                 MATERIAL_GLASS};
+
+template <typename Kind, typename Number, std::size_t N>
+Number numberOf(const std::array<Number, N>& numbers, Kind kind) {
+    return numbers.at(static_cast<std::size_t>(kind));
+}
+
+} // namespace
+
+RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos) {
+    if (!scene.instances.empty() && !infos.empty()) {
+        const Placement& placement = scene.instances.front().placement;
+        // the corner that is lowest in the cube's own frame, so that the unmoved space is that frame
+        return {placed(placement, vecOf(infos.front().origin)), placement.scale * infos.front().scale};
+    }
+    const std::optional<Bounds> bounds = boundsOfShapes(scene);
+    if (!bounds) return {};
+    const Vec3 size = bounds->hi - bounds->lo;
+    const double longest = std::max({size.x, size.y, size.z});
+    return longest > 0 ? RenderSpace{bounds->lo, longest} : RenderSpace{};
+}
+
+gpu::vec4 pack(Vec3 v, double w) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
+}
+
+Vec3 renderPoint(const RenderSpace& space, Vec3 world) { return (world - space.origin) * (1.0 / space.scale); }
+
+Vec3 worldPoint(const RenderSpace& space, Vec3 point) { return space.origin + space.scale * point; }
+
+std::array<gpu::vec4, 3> cubeFromRender(const RenderSpace& space, const Placement& placement, const pro_info& info) {
+    const Rows turned_back = transposed(placement.rotation);
+    // divided by what chooseRenderSpace multiplied, so that the first instance's quotient is 1
+    const double units = space.scale / (placement.scale * info.scale);
+    const Vec3 input_origin = applied(turned_back, space.origin - placement.translation) * (1.0 / placement.scale);
+    const Vec3 origin = (input_origin - vecOf(info.origin)) * (1.0 / info.scale);
+    return {pack(units * turned_back[0], origin.x), pack(units * turned_back[1], origin.y),
+            pack(units * turned_back[2], origin.z)};
+}
+
+Bounds placedBounds(const Placement& placement, const pro_info& info) {
+    const Vec3 lo = vecOf(info.bounds_min), hi = vecOf(info.bounds_max);
+    const Vec3 center = placed(placement, 0.5 * (lo + hi)), half = 0.5 * (hi - lo);
+    const Rows& r = placement.rotation;
+    const Vec3 reach =
+        placement.scale * Vec3{dot(absolute(r[0]), half), dot(absolute(r[1]), half), dot(absolute(r[2]), half)};
+    return {center - reach, center + reach};
+}
+
+std::optional<Bounds> shapeBounds(const ShapeDescription& shape) {
+    Vec3 half;
+    switch (shape.kind) {
+    case ShapeKind::kPlane:
+        return std::nullopt;
+    case ShapeKind::kDisc:
+        half = roundHalf(shape.u, shape.v, {});
+        break;
+    case ShapeKind::kQuad:
+        half = absolute(shape.u) + absolute(shape.v);
+        break;
+    case ShapeKind::kBox:
+        half = absolute(shape.u) + absolute(shape.v) + absolute(shape.w);
+        break;
+    case ShapeKind::kSphere:
+        half = roundHalf(shape.u, shape.v, shape.w);
+        break;
+    }
+    return Bounds{shape.center - half, shape.center + half};
+}
+
+Bounds joined(const Bounds& a, const Bounds& b) {
+    return {{std::min(a.lo.x, b.lo.x), std::min(a.lo.y, b.lo.y), std::min(a.lo.z, b.lo.z)},
+            {std::max(a.hi.x, b.hi.x), std::max(a.hi.y, b.hi.y), std::max(a.hi.z, b.hi.z)}};
+}
+
+std::optional<Bounds> boundsOfShapes(const SceneDescription& scene) {
+    std::optional<Bounds> all;
+    for (const ShapeDescription& shape : scene.shapes)
+        if (const auto bounds = shapeBounds(shape)) all = all ? joined(*all, *bounds) : *bounds;
+    return all;
+}
+
+gpu::Shape packShape(const RenderSpace& space, const ShapeDescription& shape) {
+    const Vec3 vw = cross(shape.v, shape.w), wu = cross(shape.w, shape.u), uv = cross(shape.u, shape.v);
+    // rows of the inverse of the matrix with columns u, v, w
+    const double inverse = 1.0 / dot(shape.u, vw);
+    const Rows local_from_world{inverse * vw, inverse * wu, inverse * uv};
+    const Vec3 origin = applied(local_from_world, space.origin - shape.center);
+    return {pack(space.scale * local_from_world[0], origin.x),
+            pack(space.scale * local_from_world[1], origin.y),
+            pack(space.scale * local_from_world[2], origin.z),
+            {numberOf(kShapeKinds, shape.kind), shape.material,
+             (shape.seen_by_camera ? 0 : SHAPE_UNSEEN_BY_CAMERA) | (shape.backdrop ? SHAPE_BACKDROP : 0), 0}};
+}
+
+gpu::Light packLight(const RenderSpace& space, const LightDescription& light) {
+    return std::visit([&](const auto& kind) { return packed(space, kind); }, light);
+}
+
+gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& material) {
+    const std::uint32_t bits =
+        (material.splat_color ? MATERIAL_USES_SPLAT_COLOR : 0u) | (material.thin ? MATERIAL_THIN : 0u);
+    return {packColor(material.color, std::bit_cast<float>(bits)),
+            {numberOf(kMaterialKinds, material.kind), material.roughness, material.index, material.mirror_share},
+            {material.specular, material.shininess, 0, 0},
+            packColor(material.emission, std::bit_cast<float>(NO_LIGHT)),
+            packColor(material.absorption, space.scale, 0)};
+}
+
+std::optional<gpu::Shape> lampShape(const RenderSpace& space, const LightDescription& light, std::uint32_t material) {
+    if (const auto* sphere = std::get_if<SphereLight>(&light)) {
+        const double r = sphere->radius;
+        return packShape(
+            space,
+            {ShapeKind::kSphere, sphere->center, {r, 0, 0}, {0, r, 0}, {0, 0, r}, material, sphere->seen_by_camera});
+    }
+    if (const auto* quad = std::get_if<QuadLight>(&light))
+        return packShape(space, {ShapeKind::kQuad, quad->center, quad->u, quad->v, normalize(cross(quad->u, quad->v)),
+                                 material, quad->seen_by_camera});
+    return std::nullopt;
+}
+
+std::optional<gpu::Material> lampMaterial(const LightDescription& light, std::uint32_t number) {
+    const auto* sphere = std::get_if<SphereLight>(&light);
+    const auto* quad = std::get_if<QuadLight>(&light);
+    if (!sphere && !quad) return std::nullopt;
+    gpu::Material material{};
+    material.emission = packColor(sphere ? sphere->radiance : quad->radiance, std::bit_cast<float>(number));
+    return material;
+}
+
+} // namespace pointrt

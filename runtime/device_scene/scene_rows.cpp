@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/scene_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+
+#include "pointrt/tool.hpp"
+#include "runtime/device_scene/render_space.h"
+
+namespace pointrt {
+
+namespace {
+
+/// A row of a .pro as a material.
+MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
+    MaterialDescription material;
+    material.color = {row[PRO_MAT_BASE_COLOR], row[PRO_MAT_BASE_COLOR + 1], row[PRO_MAT_BASE_COLOR + 2]};
+    material.splat_color = true;
+    material.mirror_share = settings.reflectivity.value_or(row[PRO_MAT_REFLECTIVITY]);
+    material.specular = row[PRO_MAT_SPECULAR];
+    material.shininess = std::max(row[PRO_MAT_SHININESS], 1.0f);
+    return material;
+}
+
+std::uint32_t packColor(const std::array<std::uint8_t, 3>& c) { return c[0] | c[1] << 8 | std::uint32_t{c[2]} << 16; }
+
+class RowMaker {
+public:
+    RowMaker(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings)
+        : scene_(scene), settings_(settings) {
+        for (const MaterialDescription& material : description.materials) add(material);
+        for (const ShapeDescription& shape : description.shapes) addShape(shape);
+        for (const LightDescription& light : description.lights) addLight(light);
+        for (std::size_t i = 0; i < scene.instances.size(); ++i)
+            addInstance(description.instances.at(i), scene.instances[i]);
+        if (description.sky && !description.sky->image.empty()) addSkyLight();
+    }
+
+    SceneRows rows;
+
+private:
+    /// Mirrors and glass do, and are asked to.
+    bool bundlesLight(const gpu::Material& material) const {
+        const auto kind = static_cast<int>(material.gloss.x);
+        const bool mirrors = kind == MATERIAL_MATTE && material.gloss.w > 0;
+        return settings_.caustics && (kind == MATERIAL_MIRROR || kind == MATERIAL_GLASS || mirrors);
+    }
+
+    bool castsCaustics(std::uint32_t first, const gpu::InstanceParams& params) const {
+        bool casts = std::any_of(rows.materials.begin() + first, rows.materials.end(),
+                                 [&](const gpu::Material& material) { return bundlesLight(material); });
+        for (std::uint32_t r = 0; r < params.materials.z; ++r)
+            casts |= bundlesLight(rows.materials[params.color_range[r].z]);
+        return casts;
+    }
+
+    /// Planes are endless, and boxes around the scene (rooms) throw no caustics: photons have to be sent somewhere.
+    void addShape(const ShapeDescription& description) {
+        gpu::Shape shape = packShape(scene_.space, description);
+        const Vec3 half = 0.5 * (scene_.bounds.hi - scene_.bounds.lo);
+        const double size = length(description.u) + length(description.v) + length(description.w);
+        const bool room = description.kind == ShapeKind::kBox && size > 2 * length(half);
+        const bool casts =
+            description.kind != ShapeKind::kPlane && !room && bundlesLight(rows.materials.at(description.material));
+        if (casts) shape.kind.z |= SHAPE_CASTS_CAUSTICS;
+        rows.casting_shapes.push_back(casts);
+        rows.shapes.push_back(shape);
+    }
+
+    void add(const MaterialDescription& material) { rows.materials.push_back(packMaterial(scene_.space, material)); }
+
+    /// Lamps with an area are shapes as well, with a material that names their light.
+    void addLight(const LightDescription& light) {
+        gpu::Light row = packLight(scene_.space, light);
+        if (const auto shape = lampShape(scene_.space, light, static_cast<std::uint32_t>(rows.materials.size()))) {
+            row.edge_v.w = std::bit_cast<float>(static_cast<std::uint32_t>(rows.shapes.size()));
+            rows.shapes.push_back(*shape);
+            rows.materials.push_back(lampMaterial(light, static_cast<std::uint32_t>(rows.lights.size())).value());
+        }
+        rows.lights.push_back(row);
+    }
+
+    void addSkyLight() {
+        rows.sky_light = static_cast<std::uint32_t>(rows.lights.size());
+        gpu::Light light{};
+        light.position.w = LIGHT_SKY;
+        rows.lights.push_back(light);
+    }
+
+    /// Appends the instance's rows, and names them in its params.
+    void addInstance(const InstanceDescription& description, const Instance& instance) {
+        const DeviceScan& file = scene_.files[instance.file];
+        const auto first = static_cast<std::uint32_t>(rows.materials.size());
+        for (std::uint32_t row = 0; row < file.info.material_count; ++row) {
+            if (description.material)
+                rows.materials.push_back(rows.materials.at(*description.material));
+            else
+                add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_));
+        }
+        gpu::InstanceParams params = instance.params;
+        params.materials.y = first;
+        params.materials.z = 0;
+        for (const MaterialOverride& each : description.overrides) applyOverride(each, file, params);
+        params.materials.w = castsCaustics(first, params) ? 1 : 0;
+        rows.instances.push_back(params);
+    }
+
+    void applyOverride(const MaterialOverride& each, const DeviceScan& file, gpu::InstanceParams& params) {
+        if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
+            if (row->row >= file.info.material_count)
+                throw Error{ExitCode::kBadInput,
+                            each.place + file.path + " has no material row " + std::to_string(row->row)};
+            rows.materials[params.materials.y + row->row] = rows.materials.at(each.material);
+            return;
+        }
+        const auto& range = std::get<MaterialOverride::ColorRange>(each.splats);
+        params.color_range[params.materials.z++] = {packColor(range.low), packColor(range.high), each.material, 0};
+    }
+
+    const DeviceScene& scene_;
+    const RenderSettings& settings_;
+};
+
+/// Whether a surface of the material may send rays on: with path all do, with phong what mirrors, and whitted lets
+/// matte ones with a highlight mirror as well.
+bool sendsOn(const gpu::Material& material, Integrator integrator) {
+    const bool mirrors = material.gloss.x != MATERIAL_MATTE || material.gloss.w > 0;
+    return integrator == Integrator::kPath || (mirrors && showsLight(integrator)) ||
+           (material.phong.x > 0 && integrator == Integrator::kWhitted);
+}
+
+std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
+    std::uint32_t bits = 0;
+    for (const gpu::Light& light : rows.lights)
+        if (light.position.w != LIGHT_SKY) bits |= FEATURE_LIGHT(light.position.w);
+    for (const gpu::Material& material : rows.materials) {
+        bits |= FEATURE_MATERIAL(material.gloss.x);
+        if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;
+    }
+    for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);
+    return bits;
+}
+
+} // namespace
+
+SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings) {
+    SceneRows rows = RowMaker(scene, description, settings).rows;
+    rows.features = featuresOf(rows, settings.integrator);
+    return rows;
+}
+
+} // namespace pointrt

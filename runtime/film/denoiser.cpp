@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/film/denoiser.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "shaders/denoise.spv.h"
+#include "shaders/denoise_clean.spv.h"
+#include "shaders/denoise_prepare.spv.h"
+#include "shaders/denoise_variance.spv.h"
+
+namespace pointrt {
+namespace {
+
+constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr VkFormat kFourFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat kTwoFloats = VK_FORMAT_R32G32_SFLOAT;
+constexpr std::uint64_t kPixelBytes = 4 * sizeof(float);
+constexpr std::uint32_t kLevelSteps = 3, kLevels = kDenoiseSteps - kLevelSteps;
+constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // local_size of the shaders
+/// The denoiser does not know the camera: a pixel's angle under the default 40 degrees, 2 tan(20 degrees) / height.
+constexpr float kPictureAngle = 0.728f;
+
+struct Push {
+    std::int32_t size[4]; ///< width, height, pixels between taps
+    float angles[4];      ///< of a pixel, radians
+};
+struct SizePush {
+    std::int32_t size[4];
+};
+
+Buffer createTexels(Device& device, const char* what, std::uint64_t pixels, VkFormat format = kFourFloats) {
+    const std::uint64_t bytes = format == kTwoFloats ? kPixelBytes / 2 : kPixelBytes;
+    Buffer buffer = createBuffer(device, what, pixels * bytes, kTexels | kStorage);
+    createTexelView(device, what, buffer, format);
+    return buffer;
+}
+
+void createBuffers(Device& device, Denoiser& denoiser) {
+    const std::uint64_t pixels = std::uint64_t{denoiser.width} * denoiser.height;
+    denoiser.surface = createTexels(device, "denoiser's surfaces", pixels);
+    denoiser.slope = createTexels(device, "denoiser's slopes", pixels, kTwoFloats);
+    denoiser.factor = createTexels(device, "denoiser's albedo", pixels);
+    for (Buffer& light : denoiser.light) light = createTexels(device, "denoiser's light", pixels);
+    denoiser.result = createTexels(device, "denoised picture", pixels);
+}
+
+void createPrograms(Device& device, Denoiser& denoiser, bool has_variance) {
+    denoiser.prepare = createProgram(device, "denoise_prepare", denoise_prepare_spv, {has_variance});
+    denoiser.clean = createProgram(device, "denoise_clean", denoise_clean_spv);
+    denoiser.variance = createProgram(device, "denoise_variance", denoise_variance_spv, {has_variance});
+    denoiser.level = createProgram(device, "denoise", denoise_spv, {0});
+    denoiser.last_level = createProgram(device, "denoise", denoise_spv, {1});
+}
+
+VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, const Buffer& from,
+                               const Buffer& to) {
+    return createDescriptorSet(device, d.pool, program,
+                               {{0, &from}, {1, &d.surface}, {2, &d.slope}, {3, &d.factor}, {4, &to}});
+}
+
+void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
+    d.pool = createDescriptorPool(device, 6);
+    const auto& light = d.light;
+    d.prepare_set = createDescriptorSet(
+        device, d.pool, d.prepare,
+        {{0, inputs.color}, {1, inputs.surface}, {2, inputs.albedo}, {3, &light[1]}, {4, &d.surface}, {5, &d.factor}});
+    d.clean_set =
+        createDescriptorSet(device, d.pool, d.clean, {{0, &light[1]}, {1, &d.surface}, {2, &light[0]}, {3, &d.slope}});
+    d.variance_set = createDescriptorSet(device, d.pool, d.variance,
+                                         {{0, &light[0]}, {1, &d.surface}, {2, &d.slope}, {3, &light[1]}});
+    for (std::size_t i = 0; i < 2; ++i) d.level_sets[i] = createLevelSet(device, d, d.level, light[i], light[1 - i]);
+    d.last_set = createLevelSet(device, d, d.last_level, light[kLevels % 2], d.result);
+}
+
+GroupCount groupsOf(const Denoiser& denoiser) {
+    return {(denoiser.width + kGroupWidth - 1) / kGroupWidth, (denoiser.height + kGroupHeight - 1) / kGroupHeight, 1};
+}
+
+void requireSize(const char* name, const std::vector<float>& values, std::size_t expected, bool may_be_empty) {
+    if (values.size() == expected || (may_be_empty && values.empty())) return;
+    throw std::logic_error(std::string("film: ") + name + " has " + std::to_string(values.size()) +
+                           " values instead of " + std::to_string(expected));
+}
+
+void requireSizes(const Film& film, std::size_t pixels) {
+    requireSize("rgba", film.rgba, 4 * pixels, false);
+    requireSize("normal", film.normal, 3 * pixels, true);
+    requireSize("depth", film.depth, pixels, true);
+    requireSize("albedo", film.albedo, 3 * pixels, true);
+    requireSize("variance", film.variance, pixels, true);
+    requireSize("samples", film.samples, pixels, true);
+}
+
+/// xyz and w a pixel; what is empty becomes missing.
+std::vector<float> interleave(const std::vector<float>& xyz, float missing_xyz, const std::vector<float>& w,
+                              std::size_t pixels) {
+    std::vector<float> texels(4 * pixels, missing_xyz);
+    if (!xyz.empty())
+        for (std::size_t i = 0; i < 3 * pixels; ++i) texels[i / 3 * 4 + i % 3] = xyz[i];
+    for (std::size_t i = 0; i < pixels; ++i) texels[4 * i + 3] = w.empty() ? 0.0f : w[i];
+    return texels;
+}
+
+bool hasVariance(const Film& film) {
+    return !film.variance.empty() &&
+           std::all_of(film.samples.begin(), film.samples.end(), [](float samples) { return samples >= 2; });
+}
+
+std::vector<float> filter(Device& device, std::uint32_t width, std::uint32_t height, const DenoiseInputs& inputs) {
+    Denoiser denoiser = createDenoiser(device, width, height, inputs);
+    const VkCommandBuffer commands = beginCommands(device);
+    recordDenoise(commands, denoiser);
+    submitAndWait(device, commands);
+    std::vector<float> filtered(denoiser.result.bytes / sizeof(float));
+    downloadBuffer(device, denoiser.result, filtered.data(), denoiser.result.bytes);
+    destroyDenoiser(device, denoiser);
+    return filtered;
+}
+
+} // namespace
+
+Denoiser createDenoiser(Device& device, std::uint32_t width, std::uint32_t height, const DenoiseInputs& inputs) {
+    Denoiser denoiser;
+    denoiser.width = width;
+    denoiser.height = height;
+    try {
+        createBuffers(device, denoiser);
+        createPrograms(device, denoiser, inputs.has_variance);
+        createSets(device, denoiser, inputs);
+    } catch (...) {
+        destroyDenoiser(device, denoiser);
+        throw;
+    }
+    return denoiser;
+}
+
+void destroyDenoiser(Device& device, Denoiser& denoiser) {
+    destroyDescriptorPool(device, denoiser.pool);
+    for (Program* program :
+         {&denoiser.prepare, &denoiser.clean, &denoiser.variance, &denoiser.level, &denoiser.last_level})
+        destroyProgram(device, *program);
+    for (Buffer* buffer : {&denoiser.surface, &denoiser.slope, &denoiser.factor, &denoiser.light[0], &denoiser.light[1],
+                           &denoiser.result})
+        destroyBuffer(device, *buffer);
+}
+
+void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& d, std::uint32_t step) {
+    const auto width = static_cast<std::int32_t>(d.width), height = static_cast<std::int32_t>(d.height);
+    const SizePush size{{width, height, 0, 0}};
+    Push push{{width, height, 0, 0}, {kPictureAngle / static_cast<float>(height), 0, 0, 0}};
+    if (step == 0) recordDispatch(commands, d.prepare, d.prepare_set, pushBytes(size), groupsOf(d));
+    if (step == 1) recordDispatch(commands, d.clean, d.clean_set, pushBytes(size), groupsOf(d));
+    if (step == 2) recordDispatch(commands, d.variance, d.variance_set, pushBytes(push), groupsOf(d));
+    if (step >= kLevelSteps) { // level i works on light[1] when i is even; the variance pass leaves its result there
+        const std::uint32_t i = step - kLevelSteps;
+        const bool last = i == kLevels - 1;
+        push.size[2] = 1 << i;
+        recordDispatch(commands, last ? d.last_level : d.level, last ? d.last_set : d.level_sets[(i + 1) % 2],
+                       pushBytes(push), groupsOf(d));
+    }
+    recordBarrier(commands);
+}
+
+void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser) {
+    for (std::uint32_t step = 0; step < kDenoiseSteps; ++step) recordDenoiseStep(commands, denoiser, step);
+}
+
+void denoiseFilm(Device& device, Film& film) {
+    const std::size_t pixels = std::size_t{film.width} * film.height;
+    requireSizes(film, pixels);
+    if (pixels == 0) return;
+    Buffer color = createTexelRows(device, "picture", film.rgba, kFourFloats);
+    Buffer surface =
+        createTexelRows(device, "normals and depths", interleave(film.normal, 0, film.depth, pixels), kFourFloats);
+    Buffer albedo = createTexelRows(device, "albedo", interleave(film.albedo, 1, film.variance, pixels), kFourFloats);
+    const std::vector<float> filtered =
+        filter(device, film.width, film.height, {&color, &surface, &albedo, hasVariance(film)});
+    for (std::size_t i = 0; i < filtered.size(); ++i)
+        if (i % 4 != 3) film.rgba[i] = filtered[i];
+    for (Buffer* buffer : {&color, &surface, &albedo}) destroyBuffer(device, *buffer);
+}
+
+void denoisePicture(Device& device, Film& film) {
+    std::vector<float> alpha;
+    alpha.reserve(film.rgba.size() / 4);
+    for (std::size_t i = 3; i < film.rgba.size(); i += 4) {
+        alpha.push_back(film.rgba[i]);
+        if (film.rgba[i] == 0) film.rgba[i] = 1;
+    }
+    denoiseFilm(device, film);
+    for (std::size_t i = 0; i < alpha.size(); ++i) film.rgba[4 * i + 3] = alpha[i];
+}
+
+} // namespace pointrt

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a film is of, as text: films with the same signature can be added up.
+#pragma once
+
+#include <string>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/scene/render_settings.h"
+
+namespace pointrt {
+
+/// "name=value; ..." with all that decides what a sample with a given number is: the renderer's version, size, camera,
+/// integrator, bounces, seed, surroundings, and one XXH3-64 of the scene file's bytes, the header checksums of the .pro
+/// files (which cover those of their sections) and the sky's picture. Not the number of samples, but whether one is
+/// taken at the pixel's centre. Throws Error kBadInput where a file cannot be read.
+std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera);
+
+/// "NAME was VALUE and is VALUE" of the first entry that differs; "" where all agree.
+std::string signatureDifference(const std::string& before, const std::string& now);
+
+} // namespace pointrt

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/film/frame_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointrt {
+namespace {
+
+constexpr std::uint32_t kFirstNoise = 8;
+// Between looks at the noise at least this part is added, so that ten or so of them lead from half way to the target.
+constexpr std::uint32_t kSmallestStep = 8;
+constexpr double kDarkest = 0.01; ///< of the mean luminance
+
+double luminance(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+/// Samples that the target noise takes, going by the last look.
+double samplesForNoise(const FrameLimits& limits, const FrameState& now) {
+    const double over = *now.noise / *limits.noise;
+    return now.noise_samples * over * over;
+}
+
+std::uint32_t nextNoiseLook(const FrameLimits& limits, const FrameState& now) {
+    if (!now.noise) return std::max(kFirstNoise, now.samples + 1);
+    if (*now.noise <= *limits.noise) return now.samples;
+    const double wanted = std::ceil(samplesForNoise(limits, now));
+    const std::uint32_t least = now.samples + std::max(now.samples / kSmallestStep, 1u);
+    return static_cast<std::uint32_t>(std::clamp<double>(wanted, least, 2.0 * now.samples));
+}
+
+std::uint32_t nextTimeLook(const FrameLimits& limits, const FrameState& now) {
+    if (now.traced == 0) return now.samples + 1;
+    const double fit = (*limits.seconds - now.seconds) / (now.seconds / now.traced);
+    return now.samples + static_cast<std::uint32_t>(std::clamp<double>(fit, 0, now.samples));
+}
+
+double meanLuminance(const Film& film) {
+    double sum = 0;
+    for (std::size_t i = 0; i < film.variance.size(); ++i) {
+        const double light = luminance(film.rgba.data() + 4 * i);
+        if (std::isfinite(light)) sum += light;
+    }
+    return sum / static_cast<double>(film.variance.size());
+}
+
+} // namespace
+
+std::uint32_t nextLook(const FrameLimits& limits, bool progressive, std::uint32_t most, const FrameState& now) {
+    if (now.samples >= most) return now.samples;
+    std::uint32_t next = most;
+    if (progressive) next = std::min(next, std::max(2 * now.samples, 1u));
+    if (limits.noise) next = std::min(next, nextNoiseLook(limits, now));
+    if (limits.seconds) next = std::min(next, nextTimeLook(limits, now));
+    return next;
+}
+
+double shareDone(const FrameLimits& limits, std::uint32_t most, const FrameState& now) {
+    double share = now.mean / most;
+    if (limits.seconds) share = std::max(share, now.seconds / *limits.seconds);
+    if (limits.noise && now.noise) share = std::max(share, now.mean / samplesForNoise(limits, now));
+    return std::min(share, 1.0);
+}
+
+bool judgesNoise(const FrameState& now) { return now.samples >= kFirstNoise; }
+
+double relativeNoise(const Film& film) {
+    const double floor = kDarkest * meanLuminance(film);
+    double sum = 0;
+    for (std::size_t i = 0; i < film.variance.size(); ++i) {
+        if (film.samples[i] < 2) return std::numeric_limits<double>::infinity();
+        const double light = luminance(film.rgba.data() + 4 * i) + floor;
+        const double share = film.variance[i] / (light * light);
+        if (film.variance[i] > 0 && std::isfinite(share)) sum += share;
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(film.variance.size(), 1)));
+}
+
+} // namespace pointrt

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/gpu/device.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "pointrt/tool.hpp"
+#include "runtime/gpu/device_choice.h"
+
+namespace pointrt {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+constexpr std::uint32_t kApiVersion = VK_API_VERSION_1_2;
+
+std::atomic<std::uint64_t> validation_messages = 0;
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                   VkDebugUtilsMessageTypeFlagsEXT,
+                                                   const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    ++validation_messages;
+    std::fprintf(stderr, "Vulkan validation: %s\n", data->pMessage);
+    return VK_FALSE;
+}
+
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo() {
+    VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+    info.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    // Not GENERAL: there the loader complains about other vendors' drivers that find no hardware.
+    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    info.pfnUserCallback = onValidationMessage;
+    return info;
+}
+
+bool validationWanted() {
+    const char* value = std::getenv("POINTRT_VALIDATION");
+    return value && std::strcmp(value, "") != 0 && std::strcmp(value, "0") != 0;
+}
+
+void requireValidationLayer() {
+    std::uint32_t count = 0;
+    check(vkEnumerateInstanceLayerProperties(&count, nullptr), "list Vulkan layers");
+    std::vector<VkLayerProperties> layers(count);
+    check(vkEnumerateInstanceLayerProperties(&count, layers.data()), "list Vulkan layers");
+    for (const VkLayerProperties& layer : layers)
+        if (std::strcmp(layer.layerName, kValidationLayer) == 0) return;
+    throw Error{ExitCode::kCannotRun, std::string("POINTRT_VALIDATION is set, but ") + kValidationLayer +
+                                          " is not installed (Debian, Ubuntu: vulkan-validationlayers)"};
+}
+
+void requireLoaderVersion() {
+    std::uint32_t version = 0;
+    check(vkEnumerateInstanceVersion(&version), "ask for the Vulkan loader's version");
+    if (version < kApiVersion)
+        throw Error{ExitCode::kCannotRun, "the Vulkan loader (libvulkan.so.1) is older than Vulkan 1.2"};
+}
+
+VkInstance createInstance(std::vector<const char*> extensions) {
+    loadVulkan();
+    requireLoaderVersion();
+    VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    application.pApplicationName = "pointrt";
+    application.apiVersion = kApiVersion;
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pApplicationInfo = &application;
+
+    const VkValidationFeatureEnableEXT synchronization = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+    VkDebugUtilsMessengerCreateInfoEXT messenger = messengerInfo();
+    VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT};
+    if (validationWanted()) {
+        requireValidationLayer();
+        features.enabledValidationFeatureCount = 1;
+        features.pEnabledValidationFeatures = &synchronization;
+        messenger.pNext = &features;
+        info.pNext = &messenger;
+        info.enabledLayerCount = 1;
+        info.ppEnabledLayerNames = &kValidationLayer;
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    }
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    VkInstance instance = VK_NULL_HANDLE;
+    const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+    if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
+        throw Error{ExitCode::kCannotRun, "no Vulkan driver: install one (Debian, Ubuntu: mesa-vulkan-drivers, which "
+                                          "also runs without a GPU)"};
+    if (result == VK_ERROR_EXTENSION_NOT_PRESENT)
+        throw Error{ExitCode::kCannotRun, "no Vulkan driver here can show a window; -o FILE renders without one"};
+    check(result, "create a Vulkan instance");
+    return instance;
+}
+
+/// As large as a power of two can be, for texels of any format.
+std::uint32_t pageBits(const Device& device) {
+    constexpr std::uint64_t kLargestTexel = 16; // bytes
+    const std::uint64_t texels =
+        std::min<std::uint64_t>(device.limits.maxTexelBufferElements, device.max_allocation_bytes / kLargestTexel);
+    return static_cast<std::uint32_t>(std::bit_width(texels)) - 1;
+}
+
+void describe(const Candidate& candidate, Device& device) {
+    device.physical = candidate.physical;
+    device.queue_family = *candidate.queue_family;
+    device.name = candidate.properties.deviceName;
+    device.type = candidate.properties.deviceType;
+    device.limits = candidate.properties.limits;
+    device.memory = candidate.memory;
+    device.max_allocation_bytes = candidate.maintenance3.maxMemoryAllocationSize;
+    device.page_bits = pageBits(device);
+    device.subgroup_size = candidate.subgroup.subgroupSize;
+    device.unified_memory =
+        device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || device.type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+    device.external_memory_host = candidate.external_memory_host;
+    device.host_import_alignment = candidate.host_import_alignment;
+}
+
+std::vector<const char*> deviceExtensions(const Device& device, const DeviceRequest& request) {
+    std::vector<const char*> extensions;
+    if (device.external_memory_host) extensions.push_back(VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+    if (!request.instance_extensions.empty()) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    return extensions;
+}
+
+void createPoolAndFence(Device& device) {
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    pool.queueFamilyIndex = device.queue_family;
+    check(vkCreateCommandPool(device.handle, &pool, nullptr, &device.command_pool), "create a command pool");
+    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    check(vkCreateFence(device.handle, &fence, nullptr, &device.fence), "create a fence");
+}
+
+void createLogicalDevice(Device& device, const DeviceRequest& request) {
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = device.queue_family;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    const std::vector<const char*> extensions = deviceExtensions(device, request);
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    check(vkCreateDevice(device.physical, &info, nullptr, &device.handle), "open the Vulkan device");
+    vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
+    if (device.external_memory_host)
+        device.getMemoryHostPointerProperties = reinterpret_cast<PFN_vkGetMemoryHostPointerPropertiesEXT>(
+            vkGetDeviceProcAddr(device.handle, "vkGetMemoryHostPointerPropertiesEXT"));
+    createPoolAndFence(device);
+}
+
+void destroyPoolAndFence(Device& device) {
+    vkDestroyFence(device.handle, device.fence, nullptr);
+    vkDestroyCommandPool(device.handle, device.command_pool, nullptr);
+}
+
+QueueNeeds queueNeeds(const Device& device, const DeviceRequest& request) {
+    QueueNeeds needs;
+    needs.graphics = request.graphics;
+    needs.present = !request.instance_extensions.empty();
+    if (request.can_present)
+        needs.can_present = [&](VkPhysicalDevice physical, std::uint32_t family) {
+            return request.can_present(device.instance, physical, family);
+        };
+    return needs;
+}
+
+void createMessenger(Device& device) {
+    if (!validationWanted()) return;
+    const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+        vkGetInstanceProcAddr(device.instance, "vkCreateDebugUtilsMessengerEXT"));
+    const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo();
+    check(create(device.instance, &info, nullptr, &device.messenger), "create the validation messenger");
+}
+
+} // namespace
+
+Device createDevice(const DeviceRequest& request) {
+    Device device;
+    try {
+        device.instance = createInstance(request.instance_extensions);
+        createMessenger(device);
+        device.verbose = request.verbose;
+        const QueueNeeds needs = queueNeeds(device, request);
+        if (needs.present) loadWindowFunctions(device.instance);
+        describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
+        device.page_bits = std::min(device.page_bits, request.page_bits_most);
+        createLogicalDevice(device, request);
+    } catch (...) {
+        destroyDevice(device);
+        throw;
+    }
+    if (device.verbose)
+        std::fprintf(stderr, "device: %s, subgroups of %u, %s\n", device.name.c_str(), device.subgroup_size,
+                     device.external_memory_host ? "can import host memory" : "cannot import host memory");
+    return device;
+}
+
+void destroyDevice(Device& device) {
+    if (device.handle) {
+        vkDeviceWaitIdle(device.handle);
+        destroyPoolAndFence(device);
+        vkDestroyDevice(device.handle, nullptr);
+    }
+    if (device.messenger) {
+        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(device.instance, "vkDestroyDebugUtilsMessengerEXT"));
+        destroy(device.instance, device.messenger, nullptr);
+    }
+    if (device.instance) vkDestroyInstance(device.instance, nullptr);
+    device = {};
+}
+
+Device workerDevice(Device& device) {
+    if (!device.queue_mutex) device.queue_mutex = std::make_shared<std::mutex>();
+    Device worker = device;
+    worker.command_pool = VK_NULL_HANDLE;
+    worker.fence = VK_NULL_HANDLE;
+    try {
+        createPoolAndFence(worker);
+    } catch (...) {
+        destroyWorkerDevice(worker);
+        throw;
+    }
+    return worker;
+}
+
+void destroyWorkerDevice(Device& worker) {
+    if (worker.handle) destroyPoolAndFence(worker);
+    worker = {};
+}
+
+std::unique_lock<std::mutex> lockQueue(Device& device) {
+    return device.queue_mutex ? std::unique_lock(*device.queue_mutex) : std::unique_lock<std::mutex>();
+}
+
+std::string listDevices() {
+    const VkInstance instance = createInstance({});
+    std::string text;
+    try {
+        const std::vector<Candidate> candidates = enumerateCandidates(instance);
+        for (std::size_t i = 0; i < candidates.size(); ++i) text += describeCandidate(candidates[i], i);
+    } catch (...) {
+        vkDestroyInstance(instance, nullptr);
+        throw;
+    }
+    vkDestroyInstance(instance, nullptr);
+    return text;
+}
+
+std::uint64_t validationMessages() { return validation_messages; }
+
+VkCommandBuffer beginCommands(Device& device) {
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = device.command_pool;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    check(vkAllocateCommandBuffers(device.handle, &allocate, &commands), "allocate a command buffer");
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    check(vkBeginCommandBuffer(commands, &begin), "begin a command buffer");
+    return commands;
+}
+
+void submitAndWait(Device& device, VkCommandBuffer commands) {
+    // The fence tells that the work is done; it takes a barrier to make its writes visible to what comes later.
+    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+    barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT | VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+                         VK_PIPELINE_STAGE_HOST_BIT | VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                         nullptr);
+    check(vkEndCommandBuffer(commands), "record commands");
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands;
+    {
+        const auto turn = lockQueue(device);
+        check(vkQueueSubmit(device.queue, 1, &submit, device.fence), "submit work to the device");
+    }
+    check(vkWaitForFences(device.handle, 1, &device.fence, VK_TRUE, UINT64_MAX), "wait for the device");
+    check(vkResetFences(device.handle, 1, &device.fence), "reset a fence");
+    vkFreeCommandBuffers(device.handle, device.command_pool, 1, &commands);
+}
+
+} // namespace pointrt

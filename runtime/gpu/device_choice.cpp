@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/gpu/device_choice.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+// A scene of a million splats has some three million texels of near splats, and entry grids have up to 2^24 words.
+constexpr std::uint32_t kMinTexels = 1u << 24;
+/// Those of shaders/frame/bindings.glsl; Vulkan promises 4.
+constexpr std::uint32_t kStorageImages = 5;
+constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
+                                                       VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |
+                                                       VK_SUBGROUP_FEATURE_BALLOT_BIT;
+
+bool hasExtension(VkPhysicalDevice physical, const char* name) {
+    std::uint32_t count = 0;
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr), "list device extensions");
+    std::vector<VkExtensionProperties> extensions(count);
+    check(vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data()), "list device extensions");
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
+}
+
+std::optional<std::uint32_t> queueFamily(VkPhysicalDevice physical, const QueueNeeds& needs) {
+    VkQueueFlags wanted = VK_QUEUE_COMPUTE_BIT;
+    if (needs.graphics || needs.present) wanted |= VK_QUEUE_GRAPHICS_BIT;
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    for (std::uint32_t i = 0; i < count; ++i)
+        if ((families[i].queueFlags & wanted) == wanted && (!needs.can_present || needs.can_present(physical, i)))
+            return i;
+    return {};
+}
+
+std::string versionText(std::uint32_t version) {
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+bool readsTexels(VkPhysicalDevice physical) {
+    for (VkFormat format : {VK_FORMAT_R32_UINT, VK_FORMAT_R32G32B32A32_UINT, VK_FORMAT_R32G32B32A32_SFLOAT}) {
+        VkFormatProperties properties;
+        vkGetPhysicalDeviceFormatProperties(physical, format, &properties);
+        if (!(properties.bufferFeatures & VK_FORMAT_FEATURE_UNIFORM_TEXEL_BUFFER_BIT)) return false;
+    }
+    return true;
+}
+
+const char* typeName(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        return "CPU";
+    default:
+        return "other";
+    }
+}
+
+/// Higher is better.
+int typeRank(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+std::string lowerCase(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// Whether the user's selector means candidate, which stands at index of the list.
+bool matches(const std::string& selector, const Candidate& candidate, std::size_t index) {
+    std::size_t number = 0;
+    const char* end = selector.data() + selector.size();
+    const auto [rest, error] = std::from_chars(selector.data(), end, number);
+    if (error == std::errc() && rest == end) return number == index;
+    return lowerCase(candidate.properties.deviceName).find(lowerCase(selector)) != std::string::npos;
+}
+
+std::string numberedName(const Candidate& candidate, std::size_t index) {
+    return std::to_string(index) + " \"" + candidate.properties.deviceName + "\"";
+}
+
+/// "0 "NAME": reason; 1 "NAME": reason" for all that were not taken.
+std::string refusals(const std::vector<Candidate>& candidates, const std::string& selector) {
+    std::string text;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        text += (i ? "; " : "") + numberedName(candidate, i) + ": ";
+        text += matches(selector, candidate, i) ? candidate.refusal : "does not match \"" + selector + "\"";
+    }
+    return text;
+}
+
+std::uint64_t deviceLocalBytes(const VkPhysicalDeviceMemoryProperties& memory) {
+    std::uint64_t bytes = 0;
+    for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i)
+        if (memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) bytes += memory.memoryHeaps[i].size;
+    return bytes;
+}
+
+const char* missingQueue(const QueueNeeds& needs) {
+    if (needs.present) return "no queue that computes, draws and reaches this display";
+    return needs.graphics ? "no queue that both computes and draws" : "no compute queue";
+}
+
+Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
+    Candidate candidate;
+    candidate.physical = physical;
+    vkGetPhysicalDeviceProperties(physical, &candidate.properties);
+    vkGetPhysicalDeviceMemoryProperties(physical, &candidate.memory);
+    candidate.needs = needs;
+    candidate.queue_family = queueFamily(physical, needs);
+    candidate.swapchain = needs.present && hasExtension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    candidate.reads_texels = readsTexels(physical);
+    // vkGetPhysicalDeviceProperties2 and the structures chained to it are core since 1.1.
+    if (candidate.properties.apiVersion >= VK_API_VERSION_1_1) {
+        candidate.external_memory_host = hasExtension(physical, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);
+        VkPhysicalDeviceExternalMemoryHostPropertiesEXT host{
+            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_MEMORY_HOST_PROPERTIES_EXT};
+        candidate.subgroup = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
+        candidate.maintenance3 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES};
+        candidate.maintenance3.pNext = &candidate.subgroup;
+        if (candidate.external_memory_host) candidate.subgroup.pNext = &host;
+        VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &candidate.maintenance3};
+        vkGetPhysicalDeviceProperties2(physical, &properties);
+        candidate.host_import_alignment = host.minImportedHostPointerAlignment;
+        candidate.maintenance3.pNext = candidate.subgroup.pNext = nullptr;
+    }
+    candidate.refusal = refusalOf(candidate);
+    return candidate;
+}
+
+} // namespace
+
+std::string refusalOf(const Candidate& candidate) {
+    const VkPhysicalDeviceProperties& properties = candidate.properties;
+    if (properties.apiVersion < VK_API_VERSION_1_2)
+        return "it has Vulkan " + versionText(properties.apiVersion) + ", 1.2 is needed";
+    if (!candidate.queue_family) return missingQueue(candidate.needs);
+    if (candidate.needs.present && !candidate.swapchain) return "it cannot show pictures in a window";
+    if (properties.limits.maxTexelBufferElements < kMinTexels)
+        return "texel buffers hold " + std::to_string(properties.limits.maxTexelBufferElements) + " elements, " +
+               std::to_string(kMinTexels) + " are needed";
+    if (!(candidate.subgroup.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT))
+        return "no subgroup operations in compute shaders";
+    if ((candidate.subgroup.supportedOperations & kSubgroupOperations) != kSubgroupOperations)
+        return "subgroup basic, vote, arithmetic and ballot operations are needed";
+    if (properties.limits.maxPerStageDescriptorStorageImages < kStorageImages)
+        return "programs read " + std::to_string(properties.limits.maxPerStageDescriptorStorageImages) +
+               " images of buffers, " + std::to_string(kStorageImages) + " are needed";
+    if (!candidate.reads_texels) return "it cannot read texel buffers of 32-bit elements";
+    return {};
+}
+
+std::vector<Candidate> enumerateCandidates(VkInstance instance, const QueueNeeds& needs) {
+    std::uint32_t count = 0;
+    check(vkEnumeratePhysicalDevices(instance, &count, nullptr), "list Vulkan devices");
+    std::vector<VkPhysicalDevice> devices(count);
+    check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "list Vulkan devices");
+    devices.resize(count);
+    std::vector<Candidate> candidates;
+    for (VkPhysicalDevice device : devices) candidates.push_back(inspect(device, needs));
+    return candidates;
+}
+
+const Candidate& chooseCandidate(const std::vector<Candidate>& candidates, const std::string& selector) {
+    const Candidate* best = nullptr;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& candidate = candidates[i];
+        if (!candidate.refusal.empty() || !matches(selector, candidate, i)) continue;
+        if (!best || typeRank(candidate.properties.deviceType) > typeRank(best->properties.deviceType))
+            best = &candidate;
+    }
+    if (best) return *best;
+    if (candidates.empty())
+        throw Error{ExitCode::kCannotRun, "no Vulkan device: the installed drivers find none (mesa-vulkan-drivers on "
+                                          "Debian and Ubuntu brings one that runs on the CPU)"};
+    throw Error{ExitCode::kCannotRun, "no usable Vulkan device: " + refusals(candidates, selector)};
+}
+
+std::string describeCandidate(const Candidate& candidate, std::size_t index) {
+    char memory[32];
+    std::snprintf(memory, sizeof memory, "%.1f GiB",
+                  static_cast<double>(deviceLocalBytes(candidate.memory)) / (1 << 30));
+    std::string line = numberedName(candidate, index) + ", " + typeName(candidate.properties.deviceType) + ", Vulkan " +
+                       versionText(candidate.properties.apiVersion) + ", " + memory;
+    if (!candidate.refusal.empty()) line += ", unusable: " + candidate.refusal;
+    return line + "\n";
+}
+
+} // namespace pointrt

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/gpu/paged_buffer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+/// Shaders read some of them as images (shaders/frame/bindings.glsl), for which every device takes texels of one or
+/// four words.
+VkBufferUsageFlags usageFor(VkFormat format) {
+    constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    return format == VK_FORMAT_R32G32_UINT ? kFetched : kFetched | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+}
+
+void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_bytes) {
+    const std::uint64_t pages = (bytes + page_bytes - 1) / page_bytes;
+    if (pages > PAGES_MOST)
+        throw Error{ExitCode::kCannotRun,
+                    std::string(what) + " of " + std::to_string(bytes) + " bytes takes " + std::to_string(pages) +
+                        " texel buffers of this device, the viewer reads " + std::to_string(PAGES_MOST)};
+}
+
+} // namespace
+
+Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
+    Buffer buffer;
+    if (device.unified_memory) buffer = importHostBuffer(device, data, bytes, usageFor(format));
+    if (!buffer.handle) buffer = createFilledBuffer(device, what, data, bytes, usageFor(format));
+    createTexelView(device, what, buffer, format);
+    return buffer;
+}
+
+PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,
+                              VkFormat format) {
+    const std::uint64_t page_bytes = texelBytes(format) << device.page_bits;
+    requireFewPages(what, bytes, page_bytes);
+    PagedBuffer buffer;
+    try {
+        std::uint64_t start = 0;
+        do {
+            buffer.pages.push_back(createTexelBuffer(device, what, static_cast<const std::byte*>(data) + start,
+                                                     std::min(page_bytes, bytes - start), format));
+            start += page_bytes;
+        } while (start < bytes);
+    } catch (...) {
+        destroyPagedBuffer(device, buffer);
+        throw;
+    }
+    return buffer;
+}
+
+bool isImported(const PagedBuffer& buffer) {
+    return std::any_of(buffer.pages.begin(), buffer.pages.end(), [](const Buffer& page) { return page.imported; });
+}
+
+void destroyPagedBuffer(Device& device, PagedBuffer& buffer) {
+    for (Buffer& page : buffer.pages) destroyBuffer(device, page);
+    buffer = {};
+}
+
+bool isPaged(const PageCounts& pages) {
+    return std::any_of(pages.counts.begin(), pages.counts.end(), [](std::uint32_t count) { return count > 1; });
+}
+
+PageCounts pageCounts(const Device& device, const PagedBuffers& buffers) {
+    PageCounts pages{device.page_bits, {}};
+    std::transform(buffers.begin(), buffers.end(), pages.counts.begin(),
+                   [](const PagedBuffer* buffer) { return static_cast<std::uint32_t>(buffer->pages.size()); });
+    return pages;
+}
+
+std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers) {
+    std::vector<BufferBinding> bindings;
+    for (std::uint32_t slot = 0; slot < buffers.size(); ++slot) {
+        const std::vector<Buffer>& pages = buffers[slot]->pages;
+        const std::size_t first = pages.size() > 1 ? 1 : 0; // there must be one, though it is not read
+        bindings.push_back({slot, &pages[first], static_cast<std::uint32_t>(pages.size() - first)});
+    }
+    return bindings;
+}
+
+} // namespace pointrt

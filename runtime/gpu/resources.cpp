@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/gpu/resources.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+// Vulkan has no empty buffers and scenes have empty sections; 16 bytes are the largest texel.
+constexpr std::uint64_t kMinBufferBytes = 16;
+// Large enough to hide the cost of a submission, small enough for the pinned memory a driver may have.
+constexpr std::uint64_t kStagingBytes = 64ull << 20;
+
+constexpr VkBufferUsageFlags kTransfer = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkMemoryPropertyFlags kReachable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
+
+/// The first memory type among allowed (a bit each) with all of the wanted properties.
+std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t allowed, VkMemoryPropertyFlags wanted) {
+    for (std::uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
+        if ((allowed >> i & 1u) && (device.memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
+    return {};
+}
+
+/// Best type first: cached host memory reads back fast; a device without memory of its own has it reachable.
+std::optional<std::uint32_t> memoryTypeFor(const Device& device, std::uint32_t allowed, MemoryHome home) {
+    const VkMemoryPropertyFlags local = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    const VkMemoryPropertyFlags cached = kReachable | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    if (home == MemoryHome::kHost) {
+        const auto found = memoryType(device, allowed, cached);
+        return found ? found : memoryType(device, allowed, kReachable);
+    }
+    if (device.unified_memory)
+        if (const auto found = memoryType(device, allowed, local | kReachable)) return found;
+    const auto found = memoryType(device, allowed, local);
+    return found ? found : memoryType(device, allowed, 0);
+}
+
+void createHandle(Device& device, const char* what, Buffer& buffer, VkBufferUsageFlags usage) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = std::max(buffer.bytes, kMinBufferBytes);
+    info.usage = usage | kTransfer;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    check(vkCreateBuffer(device.handle, &info, nullptr, &buffer.handle), (std::string("create ") + what).c_str());
+}
+
+void allocateMemory(Device& device, const char* what, Buffer& buffer, MemoryHome home) {
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
+    const auto type = memoryTypeFor(device, requirements.memoryTypeBits, home);
+    if (!type) throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": no suitable memory type"};
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    info.allocationSize = requirements.size;
+    info.memoryTypeIndex = *type;
+    const std::string action = std::string("allocate ") + what + " (" + mebibytes(buffer.bytes) + ")";
+    check(vkAllocateMemory(device.handle, &info, nullptr, &buffer.memory), action.c_str());
+    check(vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0), action.c_str());
+    const bool map = home == MemoryHome::kHost || device.unified_memory;
+    const VkMemoryPropertyFlags properties = device.memory.memoryTypes[*type].propertyFlags;
+    if (map && (properties & kReachable) == kReachable)
+        check(vkMapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped), action.c_str());
+}
+
+/// The memory types that host memory at data can be imported as, 0 for none.
+std::uint32_t importableTypes(Device& device, const void* data) {
+    VkMemoryHostPointerPropertiesEXT properties{VK_STRUCTURE_TYPE_MEMORY_HOST_POINTER_PROPERTIES_EXT};
+    const VkResult result = device.getMemoryHostPointerProperties(
+        device.handle, VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT, data, &properties);
+    return result == VK_SUCCESS ? properties.memoryTypeBits : 0;
+}
+
+/// Binds the pages at data as buffer's memory; false where the driver refuses.
+bool importMemory(Device& device, const void* data, std::uint64_t bytes, Buffer& buffer) {
+    VkMemoryRequirements requirements;
+    vkGetBufferMemoryRequirements(device.handle, buffer.handle, &requirements);
+    const auto type = memoryType(device, requirements.memoryTypeBits & importableTypes(device, data), 0);
+    if (!type || requirements.size > bytes) return false;
+    VkImportMemoryHostPointerInfoEXT import{VK_STRUCTURE_TYPE_IMPORT_MEMORY_HOST_POINTER_INFO_EXT};
+    import.handleType = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
+    import.pHostPointer = const_cast<void*>(data);
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, &import};
+    info.allocationSize = bytes;
+    info.memoryTypeIndex = *type;
+    return vkAllocateMemory(device.handle, &info, nullptr, &buffer.memory) == VK_SUCCESS &&
+           vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0) == VK_SUCCESS;
+}
+
+void copyAndWait(Device& device, const Buffer& from, const Buffer& to, VkBufferCopy region) {
+    const VkCommandBuffer commands = beginCommands(device);
+    vkCmdCopyBuffer(commands, from.handle, to.handle, 1, &region);
+    submitAndWait(device, commands);
+}
+
+void requireInside(const Buffer& buffer, std::uint64_t bytes, std::uint64_t offset) {
+    if (offset > buffer.bytes || bytes > buffer.bytes - offset) throw std::logic_error("copy outside of a buffer");
+}
+
+/// Calls copy(staging, offset of the chunk, its bytes) for [0, bytes) with one staging buffer.
+template <typename Copy>
+void forEachChunk(Device& device, std::uint64_t bytes, Copy&& copy) {
+    Buffer staging = createBuffer(device, "staging buffer", std::min(bytes, kStagingBytes), 0, MemoryHome::kHost);
+    try {
+        for (std::uint64_t start = 0; start < bytes; start += kStagingBytes)
+            copy(staging, start, std::min(bytes - start, kStagingBytes));
+    } catch (...) {
+        destroyBuffer(device, staging);
+        throw;
+    }
+    destroyBuffer(device, staging);
+}
+
+void addView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
+    const std::uint64_t size = texelBytes(format);
+    const std::uint64_t texels = std::max(buffer.bytes, kMinBufferBytes) / size;
+    if (texels > device.limits.maxTexelBufferElements)
+        throw Error{ExitCode::kCannotRun, std::string(what) + " has " + std::to_string(texels) +
+                                              " elements, the device reads at most " +
+                                              std::to_string(device.limits.maxTexelBufferElements)};
+    VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+    info.buffer = buffer.handle;
+    info.format = format;
+    info.range = texels * size;
+    check(vkCreateBufferView(device.handle, &info, nullptr, &buffer.view),
+          (std::string("create a view of ") + what).c_str());
+}
+
+} // namespace
+
+Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBufferUsageFlags usage, MemoryHome home) {
+    if (bytes > device.max_allocation_bytes)
+        throw Error{ExitCode::kCannotRun, std::string("cannot allocate ") + what + ": " + mebibytes(bytes) +
+                                              " are more than the device's largest allocation, " +
+                                              mebibytes(device.max_allocation_bytes)};
+    Buffer buffer;
+    buffer.bytes = bytes;
+    try {
+        createHandle(device, what, buffer, usage);
+        allocateMemory(device, what, buffer, home);
+    } catch (...) {
+        destroyBuffer(device, buffer);
+        throw;
+    }
+    return buffer;
+}
+
+void destroyBuffer(Device& device, Buffer& buffer) {
+    if (buffer.view) vkDestroyBufferView(device.handle, buffer.view, nullptr);
+    if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
+    if (buffer.memory) vkFreeMemory(device.handle, buffer.memory, nullptr);
+    buffer = {};
+}
+
+Buffer createFilledBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,
+                          VkBufferUsageFlags usage) {
+    Buffer buffer = createBuffer(device, what, bytes, usage);
+    try {
+        uploadBuffer(device, buffer, data, bytes);
+    } catch (...) {
+        destroyBuffer(device, buffer);
+        throw;
+    }
+    return buffer;
+}
+
+Buffer importHostBuffer(Device& device, const void* data, std::uint64_t bytes, VkBufferUsageFlags usage) {
+    const std::uint64_t alignment = device.host_import_alignment;
+    if (!device.external_memory_host || !alignment || bytes == 0) return {};
+    if (reinterpret_cast<std::uintptr_t>(data) % alignment != 0) return {};
+    const std::uint64_t whole_pages = (bytes + alignment - 1) / alignment * alignment;
+
+    VkExternalMemoryBufferCreateInfo external{VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO};
+    external.handleTypes = VK_EXTERNAL_MEMORY_HANDLE_TYPE_HOST_ALLOCATION_BIT_EXT;
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, &external};
+    info.size = std::max(bytes, kMinBufferBytes);
+    info.usage = usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    Buffer buffer;
+    buffer.bytes = bytes;
+    buffer.imported = true;
+    if (vkCreateBuffer(device.handle, &info, nullptr, &buffer.handle) != VK_SUCCESS ||
+        !importMemory(device, data, whole_pages, buffer))
+        destroyBuffer(device, buffer);
+    return buffer;
+}
+
+std::uint64_t texelBytes(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SFLOAT:
+        return 4;
+    case VK_FORMAT_R32G32_UINT:
+    case VK_FORMAT_R32G32_SFLOAT:
+        return 8;
+    case VK_FORMAT_R32G32B32A32_UINT:
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return 16;
+    default:
+        throw std::logic_error("texel size of format " + std::to_string(format) + " is not listed");
+    }
+}
+
+void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
+    try {
+        addView(device, what, buffer, format);
+    } catch (...) {
+        destroyBuffer(device, buffer);
+        throw;
+    }
+}
+
+void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset) {
+    requireInside(buffer, bytes, offset);
+    if (bytes == 0) return;
+    if (buffer.mapped) {
+        std::memcpy(static_cast<std::byte*>(buffer.mapped) + offset, data, bytes);
+        return;
+    }
+    forEachChunk(device, bytes, [&](Buffer& staging, std::uint64_t start, std::uint64_t count) {
+        std::memcpy(staging.mapped, static_cast<const std::byte*>(data) + start, count);
+        copyAndWait(device, staging, buffer, {0, offset + start, count});
+    });
+}
+
+void downloadBuffer(Device& device, const Buffer& buffer, void* data, std::uint64_t bytes, std::uint64_t offset) {
+    requireInside(buffer, bytes, offset);
+    if (bytes == 0) return;
+    if (buffer.mapped) {
+        std::memcpy(data, static_cast<const std::byte*>(buffer.mapped) + offset, bytes);
+        return;
+    }
+    forEachChunk(device, bytes, [&](Buffer& staging, std::uint64_t start, std::uint64_t count) {
+        copyAndWait(device, buffer, staging, {offset + start, 0, count});
+        std::memcpy(static_cast<std::byte*>(data) + start, staging.mapped, count);
+    });
+}
+
+} // namespace pointrt

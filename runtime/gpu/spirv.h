@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The little of SPIR-V reflection that compute programs need.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/gpu/vulkan.h"
+
+namespace pointrt {
+
+/// A buffer, or an array of them, that the shader declares in descriptor set 0 or 1.
+struct ShaderBinding {
+    std::uint32_t slot = 0;
+    VkDescriptorType type =
+        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; ///< storage, uniform, uniform texel or storage texel buffer
+    std::uint32_t set = 0;
+    std::uint32_t count = 1; ///< elements of the array
+};
+
+struct ShaderInterface {
+    std::vector<ShaderBinding> bindings; ///< by set, then by slot, ascending
+    std::uint32_t push_bytes = 0;        ///< size of the push constant block, 0 without one
+};
+
+/// Reads the bindings and push constant size out of a module. Follows the SPIR-V specification 1.5, sections 2.3
+/// (physical layout) and 3.42 (instructions). Throws std::logic_error on descriptors other than buffers and their
+/// arrays in sets 0 and 1: embedded shaders are ours, so that is a bug.
+ShaderInterface reflectShader(std::span<const std::uint32_t> spirv);
+
+} // namespace pointrt

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/gpu/vulkan.h"
+
+#include <dlfcn.h>
+
+#include <string>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+
+#define POINTRT_DEFINE_VULKAN(name) PFN_##name name = nullptr;
+POINTRT_VULKAN_FUNCTIONS(POINTRT_DEFINE_VULKAN)
+POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_DEFINE_VULKAN)
+#undef POINTRT_DEFINE_VULKAN
+
+namespace {
+
+template <typename Function>
+void loadFunction(void* library, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(dlsym(library, name));
+    if (!function)
+        throw Error{ExitCode::kCannotRun,
+                    std::string("the Vulkan loader (libvulkan.so.1) is too old: it lacks ") + name};
+}
+
+template <typename Function>
+void loadInstanceFunction(VkInstance instance, const char* name, Function& function) {
+    function = reinterpret_cast<Function>(vkGetInstanceProcAddr(instance, name));
+    if (!function)
+        throw Error{ExitCode::kCannotRun, std::string("the Vulkan loader (libvulkan.so.1) lacks ") + name +
+                                              ", which a window needs; -o FILE renders without one"};
+}
+
+} // namespace
+
+void loadVulkan() {
+    static void* library = nullptr;
+    if (library) return;
+    void* opened = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (!opened)
+        throw Error{ExitCode::kCannotRun, "no Vulkan loader (libvulkan.so.1): install it and a driver "
+                                          "(Debian, Ubuntu: libvulkan1 mesa-vulkan-drivers)"};
+#define POINTRT_LOAD_VULKAN(name) loadFunction(opened, #name, name);
+    POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
+#undef POINTRT_LOAD_VULKAN
+    library = opened;
+}
+
+void loadWindowFunctions(VkInstance instance) {
+#define POINTRT_LOAD_VULKAN(name) loadInstanceFunction(instance, #name, name);
+    POINTRT_VULKAN_WINDOW_FUNCTIONS(POINTRT_LOAD_VULKAN)
+#undef POINTRT_LOAD_VULKAN
+}
+
+std::string resultName(VkResult result) {
+#define POINTRT_RESULT(name)                                                                                           \
+    case name:                                                                                                         \
+        return #name;
+    switch (result) {
+        POINTRT_RESULT(VK_SUCCESS)
+        POINTRT_RESULT(VK_NOT_READY)
+        POINTRT_RESULT(VK_TIMEOUT)
+        POINTRT_RESULT(VK_INCOMPLETE)
+        POINTRT_RESULT(VK_ERROR_OUT_OF_HOST_MEMORY)
+        POINTRT_RESULT(VK_ERROR_OUT_OF_DEVICE_MEMORY)
+        POINTRT_RESULT(VK_ERROR_INITIALIZATION_FAILED)
+        POINTRT_RESULT(VK_ERROR_DEVICE_LOST)
+        POINTRT_RESULT(VK_ERROR_MEMORY_MAP_FAILED)
+        POINTRT_RESULT(VK_ERROR_LAYER_NOT_PRESENT)
+        POINTRT_RESULT(VK_ERROR_EXTENSION_NOT_PRESENT)
+        POINTRT_RESULT(VK_ERROR_FEATURE_NOT_PRESENT)
+        POINTRT_RESULT(VK_ERROR_INCOMPATIBLE_DRIVER)
+        POINTRT_RESULT(VK_ERROR_TOO_MANY_OBJECTS)
+        POINTRT_RESULT(VK_ERROR_FORMAT_NOT_SUPPORTED)
+        POINTRT_RESULT(VK_ERROR_FRAGMENTED_POOL)
+        POINTRT_RESULT(VK_ERROR_UNKNOWN)
+        POINTRT_RESULT(VK_ERROR_OUT_OF_POOL_MEMORY)
+        POINTRT_RESULT(VK_ERROR_INVALID_EXTERNAL_HANDLE)
+        POINTRT_RESULT(VK_ERROR_FRAGMENTATION)
+        POINTRT_RESULT(VK_SUBOPTIMAL_KHR)
+        POINTRT_RESULT(VK_ERROR_OUT_OF_DATE_KHR)
+        POINTRT_RESULT(VK_ERROR_SURFACE_LOST_KHR)
+        POINTRT_RESULT(VK_ERROR_NATIVE_WINDOW_IN_USE_KHR)
+        POINTRT_RESULT(VK_ERROR_INVALID_OPAQUE_CAPTURE_ADDRESS)
+    default:
+        return "VkResult " + std::to_string(static_cast<int>(result));
+    }
+#undef POINTRT_RESULT
+}
+
+void check(VkResult result, const char* what) {
+    if (result != VK_SUCCESS)
+        throw Error{ExitCode::kCannotRun, std::string("cannot ") + what + ": " + resultName(result)};
+}
+
+} // namespace pointrt

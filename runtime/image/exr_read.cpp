@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/image/exr_read.h"
+
+// The header alone with its code, so that the viewer needs no libtinyexr.so where it runs.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <zlib.h>
+#define TINYEXR_IMPLEMENTATION
+#include <tinyexr.h>
+#pragma GCC diagnostic pop
+
+#include <vector>
+
+#include "pointrt/tool.hpp"
+#include "runtime/image/exr_structure.h"
+#include "runtime/util/input_file.h"
+
+namespace pointrt {
+namespace {
+
+// tinyexr's PIZ decoder reads a bitmap (8 KiB), a code table (at most 48 KiB: 65537 codes of 6 bits) and some words
+// before it looks whether they are there.
+constexpr std::size_t kReadAheadBytes = 64 * 1024;
+
+/// tinyexr's own objects, freed as it wants.
+struct Decoded {
+    EXRHeader header;
+    EXRImage image;
+    Decoded() {
+        InitEXRHeader(&header);
+        InitEXRImage(&image);
+    }
+    Decoded(const Decoded&) = delete;
+    Decoded& operator=(const Decoded&) = delete;
+    ~Decoded() {
+        FreeEXRImage(&image);
+        FreeEXRHeader(&header);
+    }
+};
+
+void require(const std::string& path, int result, const char* message) {
+    if (result == TINYEXR_SUCCESS) return;
+    std::string reason = message ? message : "it cannot be decoded";
+    FreeEXRErrorMessage(message);
+    reason.erase(reason.find_last_not_of(".\n") + 1);
+    throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
+}
+
+/// tinyexr does not look at what malloc gives it; this throws std::bad_alloc where there is no room.
+void requireRoom(const ExrStructure& structure) {
+    const std::size_t values = std::size_t{structure.width} * structure.height * structure.channels.size();
+    std::make_unique_for_overwrite<float[]>(values);
+}
+
+void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded& decoded) {
+    EXRVersion version;
+    const char* message = nullptr;
+    require(path, ParseEXRVersionFromMemory(&version, file.data(), file.size()), nullptr);
+    int result = ParseEXRHeaderFromMemory(&decoded.header, &version, file.data(), file.size(), &message);
+    require(path, result, message);
+    // Blocks know their lines; tinyexr would turn pictures that were written bottom up upside down.
+    decoded.header.line_order = 0;
+    for (int c = 0; c < decoded.header.num_channels; ++c)
+        if (decoded.header.pixel_types[c] == TINYEXR_PIXELTYPE_HALF)
+            decoded.header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
+    decoded.image.num_channels = decoded.header.num_channels; // so that a failure frees all planes
+    result = LoadEXRImageFromMemory(&decoded.image, &decoded.header, file.data(), file.size(), &message);
+    if (result != TINYEXR_SUCCESS) InitEXRImage(&decoded.image); // freed, but still pointed to
+    require(path, result, message);
+}
+
+} // namespace
+
+ExrPicture readExr(const std::string& path) {
+    const std::vector<std::uint8_t> bytes = readFileBytes(path, kReadAheadBytes);
+    const std::span file(bytes.data(), bytes.size() - kReadAheadBytes);
+    ExrStructure structure = checkExr(path, file);
+    requireRoom(structure);
+    const auto decoded = std::make_shared<Decoded>();
+    decode(path, file, *decoded);
+    ExrPicture picture{structure.width, structure.height, {}, {}, std::move(structure.texts), decoded};
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    for (int c = 0; c < decoded->header.num_channels; ++c) {
+        const unsigned char* plane = decoded->image.images[c];
+        const std::string name = decoded->header.channels[c].name;
+        if (structure.channels.at(name) == ExrPixel::kUint)
+            picture.words[name] = {reinterpret_cast<const std::uint32_t*>(plane), pixels};
+        else
+            picture.floats[name] = {reinterpret_cast<const float*>(plane), pixels};
+    }
+    return picture;
+}
+
+} // namespace pointrt

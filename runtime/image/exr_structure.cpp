@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/image/exr_structure.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::uint32_t kMagic = 20000630;
+constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kLongNames = 0x400;  // the one flag that scan lines of a single part may carry
+constexpr std::size_t kMaxAttributes = 1000; // tinyexr stops at 1024
+constexpr std::size_t kMaxNameBytes = 255;
+constexpr std::size_t kMaxChannels = 64;
+constexpr std::uint64_t kMaxDecodedBytes = std::uint64_t{4} << 30;
+constexpr std::int32_t kMaxCoordinate = 1 << 20; // tinyexr takes no line numbers above twice that
+// Deflate, the densest of the codings, makes at most 1032 bytes of one; a few more for a block's own head.
+constexpr std::uint64_t kMaxExpansion = 1040;
+constexpr std::uint64_t kBlockHeadBytes = 8; // first line, bytes that follow
+
+enum Compression : std::uint8_t { kNone = 0, kZip = 3, kPiz = 4 };
+
+/// Reads forwards and never past the end.
+struct Cursor {
+    const std::string& path;
+    Bytes bytes;
+    std::size_t at = 0;
+
+    [[noreturn]] void fail(const std::string& reason) const {
+        throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
+    }
+    Bytes take(std::size_t count) {
+        if (count > bytes.size() - at) fail("it ends too early");
+        at += count;
+        return bytes.subspan(at - count, count);
+    }
+    template <typename T>
+    T number() {
+        T value;
+        std::memcpy(&value, take(sizeof value).data(), sizeof value);
+        return value;
+    }
+    std::string text() {
+        const std::size_t limit = std::min(bytes.size() - at, kMaxNameBytes + 1);
+        const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto end = std::find(begin, begin + static_cast<std::ptrdiff_t>(limit), 0);
+        if (end == begin + static_cast<std::ptrdiff_t>(limit)) fail("a name without an end");
+        at += static_cast<std::size_t>(end - begin) + 1;
+        return {begin, end};
+    }
+};
+
+std::map<std::string, Bytes> readAttributes(Cursor& cursor, std::map<std::string, std::string>& texts) {
+    std::map<std::string, Bytes> attributes;
+    for (std::string name = cursor.text(); !name.empty(); name = cursor.text()) {
+        const std::string type = cursor.text();
+        const Bytes value = cursor.take(cursor.number<std::uint32_t>());
+        if (attributes.size() == kMaxAttributes) cursor.fail("too many attributes");
+        if (!attributes.emplace(name, value).second) cursor.fail("attribute " + name + " is there twice");
+        if (type == "string") texts[name] = std::string(value.begin(), value.end());
+    }
+    return attributes;
+}
+
+/// The value of a required attribute that has at least `bytes` bytes.
+Cursor attribute(const Cursor& cursor, const std::map<std::string, Bytes>& attributes, const char* name,
+                 std::size_t bytes) {
+    const auto found = attributes.find(name);
+    if (found == attributes.end() || found->second.size() < bytes)
+        cursor.fail(std::string("no usable attribute ") + name);
+    return {cursor.path, found->second};
+}
+
+std::map<std::string, ExrPixel> readChannels(Cursor list) {
+    std::map<std::string, ExrPixel> channels;
+    for (std::string name = list.text(); !name.empty(); name = list.text()) {
+        const auto type = list.number<std::uint32_t>();
+        list.take(4); // whether it is perceptually linear, and reserved bytes
+        if (type > static_cast<std::uint32_t>(ExrPixel::kFloat)) list.fail("unknown pixel type of channel " + name);
+        if (list.number<std::int32_t>() != 1 || list.number<std::int32_t>() != 1)
+            list.fail("channel " + name + " is subsampled, which is not supported");
+        if (!channels.emplace(name, static_cast<ExrPixel>(type)).second)
+            list.fail("channel " + name + " is there twice");
+    }
+    if (channels.empty() || channels.size() > kMaxChannels) list.fail("it has no channels, or more than 64");
+    return channels;
+}
+
+std::uint32_t rowsPerBlock(std::uint8_t compression) { return compression == kZip ? 16 : compression == kPiz ? 32 : 1; }
+
+struct Window {
+    std::int32_t min_x, min_y, max_x, max_y;
+};
+
+void readWindow(Cursor window_at, ExrStructure& structure, std::int32_t& min_y) {
+    const auto window = window_at.number<Window>();
+    const auto inside = [](std::int32_t v) { return v >= -kMaxCoordinate && v <= kMaxCoordinate; };
+    if (!inside(window.min_x) || !inside(window.min_y) || !inside(window.max_x) || !inside(window.max_y) ||
+        window.max_x < window.min_x || window.max_y < window.min_y)
+        window_at.fail("its data window is empty or far out");
+    structure.width = static_cast<std::uint32_t>(window.max_x - window.min_x) + 1;
+    structure.height = static_cast<std::uint32_t>(window.max_y - window.min_y) + 1;
+    if (structure.width > kMaxPictureSide || structure.height > kMaxPictureSide)
+        window_at.fail("more than 16384 pixels a side");
+    min_y = window.min_y;
+}
+
+std::uint64_t pixelBytes(const ExrStructure& structure) {
+    std::uint64_t bytes = 0;
+    for (const auto& [name, type] : structure.channels) bytes += type == ExrPixel::kHalf ? 2 : 4;
+    return bytes;
+}
+
+void checkBlocks(Cursor cursor, const ExrStructure& structure, std::uint8_t compression, std::int32_t min_y) {
+    const std::uint32_t rows = rowsPerBlock(compression), blocks = (structure.height + rows - 1) / rows;
+    Cursor table{cursor.path, cursor.take(blocks * sizeof(std::uint64_t))};
+    for (std::uint32_t block = 0; block < blocks; ++block) {
+        const auto offset = table.number<std::uint64_t>();
+        if (offset < cursor.at || offset > cursor.bytes.size()) cursor.fail("a block lies outside");
+        Cursor head{cursor.path, cursor.bytes, offset};
+        const auto line = head.number<std::int32_t>();
+        const auto bytes = head.number<std::uint32_t>();
+        head.take(bytes);
+        if (line != min_y + static_cast<std::int32_t>(block * rows)) cursor.fail("a block of other lines");
+        const std::uint64_t lines = std::min(rows, structure.height - block * rows),
+                            decoded = lines * structure.width * pixelBytes(structure);
+        if (bytes == 0 || bytes > decoded || (compression == kNone && bytes != decoded) ||
+            decoded > kMaxExpansion * (bytes + kBlockHeadBytes))
+            cursor.fail("a block of impossible size");
+    }
+}
+
+} // namespace
+
+ExrStructure checkExr(const std::string& path, std::span<const std::uint8_t> file) {
+    Cursor cursor{path, file};
+    if (cursor.number<std::uint32_t>() != kMagic) cursor.fail("it does not begin like one");
+    if ((cursor.number<std::uint32_t>() & ~kLongNames) != kVersion)
+        cursor.fail("tiles, several parts and deep pixels are not supported");
+    ExrStructure structure;
+    const auto attributes = readAttributes(cursor, structure.texts);
+    structure.channels = readChannels(attribute(cursor, attributes, "channels", 1));
+    std::int32_t min_y = 0;
+    readWindow(attribute(cursor, attributes, "dataWindow", sizeof(Window)), structure, min_y);
+    const auto compression = attribute(cursor, attributes, "compression", 1).number<std::uint8_t>();
+    if (compression > kPiz) cursor.fail("only RLE, ZIP and PIZ compression are supported");
+    // tinyexr takes a table's length from there
+    if (attributes.count("chunkCount")) cursor.fail("chunkCount belongs to files of several parts");
+    if (std::uint64_t{structure.width} * structure.height * structure.channels.size() * sizeof(float) >
+        kMaxDecodedBytes)
+        cursor.fail("more than 4 GiB of pixels");
+    checkBlocks(cursor, structure, compression, min_y);
+    return structure;
+}
+
+} // namespace pointrt

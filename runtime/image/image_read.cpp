@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/image/image_read.h"
+
+#include <cmath>
+#include <fstream>
+
+#include "pointrt/tool.hpp"
+#include "runtime/image/exr_read.h"
+#include "runtime/image/radiance_read.h"
+
+namespace pointrt {
+namespace {
+
+constexpr float kLargestHalf = 65504; // what overflowed in a 16-bit file
+constexpr float kBrightest = 1e9f;    // brighter than the sun in candela a square metre would want; sums stay finite
+
+float usable(float value) {
+    if (!(value > 0)) return 0;
+    return std::isinf(value) ? kLargestHalf : std::fmin(value, kBrightest);
+}
+
+FloatImage readExrColors(const std::string& path) {
+    const ExrPicture picture = readExr(path);
+    const auto& planes = picture.floats;
+    const bool grey = !planes.count("R") && planes.count("Y");
+    const char* names[] = {grey ? "Y" : "R", grey ? "Y" : "G", grey ? "Y" : "B"};
+    FloatImage image{picture.width, picture.height, {}};
+    image.rgb.resize(std::size_t{3} * picture.width * picture.height);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto plane = planes.find(names[c]);
+        if (plane == planes.end()) throw Error{ExitCode::kBadInput, path + ": has no channels R, G and B"};
+        for (std::size_t i = 0; i < plane->second.size(); ++i) image.rgb[3 * i + c] = plane->second[i];
+    }
+    return image;
+}
+
+} // namespace
+
+FloatImage readFloatImage(const std::string& path) {
+    char start[2] = {};
+    std::ifstream(path, std::ios::binary).read(start, sizeof start);
+    const bool radiance = start[0] == '#' && start[1] == '?';
+    const bool exr = start[0] == 0x76 && start[1] == 0x2f;
+    const bool unread = start[0] == 0; // the reader below says why
+    if (!radiance && !exr && !unread)
+        throw Error{ExitCode::kBadInput, path + ": neither a Radiance .hdr nor an OpenEXR picture"};
+    FloatImage image = radiance ? readRadiance(path) : readExrColors(path);
+    for (float& value : image.rgb) value = usable(value);
+    return image;
+}
+
+} // namespace pointrt

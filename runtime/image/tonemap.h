@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// From linear light to the 8 bits of a screen.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "runtime/image/film.h"
+#include "runtime/image/image_png.h"
+
+namespace pointrt {
+
+/// Compresses highlights into [0, 1] and leaves colours whose largest channel is below 0.8 as they are: the Khronos PBR
+/// Neutral tone mapper (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral) without its toe, which takes off the
+/// 4% that Fresnel reflection adds in physically based shading and ours does not. Negative and NaN values count as 0.
+std::array<float, 3> toneMap(std::array<float, 3> linear);
+
+/// The sRGB transfer function (IEC 61966-2-1), rounded to 8 bits; linear is clamped to [0, 1].
+std::uint8_t encodeSrgb(float linear);
+
+/// The film's colours, times 2^stops, as RGB: the background is part of the picture; alpha goes to EXR only.
+Image8 developFilm(const Film& film, float stops = 0);
+
+} // namespace pointrt

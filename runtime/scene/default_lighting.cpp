@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/default_lighting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pointrt {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Rooms in multiples of the scene's bounding radius. Mirrors stand close, so that their images are large; matte walls
+/// stand back, where the lights leave no bright spots.
+struct RoomSize {
+    double half_width, height;
+};
+constexpr RoomSize kMirrorRoom{1.8, 3.0};
+constexpr RoomSize kMatteRoom{3.6, 5.0};
+constexpr Color kMatteWall{0.42f, 0.42f, 0.43f};
+/// Silvered glass gives back nine tenths, a little less of the blue at every turn.
+constexpr Color kMirrorWall{0.90f, 0.90f, 0.88f};
+
+/// The ring of lights, in the same unit: inside either room, whose floor is at most 1 below the centre.
+constexpr double kRingRadius = 1.5;
+constexpr double kRingHeight = 1.9;
+constexpr std::uint32_t kRingLights = 3;
+/// Share left between the eye and a wall behind it.
+constexpr double kEyeMargin = 0.05;
+/// The first light stands this far to the left of the eye, as a key light does.
+constexpr double kKeyLightAngle = -40.0 * pi / 180.0;
+/// Radiance that all lights together give a white surface at the scene's centre that faces them.
+constexpr double kLightSum = 1.5;
+
+struct Staging {
+    Vec3 center, eye, up;
+    Vec3 towards_eye, right; ///< horizontal, unit length
+    double radius = 0;       ///< of the sphere around the bounds
+    double floor = 0;        ///< lowest point along up, measured from center
+};
+
+/// The axis nearest to v: floors are level in scans whose up is not quite.
+Vec3 nearestAxis(Vec3 v) {
+    const double x = std::abs(v.x), y = std::abs(v.y), z = std::abs(v.z);
+    if (y >= x && y >= z) return {0, std::copysign(1.0, v.y), 0};
+    return z >= x ? Vec3{0, 0, std::copysign(1.0, v.z)} : Vec3{std::copysign(1.0, v.x), 0, 0};
+}
+
+Staging stageBounds(Vec3 up, Vec3 eye, Vec3 low, Vec3 high) {
+    Staging staging;
+    staging.center = 0.5 * (low + high);
+    staging.eye = eye;
+    staging.up = up;
+    staging.radius = 0.5 * length(high - low);
+    if (!(staging.radius > 0)) staging.radius = 1; // a lone splat; frameCamera takes the same
+    staging.floor = -0.5 * dot(high - low, absolute(up));
+    const Vec3 side = std::abs(up.y) > 0.5 ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+    Vec3 towards_eye = staging.eye - staging.center;
+    towards_eye = towards_eye - dot(towards_eye, up) * up;
+    staging.towards_eye =
+        length(towards_eye) > 1e-6 * staging.radius ? normalize(towards_eye) : normalize(side - dot(side, up) * up);
+    staging.right = cross(up, staging.towards_eye);
+    return staging;
+}
+
+std::uint32_t addMaterial(SceneDescription& scene, const MaterialDescription& material) {
+    scene.materials.push_back(material);
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+/// A box whose floor carries the scene, along the axes nearest to up; the eye is inside.
+void addRoom(SceneDescription& scene, const Staging& staging, Room room) {
+    const bool mirror = room == Room::kMirror;
+    const RoomSize size = mirror ? kMirrorRoom : kMatteRoom;
+    const Vec3 axes[] = {staging.right, staging.up, staging.towards_eye};
+    Vec3 half[3], center = staging.center;
+    for (int a = 0; a < 3; ++a) {
+        const double eye = dot(staging.eye - staging.center, axes[a]), margin = kEyeMargin * staging.radius;
+        const double low = a == 1 ? staging.floor : -size.half_width * staging.radius;
+        const double high = a == 1 ? staging.floor + size.height * staging.radius : size.half_width * staging.radius;
+        const double from = std::min(low, eye - margin), to = std::max(high, eye + margin);
+        center = center + 0.5 * (from + to) * axes[a];
+        half[a] = 0.5 * (to - from) * axes[a];
+    }
+    MaterialDescription wall;
+    wall.name = "room";
+    wall.kind = mirror ? MaterialKind::kMirror : MaterialKind::kMatte;
+    wall.color = mirror ? kMirrorWall : kMatteWall;
+    scene.shapes.push_back({ShapeKind::kBox, center, half[0], half[1], half[2], addMaterial(scene, wall)});
+}
+
+/// Lights on a ring above the scene, the first to the left of the eye.
+void addRing(SceneDescription& scene, const Staging& staging, std::uint32_t count) {
+    const double distance = std::hypot(kRingRadius, kRingHeight) * staging.radius;
+    for (std::uint32_t l = 0; l < count; ++l) {
+        const double angle = kKeyLightAngle + 2 * pi * l / count;
+        const Vec3 around = std::cos(angle) * staging.towards_eye + std::sin(angle) * staging.right;
+        const auto intensity = static_cast<float>(pi * kLightSum / count * distance * distance);
+        scene.lights.push_back(
+            PointLight{staging.center + staging.radius * (kRingRadius * around + kRingHeight * staging.up),
+                       {intensity, intensity, intensity}});
+    }
+}
+
+/// A lamp of the studio, so far off that it lights all of the floor alike: angle to the right of the eye, height over
+/// the horizon, angular radius (what softens the shadows), and what it gives a facing white surface, as radiance.
+struct StudioLamp {
+    double angle_deg, height_deg, radius_deg;
+    Color light;
+};
+// Key, fill and rim as portrait photographers set them: the key high to one side and a little warm, the fill on the
+// other side at a quarter of it and large, the rim behind.
+constexpr StudioLamp kStudioLamps[] = {
+    {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
+constexpr float kStudioFloor = 0.42f;
+/// Of the sky's brightness at the horizon, where it is the floor's: dark above, so that it lights little by itself.
+constexpr float kStudioZenith = 0.35f;
+
+void addStudio(SceneDescription& scene, const Staging& staging) {
+    MaterialDescription floor;
+    floor.name = "studio floor";
+    floor.color = {kStudioFloor, kStudioFloor, kStudioFloor};
+    ShapeDescription plane{ShapeKind::kPlane, staging.center + staging.floor * staging.up,
+                           staging.right,     -1.0 * staging.towards_eye,
+                           staging.up,        addMaterial(scene, floor)};
+    plane.backdrop = true;
+    scene.shapes.push_back(plane);
+    SkyDescription sky;
+    sky.horizon = {0, 0, 0};
+    for (const StudioLamp& lamp : kStudioLamps) {
+        const double angle = lamp.angle_deg * pi / 180, height = lamp.height_deg * pi / 180;
+        const Vec3 across = std::cos(angle) * staging.towards_eye + std::sin(angle) * staging.right;
+        SunLight light{std::cos(height) * across + std::sin(height) * staging.up, lamp.radius_deg, lamp.light};
+        for (int c = 0; c < 3; ++c) {
+            light.irradiance[c] = static_cast<float>(pi) * lamp.light[c];
+            sky.horizon[c] += kStudioFloor * lamp.light[c] * static_cast<float>(std::sin(height));
+        }
+        scene.lights.push_back(light);
+    }
+    for (int c = 0; c < 3; ++c) {
+        sky.zenith[c] = kStudioZenith * sky.horizon[c];
+        sky.ground[c] = sky.horizon[c];
+        sky.horizon[c] += kStudioFloor * sky.ambient * sky.zenith[c]; // the floor's ambient light
+    }
+    scene.sky = sky;
+}
+
+} // namespace
+
+Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
+    if (scene.up) return *scene.up;
+    return nearestAxis(settings.camera.up.value_or(Vec3{0, 1, 0}));
+}
+
+void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low,
+                     Vec3 high) {
+    const std::optional<Room> room = settings.room ? settings.room : scene.room;
+    const Vec3 eye = scene.staged_for.value_or(camera.eye);
+    const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
+    const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
+    if (bare && !room && !settings.lights && showsLight(settings.integrator)) return addStudio(scene, staging);
+    if (room && *room != Room::kNone) addRoom(scene, staging, *room);
+    if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
+}
+
+void ownSurroundings(SceneDescription& scene, RenderSettings& settings) {
+    scene.room = settings.room = Room::kNone;
+    scene.ring_lights = settings.lights = 0;
+    scene.staged_for.reset();
+}
+
+} // namespace pointrt

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/option_values.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace pointrt {
+namespace {
+
+std::string plain(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+} // namespace
+
+const Names<Integrator> kIntegratorNames = {{"phong", Integrator::kPhong},
+                                            {"whitted", Integrator::kWhitted},
+                                            {"path", Integrator::kPath},
+                                            {"normal", Integrator::kNormal},
+                                            {"depth", Integrator::kDepth}};
+const Names<Room> kRoomNames = {{"none", Room::kNone}, {"mirror", Room::kMirror}, {"matte", Room::kMatte}};
+const Names<bool> kSwitchNames = {{"on", true}, {"off", false}};
+const Names<DenoiseChoice> kDenoiseNames = {
+    {"on", DenoiseChoice::kOn}, {"off", DenoiseChoice::kOff}, {"auto", DenoiseChoice::kAuto}};
+
+std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high) {
+    std::uint32_t value = 0;
+    if (parseNumber(text, value) && value >= low && value <= high) return value;
+    throw std::invalid_argument("\"" + text + "\" is not a whole number from " + std::to_string(low) + " to " +
+                                std::to_string(high));
+}
+
+double parseReal(const std::string& text, double low, double high) {
+    double value = 0;
+    if (parseNumber(text, value) && value >= low && value <= high) return value;
+    throw std::invalid_argument("\"" + text + "\" is not a number from " + plain(low) + " to " + plain(high));
+}
+
+double parseRealAbove(const std::string& text, double low, double high) {
+    double value = 0;
+    if (parseNumber(text, value) && value > low && value <= high) return value;
+    throw std::invalid_argument("\"" + text + "\" is not a number above " + plain(low) + " and up to " + plain(high));
+}
+
+std::pair<std::uint32_t, std::uint32_t> parseSize(const std::string& text, std::uint32_t most) {
+    const std::size_t cross = text.find('x');
+    std::uint32_t width = 0, height = 0;
+    if (cross != std::string::npos && parseNumber(text.substr(0, cross), width) &&
+        parseNumber(text.substr(cross + 1), height) && width >= 1 && height >= 1 && width <= most && height <= most)
+        return {width, height};
+    throw std::invalid_argument("\"" + text + "\" is not WxH with 1 to " + std::to_string(most) + " pixels each");
+}
+
+double parseAngle(const std::string& text) {
+    double value = 0;
+    if (parseNumber(text, value) && value > 0 && value < 180) return value;
+    throw std::invalid_argument("\"" + text + "\" is not an angle above 0 and below 180 degrees");
+}
+
+Vec3 parseVector(const std::string& text) {
+    double values[3] = {};
+    std::size_t start = 0;
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = text.find(',', start);
+        const bool last = comma == std::string::npos;
+        if (last != (i == 2) || !parseNumber(text.substr(start, comma - start), values[i]) || !std::isfinite(values[i]))
+            throw std::invalid_argument("\"" + text + "\" is not X,Y,Z with three finite numbers");
+        start = comma + 1;
+    }
+    return {values[0], values[1], values[2]};
+}
+
+} // namespace pointrt

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What to render: the plain structs between the command line, scene files and the tracer.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "runtime/util/vec.h"
+
+namespace pointrt {
+
+enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
+/// The others show surfaces as they are, whatever lights them.
+constexpr bool showsLight(Integrator integrator) {
+    return integrator != Integrator::kNormal && integrator != Integrator::kDepth;
+}
+
+enum class Room { kNone, kMirror, kMatte };
+enum class DenoiseChoice { kAuto, kOn, kOff };
+
+/// What the user said of the camera, in input coordinates; what is missing is framed by frameCamera.
+struct CameraRequest {
+    std::optional<Vec3> eye, target, up;
+    double fov_deg = 40; ///< vertical, in (0, 180); nothing to a parallel projection
+    bool ortho = false;  ///< parallel projection, for which ortho_height asks as well
+    /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
+    std::optional<double> ortho_height;
+    bool operator==(const CameraRequest&) const = default;
+};
+
+/// A complete camera in input coordinates; right, up and forward are orthonormal. With parallel projection all rays go
+/// forward, from a window around the eye: nothing behind that is seen.
+struct Camera {
+    Vec3 eye, right, up, forward;
+    double fov_deg = 40;     ///< vertical
+    double ortho_height = 0; ///< above 0: parallel projection, the height in input units that the picture shows
+    bool operator==(const Camera&) const = default;
+};
+
+struct RenderSettings {
+    std::uint32_t width = 512, height = 512; ///< pixels, 1 to 16384
+    std::uint32_t spp = 4;                   ///< samples a pixel, at least 1
+    std::uint32_t seed = 0;
+    CameraRequest camera;
+    Integrator integrator = Integrator::kPhong;
+    std::uint32_t bounces = 4;           ///< secondary rays in a path, 0 to 64
+    std::optional<Room> room;            ///< a box around the scene
+    std::optional<std::uint32_t> lights; ///< point lights on the ring, 0 to 16
+    bool shadows = true;
+    bool caustics = true;              ///< light bundled by glass and mirrors
+    bool blend = true;                 ///< off: each hit is one splat's flat disc
+    std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
+    bool first_hits = false;           ///< also fill the Film's depth, normal and position
+    bool light_parts = true;           ///< also fill its direct, indirect and caustic: to go on later, or to keep
+    DenoiseChoice denoise = DenoiseChoice::kAuto;
+    float exposure = 0; ///< stops, for 8-bit pictures
+};
+
+} // namespace pointrt

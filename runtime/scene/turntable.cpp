@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/turntable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+/// A %d or %0Nd in a path.
+struct NumberPlace {
+    std::size_t at = 0, size = 0;
+    std::size_t digits = 1; ///< at least so many, with zeros in front
+};
+
+/// What begins at a percent sign of path, where it is a place for a number.
+std::optional<NumberPlace> numberPlaceAt(const std::string& path, std::size_t percent) {
+    const std::string text = path.substr(percent, 4);
+    if (text.starts_with("%d")) return NumberPlace{percent, 2, 1};
+    const bool padded = text.size() == 4 && text[1] == '0' && text[2] >= '1' && text[2] <= '9' && text[3] == 'd';
+    if (!padded) return std::nullopt;
+    return NumberPlace{percent, 4, static_cast<std::size_t>(text[2] - '0')};
+}
+
+std::optional<NumberPlace> firstNumberPlace(const std::string& path) {
+    for (std::size_t at = path.find('%'); at != std::string::npos; at = path.find('%', at + 1))
+        if (const auto place = numberPlaceAt(path, at)) return place;
+    return std::nullopt;
+}
+
+/// v turned about axis, a unit vector: Rodrigues' formula.
+Vec3 turned(Vec3 v, Vec3 axis, double cosine, double sine) {
+    return v * cosine + cross(axis, v) * sine + axis * (dot(axis, v) * (1 - cosine));
+}
+
+} // namespace
+
+Camera turntableCamera(const Camera& camera, const TurntableAxis& axis, std::uint32_t frame, std::uint32_t frames) {
+    if (frame == 0) return camera;
+    const double angle = 2 * std::numbers::pi * frame / frames, cosine = std::cos(angle), sine = std::sin(angle);
+    const auto turn = [&](Vec3 v) { return turned(v, axis.up, cosine, sine); };
+    Camera moved = camera;
+    moved.eye = axis.pivot + turn(camera.eye - axis.pivot);
+    moved.right = turn(camera.right);
+    moved.up = turn(camera.up);
+    moved.forward = turn(camera.forward);
+    return moved;
+}
+
+void requireFrameNames(const std::string& path, bool turntable) {
+    const auto place = firstNumberPlace(path);
+    const auto fail = [&](const std::string& reason) { throw Error{ExitCode::kBadUsage, path + ": " + reason}; };
+    if (!turntable) {
+        if (place) fail("\"" + path.substr(place->at, place->size) + "\" is for --turntable");
+        return;
+    }
+    if (path.empty()) throw Error{ExitCode::kBadUsage, "--turntable: goes with -o FILE%d.png, as in frames/%04d.png"};
+    if (!place) fail("--turntable numbers its pictures: %d or %0Nd is missing, as in frames/%04d.png");
+    if (std::count(path.begin(), path.end(), '%') != 1)
+        fail("--turntable takes one % in the name, that of %d or %0Nd, as in frames/%04d.png");
+}
+
+std::string frameName(const std::string& pattern, std::uint32_t frame) {
+    const NumberPlace place = firstNumberPlace(pattern).value_or(NumberPlace{pattern.size(), 0, 1});
+    std::string number = std::to_string(frame);
+    if (number.size() < place.digits) number.insert(0, place.digits - number.size(), '0');
+    return pattern.substr(0, place.at) + number + pattern.substr(place.at + place.size);
+}
+
+} // namespace pointrt

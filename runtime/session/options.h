@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of pointrt-view.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/film/frame_limits.h"
+#include "runtime/scene/render_settings.h"
+
+namespace pointrt {
+
+/// What a scene file may say too; empty where the command line is silent.
+struct SceneChoices {
+    std::optional<Integrator> integrator;
+    std::optional<std::uint32_t> bounces, spp, width, height;
+    std::optional<double> fov_deg;
+    std::optional<std::uint32_t> seed;
+    std::optional<bool> shadows, caustics, blend;
+    std::optional<DenoiseChoice> denoise;
+    std::optional<float> exposure; ///< stops, for PNG
+};
+
+struct Options {
+    std::string scene;
+    std::string output;    ///< ends in .png or .exr; empty for a window, with bench_frames or with list_devices
+    std::string device;    ///< a selector, see DeviceRequest
+    std::string stats;     ///< file for the report, "-" for standard output, empty for none
+    RenderSettings render; ///< but for what choices has: resolveSettings (settings.h) puts them together
+    SceneChoices choices;
+    FrameLimits limits;
+    std::string view;               ///< name of a view in the scene file, empty: its camera
+    std::uint32_t turntable = 0;    ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
+    bool resume = false;            ///< go on with the film in output, which ends in .exr
+    std::uint32_t bench_frames = 0; ///< 0: no benchmark
+    bool list_devices = false;
+    // without output and bench_frames there is a window
+    std::string record, replay; ///< files of what the user does (window/recording.h), empty for none
+    bool offscreen = false;     ///< a window that is not shown
+    bool quiet = false, verbose = false;
+    bool progress_lines = false; ///< for programs that show it in their own way
+};
+
+/// True where what options ask for is a window.
+bool opensWindow(const Options& options);
+
+/// Fills options from the command line. Returns an exit code where the run ends here (--help and --version, whose text
+/// goes to standard output). Throws Error kBadUsage with one line for anything wrong.
+std::optional<int> parseOptions(int argc, const char* const* argv, Options& options);
+
+} // namespace pointrt

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/report.h"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "pointrt/tool.hpp"
+#include "runtime/util/output_file.h"
+
+namespace pointrt {
+namespace {
+
+double bootSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Field 22 of /proc/self/stat (proc(5)): the start in clock ticks after boot. Field 2, in parentheses, may have
+/// spaces.
+std::optional<double> startAfterBoot() {
+    std::ifstream file("/proc/self/stat");
+    std::string line;
+    std::getline(file, line);
+    const std::size_t name_end = line.rfind(')');
+    if (name_end == std::string::npos) return {};
+    std::istringstream fields(line.substr(name_end + 1));
+    std::string skipped;
+    for (int field = 3; field < 22; ++field) fields >> skipped;
+    double ticks = 0;
+    if (!(fields >> ticks)) return {};
+    return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+std::string number(double value) {
+    if (!std::isfinite(value)) return "null";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// Of at least one value.
+double median(const std::vector<double>& sorted) {
+    const std::size_t half = sorted.size() / 2;
+    return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+void writeStandardOutput(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw Error{ExitCode::kCannotWrite, std::string("standard output: ") + std::strerror(errno)};
+}
+
+} // namespace
+
+std::string jsonText(const std::string& text) {
+    std::string json = "\"";
+    for (char c : text) {
+        if (c == '"' || c == '\\') json += '\\';
+        json += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return json + "\"";
+}
+
+std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members) {
+    std::string json = "{";
+    for (const auto& [name, value] : members)
+        json += (json.size() > 1 ? ",\n  " : "\n  ") + jsonText(name) + ": " + value;
+    return json + "\n}\n";
+}
+
+std::string reportJson(const Report& report) {
+    std::vector<double> sorted = report.frame_ms;
+    std::sort(sorted.begin(), sorted.end());
+    const double middle = median(sorted);
+    const std::uint64_t all_rays = report.rays.primary + report.rays.shadow + report.rays.secondary;
+    const std::string times = "{\"min\": " + number(sorted.front()) + ", \"median\": " + number(middle) +
+                              ", \"max\": " + number(sorted.back()) + "}";
+    const std::string rays = "{\"primary\": " + std::to_string(report.rays.primary) +
+                             ", \"shadow\": " + std::to_string(report.rays.shadow) +
+                             ", \"secondary\": " + std::to_string(report.rays.secondary) + "}";
+    return jsonObject({{"device", jsonText(report.device)},
+                       {"width", std::to_string(report.width)},
+                       {"height", std::to_string(report.height)},
+                       {"integrator", jsonText(report.integrator)},
+                       {"spp", std::to_string(report.spp)},
+                       {"samples", std::to_string(report.samples)},
+                       {"noise", number(report.noise)},
+                       {"splats", std::to_string(report.splats)},
+                       {"device_bytes", std::to_string(report.device_bytes)},
+                       {"load_seconds", number(report.load_seconds)},
+                       {"first_frame_seconds", number(report.first_frame_seconds)},
+                       {"frame_ms", times},
+                       {"denoise_ms", number(report.denoise_ms)},
+                       {"rays", rays},
+                       {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
+}
+
+void writeText(const std::string& path, const std::string& text) {
+    if (path == "-") return writeStandardOutput(text);
+    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+double secondsSinceStart() {
+    static const double start = startAfterBoot().value_or(bootSeconds());
+    return bootSeconds() - start;
+}
+
+} // namespace pointrt

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tracer/band_tracer.h"
+
+#include <algorithm>
+
+#include "runtime/tracer/frame_params.h"
+#include "runtime/tracer/sample_recorder.h"
+
+namespace pointrt {
+namespace {
+
+void createBindings(Device& device, BandTracer& tracer) {
+    const DeviceScene& scene = *tracer.scene;
+    const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
+    tracer.pool = createDescriptorPool(device, 2 * count);
+    const auto bind = [&](const Instance& instance) {
+        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, tracer.buffers, tracer.caustics);
+    };
+    for (const Instance& instance : scene.instances)
+        tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), bind(instance)});
+    tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
+}
+
+gpu::Control readControl(Device& device, const BandTracer& tracer) {
+    gpu::Control control{};
+    downloadBuffer(device, tracer.buffers.control, &control, sizeof control);
+    return control;
+}
+
+} // namespace
+
+void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
+                      std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons) {
+    tracer.scene = &scene;
+    tracer.shadows = settings.shadows;
+    try {
+        tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
+        tracer.programs = createPrograms(device, scene, settings);
+        tracer.caustics = photons > 0 && castsCaustics(scene) && showsLight(settings.integrator)
+                              ? buildCaustics(device, scene, tracer.programs, photons)
+                              : emptyCaustics(device);
+        createBindings(device, tracer);
+    } catch (...) {
+        destroyBandTracer(device, tracer);
+        throw;
+    }
+}
+
+void destroyBandTracer(Device& device, BandTracer& tracer) {
+    destroyPrograms(device, tracer.programs);
+    destroyDescriptorPool(device, tracer.pool);
+    destroyFrameBuffers(device, tracer.buffers);
+    destroyCaustics(device, tracer.caustics);
+    tracer.targets.clear();
+    tracer.sets = {};
+    tracer.scene = nullptr;
+}
+
+void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
+    createFilm(device, tracer.buffers, film_pixels);
+    rebind(device, tracer);
+}
+
+void rebind(Device& device, BandTracer& tracer) {
+    destroyDescriptorPool(device, tracer.pool);
+    tracer.targets.clear();
+    createBindings(device, tracer);
+}
+
+std::uint64_t deviceBytes(const BandTracer& tracer) {
+    return tracer.buffers.device_bytes + tracer.caustics.photons.bytes + tracer.caustics.buckets.bytes;
+}
+
+void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+              FilmPlace film) {
+    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
+    params.film = {film.pixels, film.first_pixel, 0, 0};
+    params.caustics = tracer.caustics.frame;
+    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
+}
+
+void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
+    const VkCommandBuffer commands = beginCommands(device);
+    SampleRecorder recorder(commands, tracer, sample);
+    if (sample.pass == 0) {
+        if (sample.first_hits || sample.only_first_hits) recorder.firstHits();
+        if (!sample.only_first_hits) recorder.begin();
+        sample.pass = 1;
+    }
+    if (!sample.only_first_hits && tracer.programs.rays_go_on)
+        for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
+    submitAndWait(device, commands);
+    const gpu::Control control = readControl(device, tracer);
+    // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
+    sample.done = control.queued.x + control.queued.y == 0;
+    if (!sample.done) return;
+    // they are 32 bits wide on the device and start at 0 with each sample
+    counts.primary += control.traced.x;
+    counts.shadow += control.traced.y;
+    counts.secondary += control.traced.z;
+}
+
+} // namespace pointrt

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wavefront ray tracing of a band of rows: a few dispatches for each bounce of a sample.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/image/film.h"
+#include "runtime/scene/render_settings.h"
+#include "runtime/tracer/caustics.h"
+#include "runtime/tracer/frame_buffers.h"
+#include "runtime/tracer/programs.h"
+
+namespace pointrt {
+
+/// An instance with what it is traced by.
+struct TracerTarget {
+    const InstancePrograms* programs = nullptr;
+    DescriptorSets sets;
+};
+
+/// Programs, buffers and descriptor sets for pictures of a scene. It does not move: targets point into programs.
+struct BandTracer {
+    const DeviceScene* scene = nullptr;
+    bool shadows = true;
+    Programs programs;
+    FrameBuffers buffers;
+    CausticMap caustics;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    std::vector<TracerTarget> targets;
+    DescriptorSets sets; ///< for what looks at no instance
+
+    BandTracer() = default;
+    BandTracer(const BandTracer&) = delete;
+    BandTracer& operator=(const BandTracer&) = delete;
+};
+
+/// Fills tracer, which is empty, for bands of up to so many lanes (lanesOf) out of films of up to film_pixels. photons:
+/// for caustics, where the scene and the settings have any; 0: none. scene must be furnished and outlive the tracer.
+void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
+                      std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons);
+void destroyBandTracer(Device& device, BandTracer& tracer);
+
+/// Makes room for films of up to so many pixels; what the film holds is lost.
+void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels);
+/// To be called after the scene was furnished anew with the same features.
+void rebind(Device& device, BandTracer& tracer);
+
+/// Bytes of its buffers on the device, without the scene's.
+std::uint64_t deviceBytes(const BandTracer& tracer);
+
+/// Puts camera and settings for a band on the device. film: where its pixels lie in the film.
+void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+              FilmPlace film);
+
+/// A sample of the open band, under way.
+struct BandSample {
+    std::uint32_t width = 0, rows = 0; ///< of the band, pixels
+    std::uint32_t number = 0;          ///< 0: clears the film
+    bool at_centers = false;           ///< rays go through the pixels' centres
+    bool steady = false;               ///< hard shadows of the first lamp alone: without noise, and soon
+    bool first_hits = false;           ///< also depth, normal and ids of the centre rays
+    bool only_first_hits = false;      ///< nothing else
+    std::uint32_t pass = 0;            ///< the next one; 0: nothing is traced yet
+    bool done = false;
+};
+
+/// Traces on, in one submission: the camera rays, where pass is 0, and passes bounces. When that was the end, says so
+/// in sample and adds its rays to counts.
+void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts);
+
+} // namespace pointrt

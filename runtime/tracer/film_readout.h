@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between the film on the device, in sums, and the Film of the host, in means.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/image/film.h"
+#include "runtime/scene/render_settings.h"
+#include "runtime/tracer/frame_buffers.h"
+
+namespace pointrt {
+
+/// Sizes the film's arrays for settings; what no ray hits stays as this leaves it.
+void allocateFilm(const RenderSettings& settings, Film& film);
+
+/// The device's sums over samples (at least 1) as means in the film's rows.
+void storeLight(Device& device, const FrameBuffers& buffers, Band band, std::uint32_t samples, Film& film);
+
+/// The film's rows as sums over samples: the way back, to go on from there.
+void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film);
+
+/// Depth, normal, position (along the ray in double, rounded to float once) and ids of the centre rays.
+void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, const DeviceScene& scene,
+                    const RenderSettings& settings, const Camera& camera, Film& film);
+
+} // namespace pointrt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tracer/frame_buffers.h"
+
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+
+std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
+    return (width + TILE_SIDE - 1) / TILE_SIDE * ((rows + TILE_SIDE - 1) / TILE_SIDE);
+}
+
+std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
+
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels) {
+    const std::uint64_t lanes = lane_count;
+    FrameBuffers buffers;
+    const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+        buffers.device_bytes += bytes;
+        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
+    };
+    const auto texels = [&](const char* what, std::uint64_t bytes, VkFormat format, VkBufferUsageFlags usage) {
+        Buffer buffer = storage(what, bytes, usage);
+        createTexelView(device, what, buffer, format);
+        return buffer;
+    };
+    constexpr VkBufferUsageFlags kRead = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    try {
+        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        constexpr std::uint64_t kQueueWords = 4 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
+        buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+        buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+                              VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+        buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+        buffers.surfaces =
+            texels("surface buffer", lanes * sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.lit = texels("lit point buffer", lanes * sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
+        buffers.deferred = storage("deferred ray buffer", lanes * DEFERRED_MOST * sizeof(gpu::PathState));
+        createFilm(device, buffers, film_pixels);
+    } catch (...) {
+        destroyFrameBuffers(device, buffers);
+        throw;
+    }
+    return buffers;
+}
+
+void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels) {
+    const auto replace = [&](const char* what, Buffer& buffer, std::uint64_t vectors) {
+        buffers.device_bytes -= buffer.bytes;
+        destroyBuffer(device, buffer);
+        buffer =
+            createBuffer(device, what, film_pixels * vectors * sizeof(gpu::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        buffers.device_bytes += buffer.bytes;
+    };
+    replace("film buffer", buffers.film, FILM_LAYERS);
+    replace("first hit buffer", buffers.first_hits, FIRST_HIT_VECTORS);
+}
+
+void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
+    for (Buffer* buffer :
+         {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
+          &buffers.lit, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits, &buffers.beams})
+        destroyBuffer(device, *buffer);
+    buffers = {};
+}
+
+std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
+    return {{6, &buffers.params},    {7, &buffers.control},      {8, &buffers.queues},    {9, &buffers.paths},
+            {10, &buffers.hits},     {11, &buffers.lit},         {12, &buffers.film},     {13, &buffers.first_hits},
+            {17, &buffers.paths},    {18, &buffers.queues},      {19, &buffers.beams},    {20, &buffers.beams},
+            {25, &buffers.surfaces}, {26, &buffers.light_masks}, {27, &buffers.deferred}, {34, &buffers.surfaces},
+            {35, &buffers.lit}};
+}
+
+} // namespace pointrt

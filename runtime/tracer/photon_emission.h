@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photons on their way from the lights to what mirrors or refracts them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/util/vec.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+
+/// Something that throws caustics, in a sphere around it; render units.
+struct PhotonTarget {
+    Vec3 center;
+    double radius = 0;
+    std::uint32_t code = 0; ///< as shaders/integrator/photon.comp.glsl compares it: owner, and a shape's number above it
+};
+
+/// Around everything; photons of suns start outside of it.
+struct RenderSphere {
+    Vec3 center;
+    double radius = 0;
+};
+
+/// About count paths, each with its flux, from all lights with a place or direction (no sky pictures) to all targets,
+/// in proportion to the light that each light sends to each target. Directions are quasi-random: the same for the same
+/// arguments. Of a pair of light and target all of what the light sends into the target's sphere is sent; what meets
+/// something else on the way does not count (shaders/integrator/photon.comp.glsl).
+std::vector<gpu::PathState> emitPhotons(std::span<const gpu::Light> lights, std::span<const PhotonTarget> targets,
+                                        RenderSphere scene, std::uint32_t count);
+
+} // namespace pointrt

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tracer/programs.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "format/base/parallel.h"
+#include "runtime/tracer/caustics.h"
+#include "runtime/tracer/frame_buffers.h"
+#include "shaders/beam.spv.h"
+#include "shaders/caustic.spv.h"
+#include "shaders/first_hits.spv.h"
+#include "shaders/light.spv.h"
+#include "shaders/photon.spv.h"
+#include "shaders/prepare.spv.h"
+#include "shaders/shade.spv.h"
+#include "shaders/shadow.spv.h"
+#include "shaders/shadow_paged.spv.h"
+#include "shaders/shadow_shapes.spv.h"
+#include "shaders/surface.spv.h"
+#include "shaders/surface_paged.spv.h"
+#include "shaders/trace.spv.h"
+#include "shaders/trace_paged.spv.h"
+#include "shaders/trace_primary.spv.h"
+#include "shaders/trace_primary_paged.spv.h"
+#include "shaders/trace_shapes.spv.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Values of the shaders' specialization constants, by number.
+struct Constants {
+    InstanceTraits instance;
+    std::uint32_t sky_picture = 0, integrator = 0, features = 0, camera_pass = 0;
+};
+
+std::vector<std::uint32_t> listed(const Constants& c) {
+    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_picture,
+                                      c.integrator,      c.features,          c.camera_pass};
+    const PageCounts& pages = c.instance.pages;
+    if (!isPaged(pages)) return values;
+    values.push_back(pages.bits);
+    values.insert(values.end(), pages.counts.begin(), pages.counts.end());
+    return values;
+}
+
+/// A program to be built.
+struct Order {
+    Program* program = nullptr;
+    const char* name = "";
+    std::span<const std::uint32_t> spirv;
+    Constants constants;
+};
+
+void build(Device& device, const Order& order) {
+    *order.program =
+        createProgram(device, order.name, order.spirv, std::span<const std::uint32_t>(listed(order.constants)));
+}
+
+Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings) {
+    return {{}, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
+}
+
+InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
+    const DeviceScan& file = scene.files[instance.file];
+    return {file.index.uneven != 0, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
+}
+
+void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
+              std::vector<Order>& orders) {
+    constants.instance = instance;
+    const bool paged = isPaged(instance.pages);
+    const auto order = [&](Program& program, const char* name, std::span<const std::uint32_t> plain,
+                           std::span<const std::uint32_t> with_pages, bool of_camera = false) {
+        constants.camera_pass = of_camera;
+        orders.push_back({&program, name, paged ? with_pages : plain, constants});
+    };
+    order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
+    order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
+    if (all.show_light) order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
+    if (!all.rays_go_on) return;
+    order(programs.trace, "trace", trace_spv, trace_paged_spv);
+    order(programs.surface, "surface", surface_spv, surface_paged_spv);
+}
+
+/// What is needed, for places in programs.
+std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants, Programs& programs) {
+    Constants of_camera = constants;
+    of_camera.camera_pass = 1;
+    std::vector<Order> orders{{&programs.prepare, "prepare", prepare_spv, constants},
+                              {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
+                              {&programs.camera.trace_shapes, "trace_shapes (camera)", trace_shapes_spv, of_camera},
+                              {&programs.beam, "beam", beam_spv, constants},
+                              {&programs.camera.shade, "shade (camera)", shade_spv, of_camera}};
+    if (programs.rays_go_on) {
+        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
+        orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
+    }
+    if (programs.show_light) {
+        orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
+        orders.push_back({&programs.light, "light", light_spv, constants});
+    }
+    if (programs.show_light && castsCaustics(scene)) {
+        orders.push_back({&programs.photon, "photon", photon_spv, constants});
+        orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
+    }
+    for (const Instance& instance : scene.instances) {
+        const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
+        if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
+    }
+    return orders;
+}
+
+/// Drivers build them on the thread that asks: the longest first, so that all cores are done about together.
+void buildAll(Device& device, std::vector<Order> orders) {
+    std::sort(orders.begin(), orders.end(),
+              [](const Order& a, const Order& b) { return a.spirv.size() > b.spirv.size(); });
+    forAll(orders.size(), [&](std::size_t i) { build(device, orders[i]); });
+}
+
+} // namespace
+
+Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings) {
+    Programs programs;
+    programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
+    programs.show_light = showsLight(settings.integrator);
+    try {
+        buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
+    } catch (...) {
+        destroyPrograms(device, programs);
+        throw;
+    }
+    return programs;
+}
+
+void destroyPrograms(Device& device, Programs& programs) {
+    for (Program* program : {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes,
+                             &programs.light, &programs.photon, &programs.caustic, &programs.camera.trace_shapes,
+                             &programs.camera.shade, &programs.queued.trace_shapes, &programs.queued.shade})
+        destroyProgram(device, *program);
+    for (auto& [traits, variant] : programs.variants)
+        for (Program* program :
+             {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface, &variant.shadow})
+            destroyProgram(device, *program);
+    programs.variants.clear();
+}
+
+const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance) {
+    return programs.variants.at(traitsOf(scene, instance));
+}
+
+DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics) {
+    std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
+    for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
+    for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
+    const DeviceScan& file = scene.files[instance.file];
+    const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
+    if (!isPaged(file.pages)) return common;
+    const Program& tracing = programsFor(programs, scene, instance).trace_primary;
+    return {common, createDescriptorSet(device, pool, tracing, pageBindings(pagedBuffers(file)), 1)};
+}
+
+} // namespace pointrt

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tracer's compute programs. Those that look into an instance are built for what it is like.
+#pragma once
+
+#include <compare>
+#include <map>
+#include <span>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/gpu/paged_buffer.h"
+#include "runtime/gpu/program.h"
+
+namespace pointrt {
+
+struct CausticMap;
+struct FrameBuffers;
+
+/// What programs know of an instance: whether it is uneven and oriented (shaders/trace/instance.glsl), and where it has
+/// several, its pages (shaders/frame/pages.glsl).
+struct InstanceTraits {
+    bool uneven = false, oriented = false;
+    PageCounts pages; ///< all 0 where each buffer has one
+    auto operator<=>(const InstanceTraits&) const = default;
+};
+
+struct InstancePrograms {
+    Program trace_primary, camera_surface;
+    Program trace, surface; ///< of rays that go on
+    Program shadow;         ///< of light
+};
+
+/// What camera rays and queued rays have one each of (shaders/frame/features.glsl).
+struct PassPrograms {
+    Program trace_shapes, shade;
+};
+
+/// All declare the same bindings in set 0 (shaders/frame/bindings.glsl), and those for paged instances in set 1.
+struct Programs {
+    bool rays_go_on = true, show_light = true; ///< else the programs for that are not built
+    Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
+    PassPrograms camera, queued;
+    std::map<InstanceTraits, InstancePrograms> variants;
+};
+
+/// Builds what the scene needs for the settings' integrator.
+Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings);
+void destroyPrograms(Device& device, Programs& programs);
+
+const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
+
+/// Sets with the instance, its pages where it has any, the frame's buffers and the caustics, for all programs and those
+/// of the instance. They take two of the pool's sets.
+DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics);
+
+} // namespace pointrt

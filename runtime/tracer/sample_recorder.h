@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dispatches of a sample, in order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/tracer/band_tracer.h"
+
+namespace pointrt {
+
+/// Records what traces sample's band, pass by pass.
+class SampleRecorder {
+public:
+    SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample);
+
+    /// Depth, normal and ids of the rays through pixel centres.
+    void firstHits();
+    /// Camera rays up to where they ask for light.
+    void begin();
+    /// Pass index, 1 or more: the rays that the pass before has queued.
+    void pass(std::uint32_t index);
+
+private:
+    void shade(const Program& program, std::uint32_t bits);
+    void primary(std::uint32_t bits);
+    void shadows(std::uint32_t first, std::uint32_t bits);
+    void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
+    void overRays(const Program& program, std::uint32_t bits);
+    void overLit(const Program& program, std::uint32_t bits);
+    void overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
+    void prepare(std::uint32_t bits);
+    void record(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::uint32_t groups);
+    void recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::size_t offset);
+
+    VkCommandBuffer commands_;
+    const BandTracer& tracer_;
+    std::uint32_t tiles_, sample_, center_, steady_;
+    std::uint32_t first_turn_ = 0; ///< of those that shadows asks
+};
+
+} // namespace pointrt

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/util/interrupt.h"
+
+#include <signal.h>
+
+#include <cstdio>
+
+namespace pointrt {
+namespace {
+
+volatile sig_atomic_t noted = 0;
+
+void note(int number) { noted = number; }
+
+constexpr int kSignals[] = {SIGINT, SIGTERM};
+
+} // namespace
+
+void noteInterrupts() {
+    for (const int number : kSignals) {
+        struct sigaction before {};
+        sigaction(number, nullptr, &before);
+        if (before.sa_handler == SIG_IGN) continue;
+        struct sigaction action {};
+        action.sa_handler = note;
+        action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+        sigaction(number, &action, nullptr);
+    }
+}
+
+bool interrupted() { return noted != 0; }
+
+void passInterruptOn() {
+    if (noted == 0) return;
+    std::fflush(nullptr);
+    struct sigaction action {};
+    action.sa_handler = SIG_DFL;
+    sigaction(noted, &action, nullptr);
+    raise(noted);
+}
+
+} // namespace pointrt

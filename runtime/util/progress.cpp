@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/util/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace pointrt {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+// Frames shorter than this show nothing, and redrawing more often than this would only flicker.
+constexpr Seconds kPatience{0.5}, kRedraw{0.1};
+constexpr const char* kWipe = "\r\033[K";
+
+} // namespace
+
+Progress::Progress(bool quiet, bool verbose, bool for_programs)
+    : start_(std::chrono::steady_clock::now()), drawn_(start_) {
+    if (for_programs) style_ = Style::kForPrograms;
+    if (quiet || for_programs) return;
+    if (isatty(STDERR_FILENO))
+        style_ = Style::kRedrawn;
+    else if (verbose)
+        style_ = Style::kTenths;
+}
+
+void Progress::update(double share, const std::string& detail) {
+    if (style_ == Style::kNone || !(share > 0)) return;
+    const auto now = std::chrono::steady_clock::now();
+    const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
+    if (style_ == Style::kRedrawn && now - start_ >= kPatience && now - drawn_ >= kRedraw) {
+        std::fprintf(stderr, "%srendering %3.0f%%, %.0f s left%s%s", kWipe, 100 * share, left,
+                     detail.empty() ? "" : ", ", detail.c_str());
+        drawn_ = now;
+        on_screen_ = true;
+    }
+    if (style_ == Style::kForPrograms && now - drawn_ >= kRedraw) {
+        std::fprintf(stderr, "progress %.4f %s\n", share, detail.c_str());
+        drawn_ = now;
+    }
+    const int tenths = static_cast<int>(10 * share);
+    if (style_ == Style::kTenths && tenths > tenths_) {
+        std::fprintf(stderr, "rendering %d%%, %.1f s left%s%s\n", 10 * tenths, left, detail.empty() ? "" : ", ",
+                     detail.c_str());
+        tenths_ = tenths;
+    }
+}
+
+void Progress::finish() {
+    if (on_screen_) std::fputs(kWipe, stderr);
+    on_screen_ = false;
+}
+
+} // namespace pointrt

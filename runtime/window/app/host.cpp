@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/app/host.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "runtime/window/widgets/ui_input.h"
+
+namespace pointrt {
+namespace {
+
+PixelSize pixelsOf(const ResizeEvent& size) {
+    const auto scaled = [&](std::uint32_t units) {
+        return std::max(1u, static_cast<std::uint32_t>(std::lround(units * size.scale)));
+    };
+    return {scaled(size.width), scaled(size.height)};
+}
+
+} // namespace
+
+Host::Host(const HostRequest& request) {
+    DeviceRequest device{request.device, request.verbose, true, {}, {}};
+    try {
+        if (!request.offscreen) {
+            desktop_ = createPlatformWindow(request.width, request.height, request.title);
+            requestPresentation(*desktop_, device);
+        }
+        device_ = createDevice(device);
+        size_ = desktop_ ? windowSize(*desktop_) : ResizeEvent{request.width, request.height, request.scale};
+        pixels_ = pixelsOf(size_);
+        const VkSurfaceKHR surface = desktop_ ? createSurface(*desktop_, device_) : VK_NULL_HANDLE;
+        presenter_ = createPresenter(device_, surface, pixels_.width, pixels_.height);
+    } catch (...) {
+        if (device_.handle) destroyDevice(device_);
+        if (desktop_) destroyPlatformWindow(*desktop_);
+        throw;
+    }
+}
+
+Host::~Host() {
+    destroyPresenter(device_, presenter_);
+    destroyDevice(device_);
+    if (desktop_) destroyPlatformWindow(*desktop_);
+}
+
+float Host::textScale() const { return desktop_ ? contentScale(*desktop_) : static_cast<float>(size_.scale); }
+
+std::vector<InputEvent> Host::poll(double timeout_s) {
+    if (!desktop_) {
+        if (timeout_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(timeout_s));
+        return {};
+    }
+    std::vector<InputEvent> events = pollEvents(*desktop_, timeout_s);
+    for (const InputEvent& event : events)
+        if (const auto* size = std::get_if<ResizeEvent>(&event)) adopt(*size);
+    return events;
+}
+
+void Host::resize(const ResizeEvent& size) {
+    // the desktop answers with an event of its own, which says what has become of it
+    if (desktop_ && size.width > 0 && size.height > 0) return pointrt::setSize(*desktop_, size.width, size.height);
+    if (!desktop_) adopt(size);
+}
+
+void Host::adopt(const ResizeEvent& size) {
+    size_ = size;
+    if (minimised()) return;
+    pixels_ = pixelsOf(size_);
+    resizeCanvas(device_, presenter_, pixels_.width, pixels_.height);
+}
+
+std::string Host::clipboard() { return desktop_ ? clipboardText(*desktop_) : memory_clipboard_; }
+
+void Host::setClipboard(const std::string& text) {
+    if (desktop_) return setClipboardText(*desktop_, text);
+    memory_clipboard_ = text;
+}
+
+void Host::setTitle(const std::string& title) {
+    if (desktop_) pointrt::setTitle(*desktop_, title);
+}
+
+void Host::setCursor(CursorShape shape) {
+    if (desktop_) pointrt::setCursor(*desktop_, shape);
+}
+
+void Host::useClipboardForUi() {
+    if (desktop_) useClipboard(*desktop_);
+}
+
+} // namespace pointrt

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights as users handle them: a tint, a brightness that means the same for every kind, a bearing.
+#pragma once
+
+#include "runtime/scene/scene_description.h"
+
+namespace pointrt {
+
+/// In the order of LightDescription's alternatives.
+enum class LightKind { kPoint, kSpot, kSun, kSphere, kQuad };
+constexpr const char* kLightNames[] = {"Point", "Spot", "Sun", "Sphere", "Softbox"};
+
+/// What the light gives, in its own unit: intensity, irradiance or radiance.
+Color& emissionOf(LightDescription& light);
+const Color& emissionOf(const LightDescription& light);
+
+/// The colour of its light, brightest channel 1; white where it gives none.
+Color tintOf(const LightDescription& light);
+/// Keeps the brightest channel. tint: 0 to 1 each; black counts as white.
+void setTint(LightDescription& light, Color tint);
+
+/// What a white surface that faces it gives back as radiance, from reach away (suns: from anywhere): 1 shows white.
+/// reach: world units, above 0. Lamps with a size count as far smaller than reach.
+double brightnessOf(const LightDescription& light, double reach);
+/// Keeps the tint. brightness: from 0 up; the light's own number stays within what scene files take.
+void setBrightness(LightDescription& light, double brightness, double reach);
+
+/// Keep the brightness; lengths in world units, above 0.
+void setRadius(SphereLight& light, double radius);
+void setHalfEdges(QuadLight& light, double width, double height);
+
+/// A direction as a compass and a spirit level have it.
+struct Bearing {
+    double azimuth_deg = 0; ///< from north (defaultNorth, sun.h) by way of east, 0 to 360; 0 straight up and down
+    double height_deg = 0;  ///< over the horizon, -90 to 90
+};
+/// direction: of any length; what is none counts as up. up: unit length.
+Bearing bearingOf(Vec3 direction, Vec3 up);
+Vec3 directionOf(Bearing bearing, Vec3 up);
+
+/// The side of the softbox that bearingOf is about.
+Vec3 normalOf(const QuadLight& light);
+/// Turns it to normal (unit length), its width level with up; keeps its size.
+void setNormal(QuadLight& light, Vec3 normal, Vec3 up);
+
+/// Where the position of a light is kept; null for suns.
+Vec3* positionOf(LightDescription& light);
+
+/// The scene that a light is made for: a sphere around it, and from where it is looked at.
+struct LitScene {
+    Vec3 centre, up;                  ///< up: unit length
+    double radius = 1;                ///< above 0
+    Vec3 eye_right, eye_up, eye_back; ///< orthonormal
+};
+/// A light of this kind above the viewer's left shoulder, turned to the scene, of brightness 0.7 there.
+LightDescription newLight(LightKind kind, const LitScene& scene);
+
+} // namespace pointrt

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user can press and what it does: the one table that input, the cheat sheet and docs/WINDOW.md come from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "runtime/window/input/events.h"
+
+namespace pointrt {
+
+enum class Action : std::uint8_t {
+    // With the mouse or while held; commands.h turns these into commands with numbers.
+    kOrbit,
+    kPan,
+    kZoom,
+    kCentreOn,
+    kPick,
+    kFlyForward,
+    kFlyLeft,
+    kFlyBack,
+    kFlyRight,
+    kFlyDown,
+    kFlyUp,
+    // At once.
+    kHome,
+    kFrontView,
+    kRightView,
+    kTopView,
+    kOppositeView,
+    kOrthographic,
+    kCopyCamera,
+    kPasteCamera,
+    kSaveView,
+    kMeasurement,
+    kPause,
+    kScreenshot,
+    kSaveScene,
+    kPreviousFile,
+    kNextFile,
+    kPanel,
+    kCheatSheet,
+    kBack, ///< closes the cheat sheet, else cancels a job, else quits
+    kQuit, ///< the window's own button
+};
+
+enum class Gesture : std::uint8_t {
+    kKey,
+    kHeldKey,
+    kLeftDrag,
+    kShiftLeftDrag,
+    kRightDrag,
+    kWheel,
+    kClick,
+    kDoubleClick
+};
+
+struct Control {
+    const char* press; ///< "": another way to do what the row above it does, which names both
+    const char* group;
+    const char* does;
+    Gesture gesture;
+    Key key; ///< kUnknown where the gesture has none
+    bool with_control;
+    Action action;
+};
+
+constexpr Control mouseControl(const char* press, const char* group, const char* does, Gesture gesture, Action action) {
+    return {press, group, does, gesture, Key::kUnknown, false, action};
+}
+constexpr Control keyControl(const char* press, const char* group, const char* does, Key key, Action action) {
+    return {press, group, does, Gesture::kKey, key, false, action};
+}
+constexpr Control controlKey(const char* press, const char* group, const char* does, char letter, Action action) {
+    return {press, group, does, Gesture::kKey, keyOf(letter), true, action};
+}
+constexpr Control flyKey(const char* press, const char* does, char letter, Action action) {
+    return {press, "Camera", does, Gesture::kHeldKey, keyOf(letter), false, action};
+}
+
+/// Grouped; rows of one group are neighbours.
+constexpr Control kControls[] = {
+    mouseControl("left drag", "Camera", "turn about the middle of the picture", Gesture::kLeftDrag, Action::kOrbit),
+    mouseControl("right drag, Shift + left drag", "Camera", "move the picture", Gesture::kRightDrag, Action::kPan),
+    mouseControl("", "Camera", "", Gesture::kShiftLeftDrag, Action::kPan),
+    mouseControl("wheel", "Camera", "zoom to the cursor", Gesture::kWheel, Action::kZoom),
+    mouseControl("double click", "Camera", "bring the point under the cursor to the middle, to turn about it",
+                 Gesture::kDoubleClick, Action::kCentreOn),
+    flyKey("W A S D, Q E", "fly ahead, left, back, right; down, up; drag meanwhile to look around", 'W',
+           Action::kFlyForward),
+    flyKey("", "", 'A', Action::kFlyLeft),
+    flyKey("", "", 'S', Action::kFlyBack),
+    flyKey("", "", 'D', Action::kFlyRight),
+    flyKey("", "", 'Q', Action::kFlyDown),
+    flyKey("", "", 'E', Action::kFlyUp),
+    keyControl("Home", "Camera", "back to the view at the start", Key::kHome, Action::kHome),
+    keyControl("1", "Camera", "view from the front", keyOf('1'), Action::kFrontView),
+    keyControl("3", "Camera", "view from the right", keyOf('3'), Action::kRightView),
+    keyControl("7", "Camera", "view from the top", keyOf('7'), Action::kTopView),
+    keyControl("9", "Camera", "view from the opposite side", keyOf('9'), Action::kOppositeView),
+    keyControl("5", "Camera", "orthographic and back", keyOf('5'), Action::kOrthographic),
+    controlKey("Ctrl + C", "Camera", "copy the camera as text: options of `pointrt-view`", 'C', Action::kCopyCamera),
+    controlKey("Ctrl + V", "Camera", "paste a camera", 'V', Action::kPasteCamera),
+    keyControl("V", "Camera", "save the view in the panel's list", keyOf('V'), Action::kSaveView),
+    mouseControl("click", "Measure", "pick the point under the cursor", Gesture::kClick, Action::kPick),
+    keyControl("M", "Measure", "keep the distance between the last two picks on the picture; again: clear it",
+               keyOf('M'), Action::kMeasurement),
+    keyControl("Space", "Picture", "pause and go on", Key::kSpace, Action::kPause),
+    keyControl("F12", "Picture", "save it as PNG and EXR", Key::kF12, Action::kScreenshot),
+    controlKey("Ctrl + S", "Picture", "save the scene as a file that `pointrt-view` renders", 'S', Action::kSaveScene),
+    keyControl("Left, Right", "Window", "previous file, next file", Key::kLeft, Action::kPreviousFile),
+    keyControl("", "Window", "", Key::kRight, Action::kNextFile),
+    keyControl("P, Tab", "Window", "panel on and off", keyOf('P'), Action::kPanel),
+    keyControl("", "Window", "", Key::kTab, Action::kPanel),
+    keyControl("H", "Window", "this list on and off", keyOf('H'), Action::kCheatSheet),
+    keyControl("Esc", "Window", "close this list, else cancel the work under way, else quit", Key::kEscape,
+               Action::kBack),
+};
+
+/// The row for a gesture and, for keys, a key with or without Ctrl; null where there is none.
+const Control* findControl(Gesture gesture, Key key = Key::kUnknown, bool with_control = false);
+
+/// As docs/WINDOW.md has it: lines that end in \n.
+std::string markdownTable();
+/// As a terminal shows it: groups, and columns padded with spaces.
+std::string helpText();
+
+} // namespace pointrt

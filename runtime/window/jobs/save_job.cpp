@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/jobs/save_job.h"
+
+#include <utility>
+
+#include "runtime/film/denoiser.h"
+#include "runtime/image/image_png.h"
+#include "runtime/image/tonemap.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the time that it takes, packing the EXR is the most.
+constexpr double kExrShare = 0.7;
+
+void save(Device& device, const std::string& name, SavedFilm& saved, SaveLook look, JobControl& control) {
+    control.say(name + ".exr");
+    writeSavedFilm(name + ".exr", saved);
+    control.setShare(kExrShare);
+    control.say(name + ".png");
+    if (look.denoise) denoisePicture(device, saved.film);
+    writePng(name + ".png", developFilm(saved.film, look.exposure));
+}
+
+} // namespace
+
+SaveJob::SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveLook look)
+    : done_("saved " + name + ".png and " + name + ".exr, " + std::to_string(saved.samples) + " samples"),
+      worker_(device), job_(
+                           "Saving the picture",
+                           [this, name, look, film = std::make_shared<SavedFilm>(std::move(saved))](
+                               JobControl& control) { save(worker_.get(), name, *film, look, control); },
+                           false) {}
+
+} // namespace pointrt

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the film on the device to the pixels of a screen: means, denoiser, tone curve. Nothing comes to the host.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "runtime/film/denoiser.h"
+#include "runtime/tracer/frame_buffers.h"
+#include "runtime/window/live/pace.h"
+#include "shaders/shared/develop_layout.h"
+
+namespace pointrt {
+
+/// What of the film is shown: SHOWN_* of shaders/shared/develop_layout.h, and how.
+struct Look {
+    std::uint32_t shown = SHOWN_BEAUTY;
+    float exposure = 0;     ///< stops
+    double depth_black = 1; ///< input units at which the depth view is black
+    double scale = 1;       ///< input units in a render unit
+
+    bool operator==(const Look&) const = default;
+};
+
+/// True where the film must have first hits for it.
+bool needsFirstHits(const Look& look);
+
+/// For films of up to a number of pixels.
+struct Darkroom {
+    Program resolve, resolve_guides, develop;
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    VkDescriptorSet resolve_set{}, resolve_guides_set{}, develop_set{}, develop_denoised_set{};
+    Buffer color, surface, albedo;
+    Buffer pixels; ///< a word 0xAARRGGBB a pixel, sRGB
+    VkDescriptorPool denoised_pool = VK_NULL_HANDLE;
+    std::optional<Denoiser> denoiser;
+};
+
+/// film and first_hits (of frame): must live as long as it is used.
+Darkroom createDarkroom(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels);
+void destroyDarkroom(Device& device, Darkroom& darkroom);
+/// For pictures of this size; replaces the one there is, where it has another size.
+void prepareDenoiser(Device& device, Darkroom& darkroom, PictureSize size);
+std::uint64_t deviceBytes(const Darkroom& darkroom);
+
+/// Pixels first to first + count of a film.
+struct FilmRange {
+    std::uint32_t first = 0, count = 0, film_pixels = 0;
+    std::uint32_t samples = 1;
+};
+
+/// Records the way from film to color. guides: also what the denoiser wants; the film has first hits then.
+void recordResolve(VkCommandBuffer commands, const Darkroom& darkroom, const FilmRange& range, const Look& look,
+                   bool guides);
+/// Records the way from color, or from the denoiser's result, to pixels.
+void recordDevelop(VkCommandBuffer commands, const Darkroom& darkroom, const FilmRange& range, const Look& look,
+                   bool denoised);
+
+} // namespace pointrt

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture that is never done: coarse while things move, finer as soon as they rest. It is traced in slices of a few
+// milliseconds, so that whoever draws the window is never kept waiting.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/tracer/band_tracer.h"
+#include "runtime/window/live/darkroom.h"
+#include "runtime/window/live/pace.h"
+
+namespace pointrt {
+
+/// All that the picture depends on but the scene.
+struct LiveView {
+    RenderSettings settings; ///< width, height: of the whole picture; spp: samples after which it rests
+    Camera camera;
+    Look look;
+    bool denoise = false;
+};
+
+/// Rows of Darkroom::pixels that are new.
+struct PictureUpdate {
+    PictureSize size; ///< of the picture they are rows of; smaller than the window's while things move
+    std::uint32_t first_row = 0, rows = 0;
+};
+
+/// What is under a pixel, by the ray through its centre.
+struct Pick {
+    std::uint32_t splat = 0, owner = 0; ///< owner: an instance's number, or OWNER_SHAPES
+    double distance = 0;                ///< along the ray, input units
+    Vec3 position, normal;              ///< input frame
+};
+
+struct LiveProgress {
+    PictureSize size;          ///< that is traced now
+    std::uint32_t samples = 0; ///< of every pixel of the whole picture
+    double share = 0;          ///< of the next sample
+    bool resting = false;      ///< nothing is left to do
+    bool denoising = false;    ///< the picture of these samples is being filtered
+    double mrays_per_second = 0;
+};
+
+/// Of the tracers that it works with: what a fast device does in a frame, for 130 MB of states.
+constexpr std::uint32_t kLiveLanes = 1u << 18;
+
+class LivePicture {
+public:
+    /// tracer, whose scene is furnished and which takes kLiveLanes, must outlive it. A picture of something that moves
+    /// is made as fine as that budget allows.
+    LivePicture(Device& device, BandTracer& tracer, double moving_budget_s);
+    ~LivePicture();
+    LivePicture(const LivePicture&) = delete;
+    LivePicture& operator=(const LivePicture&) = delete;
+
+    /// Starts over. moving: more views are to come soon, so that the next picture is to be there at once.
+    void setView(const LiveView& view, bool moving);
+    /// Another look at the same light: nothing is traced again unless it must be.
+    void setLook(const Look& look, bool denoise);
+    /// Starts over: the scene has changed, and the tracer with it.
+    void restart(bool moving);
+    /// How many samples it goes on to.
+    void setSamples(std::uint32_t spp);
+
+    /// Works for about so many seconds, less where nothing is left to do. False where there was nothing, for now.
+    bool work(double seconds);
+    /// What has become new since clearUpdates.
+    const std::vector<PictureUpdate>& updates() const { return updates_; }
+    void clearUpdates() { updates_.clear(); }
+    /// True where what is new must be shown before the work goes on: what follows has another size.
+    bool mustShow() const;
+    const Buffer& pixels() const { return darkroom_.pixels; }
+
+    LiveProgress progress() const;
+    /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
+    std::optional<Pick> pick(std::uint32_t x, std::uint32_t y);
+    bool betweenSlices() const { return !sample_.has_value(); }
+    /// True where every pixel of the whole picture has the same number of samples, at least one.
+    bool betweenSamples() const;
+    /// The whole picture as headless runs have it, with first hits where they were asked for; betweenSamples.
+    Film readFilm();
+    std::uint64_t deviceBytes() const;
+    const LiveView& view() const { return view_; }
+
+private:
+    enum class Stage { kMoving, kCoarse, kFine, kDenoising, kResting };
+    using Clock = std::chrono::steady_clock;
+
+    void fitFilm();
+    void begin(Stage stage);
+    void next();
+    void advance(double seconds_left);
+    void openSlice(double seconds_left);
+    void finishSlice();
+    void denoiseOn();
+    bool isWhole() const;
+    void showFilm();
+    void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
+    void showDenoised();
+    bool hasHits() const;
+    bool denoisesNow() const;
+    FilmRange rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const;
+
+    Device& device_;
+    BandTracer& tracer_;
+    double moving_budget_s_;
+    Darkroom darkroom_;
+    LiveView view_;
+    std::uint64_t film_pixels_ = 0;
+    Stage stage_ = Stage::kResting;
+    Clock::time_point moved_{};
+    PictureSize full_, size_, moving_size_;
+    Pace moving_pace_, fine_pace_;
+    std::optional<BandSample> sample_;   ///< the slice under way
+    std::uint32_t row_ = 0;              ///< the slice's first
+    std::uint32_t samples_ = 0;          ///< of every pixel of size_
+    bool has_guides_ = false;            ///< the whole film has first hits
+    std::uint32_t denoised_samples_ = 0; ///< of the denoiser's result, 0: none of this view
+    bool denoise_due_ = false;           ///< after the next sample, whatever its number
+    std::uint32_t denoise_step_ = 0;
+    double slice_seconds_ = 0, denoise_step_seconds_ = 0;
+    RayCounts rays_;
+    double traced_seconds_ = 0;
+    std::vector<PictureUpdate> updates_;
+};
+
+} // namespace pointrt

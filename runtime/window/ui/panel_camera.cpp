@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera.
+#include <imgui.h>
+
+#include <string>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/view/camera_text.h"
+#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+void drawStandardViews(Workspace& w) {
+    if (shareButton("Front", 4, false, "1")) w.camera = standardView(w.camera, StandardView::kFront);
+    ImGui::SameLine();
+    if (shareButton("Right", 4, false, "3")) w.camera = standardView(w.camera, StandardView::kRight);
+    ImGui::SameLine();
+    if (shareButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
+    ImGui::SameLine();
+    if (shareButton("Behind", 4, false, "9: from the opposite side")) w.camera = oppositeView(w.camera);
+}
+
+void drawLens(Workspace& w) {
+    bool ortho = w.camera.ortho_height > 0;
+    if (switchRow("Orthographic", ortho, "5: no perspective, lengths can be compared"))
+        w.camera = orthoToggled(w.camera);
+    if (ortho) return;
+    double fov_deg = w.camera.fov_deg;
+    if (slideRow("Field of view", fov_deg, {1, 170}, "%.1f\xC2\xB0",
+                 "from top to bottom; what the view turns about keeps its size"))
+        w.camera = withFov(w.camera, fov_deg, true);
+    if (ImGui::IsItemActive()) w.requests.dragging = true;
+}
+
+std::string pointText(Vec3 point, double size) {
+    return lengthText(point.x, size) + "  " + lengthText(point.y, size) + "  " + lengthText(point.z, size);
+}
+
+} // namespace
+
+void drawCamera(Workspace& w) {
+    drawStandardViews(w);
+    drawLens(w);
+    const double size = sceneSize(w);
+    valueRow("Eye", pointText(w.camera.eye, size).c_str());
+    valueRow("Looks at", pointText(w.camera.pivot, size).c_str());
+    valueRow("From", (lengthText(distanceToPivot(w.camera), size) + " away").c_str());
+    if (shareButton("Home", 2, false, "Home: the view at the start")) w.requests.home = true;
+    ImGui::SameLine();
+    if (shareButton("Copy as text", 2, false, "Ctrl + C: as options of pointrt-view"))
+        ImGui::SetClipboardText(cameraText(w.camera).c_str());
+}
+
+} // namespace pointrt

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures in the corner of the picture.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the design.
+constexpr float kMargin = 10, kWidth = 236, kPickWidth = 300, kBarHeight = 3;
+
+/// The part of the wanted samples that is there, 0 to 1.
+float sampleShare(const HudFigures& hud) {
+    if (hud.samples_wanted == 0) return 0;
+    const double done = hud.samples + (std::isfinite(hud.sample_share) ? hud.sample_share : 0);
+    return static_cast<float>(std::clamp(done / hud.samples_wanted, 0.0, 1.0));
+}
+
+void drawSamples(const Workspace& w) {
+    const char* state = w.paused ? "paused" : w.hud.resting ? "done" : "";
+    ImGui::Text("%s of %s samples  %s", countText(w.hud.samples).c_str(), countText(w.hud.samples_wanted).c_str(),
+                state);
+    ImGui::ProgressBar(sampleShare(w.hud), ImVec2(-1, kBarHeight * uiScale()), "");
+}
+
+/// Names of devices are long, and end in what matters least.
+void drawDevice(const HudFigures& hud) {
+    constexpr int most = 34;
+    ImGui::TextDisabled("%.*s%s", most, hud.device.c_str(), hud.device.size() > most ? "..." : "");
+}
+
+void drawFigures(const Workspace& w) {
+    const HudFigures& hud = w.hud;
+    drawDevice(hud);
+    if (hud.splats > 0) ImGui::Text("%s splats", countText(hud.splats).c_str());
+    ImGui::Text("%u x %u pixels", hud.picture_width, hud.picture_height);
+    drawSamples(w);
+    ImGui::Text("%.3g ms   %.3g Mrays/s   %s", hud.frame_ms, hud.mrays_per_second, bytesText(hud.device_bytes).c_str());
+}
+
+/// A box on the picture that lets the mouse through, from top down; returns where it ends.
+template <typename Content>
+float drawBox(const char* name, float top, float width, const Content& content) {
+    ImGui::SetNextWindowPos(ImVec2(kMargin * uiScale(), top));
+    ImGui::SetNextWindowSize(ImVec2(width * uiScale(), 0));
+    ImGui::SetNextWindowBgAlpha(0.6f);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+    content();
+    const float bottom = top + ImGui::GetWindowHeight();
+    ImGui::End();
+    return bottom;
+}
+
+} // namespace
+
+void drawHud(const Workspace& w, FreeArea area) {
+    const float margin = kMargin * uiScale(), width = area.width / uiScale() - kMargin;
+    if (width < kWidth) return;
+    const float bottom = drawBox("Figures", margin, kWidth, [&] { drawFigures(w); });
+    if (!w.picks.empty() && width >= kPickWidth) drawBox("Pick", bottom + margin, kPickWidth, [&] { drawLastPick(w); });
+}
+
+} // namespace pointrt

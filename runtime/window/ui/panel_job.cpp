@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work that takes long, and lines that are shown for a few seconds.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the design.
+constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+/// A window whose lower edge is at bottom; returns its upper edge, known from its last frame.
+template <typename Content>
+float standOn(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags, const Content& content) {
+    const float width = std::min(kWidth * uiScale(), area.width);
+    ImGui::SetNextWindowPos(ImVec2(area.width / 2, bottom), ImGuiCond_Always, ImVec2(0.5f, 1));
+    ImGui::SetNextWindowSize(ImVec2(width, 0));
+    ImGui::Begin(name, nullptr, kFixed | flags);
+    content();
+    const float top = bottom - ImGui::GetWindowHeight();
+    ImGui::End();
+    return top;
+}
+
+/// A part of the bar that goes from one end to the other, twice in three seconds and a bit.
+void drawMovingBar(double time_s) {
+    constexpr double period_s = 1.6;
+    constexpr float part = 0.25f;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, kBarHeight * uiScale());
+    const double phase = std::isfinite(time_s) ? std::fmod(std::abs(time_s), period_s) / period_s : 0;
+    const auto from = static_cast<float>(phase) * (1 + part) - part;
+    const float left = corner.x + size.x * std::max(0.0f, from);
+    const float right = corner.x + size.x * std::min(1.0f, from + part);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float round = ImGui::GetStyle().FrameRounding;
+    list.AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y), ImGui::GetColorU32(ImGuiCol_FrameBg),
+                       round);
+    list.AddRectFilled(ImVec2(left, corner.y), ImVec2(right, corner.y + size.y),
+                       ImGui::GetColorU32(ImGuiCol_PlotHistogram), round);
+    ImGui::Dummy(size);
+}
+
+void drawShare(const JobFigures& job, double time_s) {
+    if (!job.share || !std::isfinite(*job.share)) return drawMovingBar(time_s);
+    const auto share = static_cast<float>(std::clamp(*job.share, 0.0, 1.0));
+    ImGui::ProgressBar(share, ImVec2(-1, kBarHeight * uiScale()), "");
+}
+
+std::string stateOf(const JobFigures& job) {
+    std::string text = job.detail;
+    const auto add = [&](const std::string& part) { text += std::string(text.empty() ? "" : "   ") + part; };
+    if (job.share && std::isfinite(*job.share))
+        add(std::to_string(static_cast<int>(100 * std::clamp(*job.share, 0.0, 1.0))) + " %");
+    if (job.seconds_left) add(durationText(*job.seconds_left) + " left");
+    return text;
+}
+
+void drawJob(Workspace& w) {
+    const JobFigures& job = *w.job;
+    const float cancel = kCancelWidth * uiScale();
+    const float right = ImGui::GetWindowContentRegionMax().x - cancel;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushClipRect(ImGui::GetWindowPos(), ImVec2(ImGui::GetWindowPos().x + right, 1e6f), true);
+    ImGui::TextUnformatted(job.what.c_str());
+    ImGui::PopClipRect();
+    if (job.can_cancel) {
+        ImGui::SameLine(right);
+        if (ImGui::Button("Cancel", ImVec2(cancel, 0))) w.requests.cancel_job = true;
+    }
+    drawShare(job, w.time_s);
+    const std::string state = stateOf(job);
+    if (!state.empty()) noteText(state.c_str());
+}
+
+/// 1, and towards 0 in the last of its time.
+float opacityOf(const Notice& notice, double time_s) {
+    constexpr double fade_s = 0.6;
+    const double left = (notice.until_s - time_s) / fade_s;
+    return left > 0 ? static_cast<float>(std::min(left, 1.0)) : 0; // no number: gone
+}
+
+void drawNotice(const Notice& notice, float opacity) {
+    const ImVec4 red(0.96f, 0.45f, 0.40f, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, opacity);
+    ImGui::PushStyleColor(ImGuiCol_Text, notice.error ? red : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    ImGui::TextWrapped("%s", notice.text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
+} // namespace
+
+void drawJobAndNotices(Workspace& w, FreeArea area) {
+    const float margin = kMargin * uiScale();
+    float bottom = area.height - margin;
+    if (w.job) bottom = standOn("Job", area, bottom, 0, [&] { drawJob(w); }) - margin / 2;
+    int number = 0;
+    for (auto notice = w.notices.rbegin(); notice != w.notices.rend() && bottom > 0; ++notice) {
+        const float opacity = opacityOf(*notice, w.time_s);
+        if (!(opacity > 0)) continue;
+        const std::string name = std::string("Notice ") + std::to_string(number++);
+        ImGui::SetNextWindowBgAlpha(0.85f * opacity);
+        bottom = standOn(name.c_str(), area, bottom, ImGuiWindowFlags_NoInputs, [&] { drawNotice(*notice, opacity); }) -
+                 margin / 2;
+    }
+}
+
+void drawEmptyState(const Workspace& w, FreeArea area) {
+    if (!w.scene.instances.empty() || !w.scene.shapes.empty() || w.job) return;
+    constexpr const char* text = "Drop a .pro or a scan here";
+    const float size = 1.6f * ImGui::GetFontSize();
+    const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, area.width, area.width, text);
+    ImGui::GetBackgroundDrawList()->AddText(ImGui::GetFont(), size,
+                                            ImVec2((area.width - extent.x) / 2, (area.height - extent.y) / 2),
+                                            ImGui::GetColorU32(ImGuiCol_TextDisabled), text, nullptr, area.width);
+}
+
+} // namespace pointrt

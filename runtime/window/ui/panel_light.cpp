@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of lights.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "runtime/window/edit/light_edit.h"
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+#include "shaders/shared/scene_layout.h"
+
+namespace pointrt {
+namespace {
+
+/// Rows of the list before it scrolls.
+constexpr int kMostRows = 5;
+
+bool hasSurface(const LightDescription& light) {
+    return std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light);
+}
+
+/// Lamps with a size are shapes as well, and a sky's image is a light.
+bool isRoomFor(const SceneDescription& scene, bool surface) {
+    const std::size_t sky = scene.sky && !scene.sky->image.empty() ? 1 : 0;
+    if (scene.lights.size() + sky >= MAX_LIGHTS) return false;
+    const auto surfaces = std::count_if(scene.lights.begin(), scene.lights.end(), hasSurface);
+    return !surface || scene.shapes.size() + static_cast<std::size_t>(surfaces) < MAX_SHAPES;
+}
+
+LitScene litScene(const Workspace& w) {
+    const ViewAxes axes = axesOf(w.camera);
+    return {0.5 * (w.scene_min + w.scene_max),
+            sceneUpright(w),
+            0.5 * sceneSize(w),
+            axes.right,
+            axes.up,
+            -1.0 * axes.forward};
+}
+
+int& selectedLight(const Workspace& w) {
+    int& selected = keptInt("selected light", 0);
+    selected = std::clamp(selected, 0, std::max(0, static_cast<int>(w.scene.lights.size()) - 1));
+    return selected;
+}
+
+void addLight(Workspace& w, const LightDescription& light) {
+    w.scene.lights.push_back(light);
+    selectedLight(w) = static_cast<int>(w.scene.lights.size()) - 1;
+    w.requests.scene_changed = true;
+}
+
+void drawSwatch(const LightDescription& light) {
+    const Color tint = encodedColor(tintOf(light));
+    const float side = ImGui::GetFontSize();
+    const ImGuiColorEditFlags plain =
+        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoPicker | ImGuiColorEditFlags_NoDragDrop;
+    ImGui::ColorButton("##tint", ImVec4(tint[0], tint[1], tint[2], 1), plain, ImVec2(side, side));
+    ImGui::SameLine();
+}
+
+void drawList(Workspace& w) {
+    const int count = static_cast<int>(w.scene.lights.size());
+    if (count == 0) return noteText("No lights: only the sky shines.");
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const float height = row * static_cast<float>(std::min(count, kMostRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
+                         ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("lights", ImVec2(0, height), true);
+    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    for (int l = 0; l < count; ++l) {
+        const LightDescription& light = w.scene.lights[static_cast<std::size_t>(l)];
+        char name[32];
+        std::snprintf(name, sizeof name, "%s %d", kLightNames[light.index()], l + 1);
+        ImGui::PushID(l);
+        drawSwatch(light);
+        if (ImGui::Selectable(name, l == selectedLight(w))) selectedLight(w) = l;
+        ImGui::PopID();
+    }
+    ImGui::PopStyleColor();
+    ImGui::EndChild();
+}
+
+void drawAddMenu(Workspace& w) {
+    if (!ImGui::BeginPopup("add light")) return;
+    for (const LightKind kind :
+         {LightKind::kSphere, LightKind::kQuad, LightKind::kSun, LightKind::kSpot, LightKind::kPoint}) {
+        const bool surface = kind == LightKind::kSphere || kind == LightKind::kQuad;
+        constexpr const char* hints[] = {"no size, hard shadows", "a cone, hard shadows", "from far away, parallel",
+                                         "a ball, soft shadows", "a rectangle, soft shadows"};
+        const auto k = static_cast<std::size_t>(kind);
+        if (ImGui::MenuItem(kLightNames[k], hints[k], false, isRoomFor(w.scene, surface)))
+            addLight(w, newLight(kind, litScene(w)));
+    }
+    ImGui::EndPopup();
+}
+
+void drawButtons(Workspace& w) {
+    const bool any = !w.scene.lights.empty();
+    const auto selected = static_cast<std::size_t>(selectedLight(w));
+    const bool surface = any && hasSurface(w.scene.lights[selected]);
+    if (shareButton("Add", 3)) ImGui::OpenPopup("add light");
+    drawAddMenu(w);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!any || !isRoomFor(w.scene, surface));
+    if (shareButton("Copy", 3, false, "another light like the chosen one"))
+        addLight(w, LightDescription(w.scene.lights[selected]));
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!any);
+    if (shareButton("Delete", 3)) {
+        w.scene.lights.erase(w.scene.lights.begin() + static_cast<std::ptrdiff_t>(selected));
+        w.requests.scene_changed = true;
+    }
+    ImGui::EndDisabled();
+}
+
+} // namespace
+
+void drawLights(Workspace& w) {
+    drawList(w);
+    drawButtons(w);
+    if (w.scene.lights.empty()) return;
+    const int selected = selectedLight(w);
+    ImGui::PushID(selected);
+    drawLightValues(w, w.scene.lights[static_cast<std::size_t>(selected)]);
+    ImGui::PopID();
+}
+
+} // namespace pointrt

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What things are made of: the scan, and what stands around it.
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "runtime/window/edit/material_edit.h"
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+constexpr const char* kScanKinds[] = {"As scanned", "Matte", "Metal", "Plastic", "Mirror", "Glass"};
+constexpr std::span<const char* const> kKinds(kScanKinds + 1, 5);
+
+bool noteScene(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kScene, changed); }
+
+std::string fileName(const InstanceDescription& instance) {
+    return std::filesystem::path(instance.path).filename().string();
+}
+
+/// One of the scene's files by its number, or all of them by 0.
+InstanceRange chosenInstances(const SceneDescription& scene) {
+    const auto count = scene.instances.size();
+    if (count == 1) return {0, 1};
+    int& chosen = keptInt("scan of materials", 0);
+    chosen = std::clamp(chosen, 0, static_cast<int>(count));
+    const std::string name = chosen == 0 ? "All" : fileName(scene.instances[static_cast<std::size_t>(chosen) - 1]);
+    pushRow("Scan", "");
+    if (ImGui::BeginCombo("##value", name.c_str())) {
+        if (ImGui::Selectable("All", chosen == 0)) chosen = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::string row = std::to_string(i + 1) + "  " + fileName(scene.instances[i]);
+            if (ImGui::Selectable(row.c_str(), chosen == static_cast<int>(i) + 1)) chosen = static_cast<int>(i) + 1;
+        }
+        ImGui::EndCombo();
+    }
+    popRow();
+    return chosen == 0 ? InstanceRange{0, count} : InstanceRange{static_cast<std::size_t>(chosen) - 1, 1};
+}
+
+/// The material that all of them have; none where they are as scanned or differ.
+std::optional<std::uint32_t> sharedMaterial(const SceneDescription& scene, InstanceRange range) {
+    const auto material = scene.instances[range.first].material;
+    for (std::size_t i = 1; i < range.count; ++i)
+        if (scene.instances[range.first + i].material != material) return std::nullopt;
+    return material && *material < scene.materials.size() ? material : std::nullopt;
+}
+
+void drawScan(Workspace& w) {
+    const InstanceRange range = chosenInstances(w.scene);
+    auto material = sharedMaterial(w.scene, range);
+    int kind = material ? 1 + static_cast<int>(w.scene.materials[*material].kind) : 0;
+    if (noteScene(w, chooseRow("The scan is", kind, kScanKinds, "what all of it is made of, whatever the file says"))) {
+        const auto wanted = kind == 0 ? std::nullopt : std::optional(static_cast<MaterialKind>(kind - 1));
+        setScanMaterial(w.scene, range, wanted);
+        material = sharedMaterial(w.scene, range);
+    }
+    if (material) drawMaterialValues(w, w.scene.materials[*material]);
+}
+
+void drawShapeMaterial(Workspace& w, std::uint32_t number) {
+    MaterialDescription& material = w.scene.materials[number];
+    const std::string title =
+        material.name.empty() ? std::string("material ") + std::to_string(number + 1) : material.name;
+    ImGui::PushID(static_cast<int>(number));
+    if (ImGui::TreeNode("material", "%s", title.c_str())) {
+        int kind = static_cast<int>(material.kind);
+        if (noteScene(w, chooseRow("Kind", kind, kKinds))) material.kind = static_cast<MaterialKind>(kind);
+        drawMaterialValues(w, material);
+        ImGui::TreePop();
+    }
+    ImGui::PopID();
+}
+
+} // namespace
+
+void drawMaterials(Workspace& w) {
+    if (w.scene.instances.empty() && w.scene.shapes.empty()) noteText("Nothing is open.");
+    if (!w.scene.instances.empty()) drawScan(w);
+    for (std::uint32_t m = 0; m < w.scene.materials.size(); ++m)
+        if (usedByShapes(w.scene, m)) drawShapeMaterial(w, m);
+}
+
+} // namespace pointrt

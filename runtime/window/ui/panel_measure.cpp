@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was picked, and how far apart.
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+std::string pointText(Vec3 point, double size) {
+    return lengthText(point.x, size) + "  " + lengthText(point.y, size) + "  " + lengthText(point.z, size);
+}
+
+/// Three decimals: a sixteenth of a degree.
+std::string normalText(Vec3 normal) {
+    constexpr double unit_with_three_decimals = 10;
+    return pointText(normal, unit_with_three_decimals);
+}
+
+std::string ownerOf(const PickedPoint& pick) {
+    const std::string owner = std::filesystem::path(pick.owner).filename().string();
+    const bool of_file = pick.radius > 0;
+    return of_file ? owner + ", splat " + std::to_string(pick.splat) : owner;
+}
+
+std::string colorText(const PickedPoint& pick) {
+    if (!pick.color) return "none";
+    const auto& [red, green, blue] = *pick.color;
+    return std::to_string(red) + "  " + std::to_string(green) + "  " + std::to_string(blue);
+}
+
+void colorRowOf(const PickedPoint& pick) {
+    pushRow("Colour", "");
+    if (pick.color) {
+        const float side = ImGui::GetFontSize();
+        const ImColor swatch((*pick.color)[0], (*pick.color)[1], (*pick.color)[2]);
+        ImGui::ColorButton("##swatch", swatch, ImGuiColorEditFlags_NoTooltip, ImVec2(side, side));
+        ImGui::SameLine();
+    }
+    ImGui::TextUnformatted(colorText(pick).c_str());
+    popRow();
+}
+
+void drawPick(const Workspace& w, const PickedPoint& pick) {
+    const double size = sceneSize(w);
+    valueRow("Of", ownerOf(pick).c_str());
+    valueRow("Position", pointText(pick.position, size).c_str());
+    valueRow("Normal", normalText(pick.normal).c_str());
+    colorRowOf(pick);
+    if (pick.radius > 0) valueRow("Radius", lengthText(pick.radius, size).c_str());
+    valueRow("Distance", (lengthText(pick.distance, size) + " from the eye").c_str());
+}
+
+std::string pickLine(const PickedPoint& pick, double size) {
+    return ownerOf(pick) + "\tposition " + pointText(pick.position, size) + "\tnormal " + normalText(pick.normal) +
+           "\tcolour " + colorText(pick) + "\n";
+}
+
+/// The picks as lines of a text.
+std::string measureText(const Workspace& w) {
+    std::string text;
+    for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
+    if (w.picks.size() < 2) return text;
+    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
+    return text + "apart " + lengthText(apart, sceneSize(w)) + "\n";
+}
+
+} // namespace
+
+void drawLastPick(const Workspace& w) {
+    drawPick(w, w.picks.back());
+    if (w.picks.size() < 2) return;
+    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
+    valueRow("Apart", lengthText(apart, sceneSize(w)).c_str());
+}
+
+void drawMeasure(Workspace& w) {
+    if (w.picks.empty()) return noteText("Click a point of the picture.");
+    const PickedPoint& last = w.picks.back();
+    ImGui::TextDisabled("Last pick");
+    drawPick(w, last);
+    if (w.picks.size() > 1) {
+        const PickedPoint& before = w.picks[w.picks.size() - 2];
+        ImGui::TextDisabled("The one before");
+        drawPick(w, before);
+        ImGui::Separator();
+        valueRow("Apart", lengthText(length(last.position - before.position), sceneSize(w)).c_str());
+        switchRow("Keep it", w.keeps_measurement, "M: the line stays while you look on");
+    }
+    if (shareButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());
+}
+
+} // namespace pointrt

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What leaves the window: scene files, turntables; and what the window can tell of itself.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+constexpr int kPictures = 36; // one every 10 degrees
+constexpr std::uint32_t kMostPictures = 3600;
+
+} // namespace
+
+void drawOutput(Workspace& w) {
+    if (shareButton("Save scene", 1, false, "Ctrl + S: a file that pointrt-view renders to the same picture"))
+        w.requests.save_scene = true;
+    ImGui::TextDisabled("Turntable");
+    auto pictures = static_cast<std::uint32_t>(std::max(1, keptInt("turntable pictures", kPictures)));
+    if (slideRow("Pictures", pictures, {1, kMostPictures, true}, "for one turn about the upright axis"))
+        keptInt("turntable pictures", kPictures) = static_cast<int>(pictures);
+    textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d stands for the picture's number");
+    ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());
+    if (shareButton("Render turntable", 1)) w.requests.turntable_pictures = pictures;
+    ImGui::EndDisabled();
+}
+
+void drawAbout(Workspace& w) {
+    switchRow("Figures", w.show_hud, "device, samples and speed, in the upper left corner");
+    if (shareButton("All controls", 1, w.show_cheat_sheet, "H")) w.show_cheat_sheet = !w.show_cheat_sheet;
+    if (!w.hud.device.empty()) noteText(w.hud.device.c_str());
+}
+
+} // namespace pointrt

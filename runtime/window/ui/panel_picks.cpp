@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks on the picture where points were picked.
+#include <imgui.h>
+
+#include <cmath>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+namespace {
+
+/// Light lines on dark ones can be seen on any picture.
+constexpr ImU32 kLight = IM_COL32(255, 255, 255, 235), kDark = IM_COL32(0, 0, 0, 150);
+constexpr ImU32 kLine = IM_COL32(125, 190, 235, 235);
+
+/// Nothing where the point is behind the eye or so far to the side that no float holds it well.
+std::optional<ImVec2> onScreen(const Workspace& w, Vec3 point) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const auto at = projected(w.camera, {static_cast<double>(window.x), static_cast<double>(window.y)}, point);
+    constexpr double farthest = 1e5;
+    if (!at || !(std::abs(at->x) < farthest) || !(std::abs(at->y) < farthest)) return std::nullopt;
+    return ImVec2(static_cast<float>(at->x), static_cast<float>(at->y));
+}
+
+void drawCross(ImDrawList& list, ImVec2 at) {
+    const float inner = 3 * uiScale(), outer = 9 * uiScale();
+    for (const auto& [color, width] : {std::pair{kDark, 3.5f}, {kLight, 1.5f}})
+        for (const auto& [x, y] : {std::pair{1.0f, 0.0f}, {-1.0f, 0.0f}, {0.0f, 1.0f}, {0.0f, -1.0f}})
+            list.AddLine(ImVec2(at.x + inner * x, at.y + inner * y), ImVec2(at.x + outer * x, at.y + outer * y), color,
+                         width * uiScale());
+}
+
+void drawLabel(ImDrawList& list, ImVec2 middle, const std::string& text) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float pad = 4 * uiScale();
+    const ImVec2 corner(middle.x - size.x / 2, middle.y - size.y / 2);
+    list.AddRectFilled(ImVec2(corner.x - pad, corner.y - pad / 2),
+                       ImVec2(corner.x + size.x + pad, corner.y + size.y + pad / 2), IM_COL32(20, 20, 20, 215), pad);
+    list.AddText(corner, kLight, text.c_str());
+}
+
+void drawDistance(const Workspace& w, ImDrawList& list, const PickedPoint& a, const PickedPoint& b) {
+    const auto from = onScreen(w, a.position), to = onScreen(w, b.position);
+    if (!from || !to) return;
+    list.AddLine(*from, *to, kDark, 3.5f * uiScale());
+    list.AddLine(*from, *to, kLine, 1.5f * uiScale());
+    drawLabel(list, ImVec2((from->x + to->x) / 2, (from->y + to->y) / 2),
+              lengthText(length(b.position - a.position), sceneSize(w)));
+}
+
+} // namespace
+
+void drawPickMarks(const Workspace& w) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const std::size_t count = w.picks.size();
+    if (count > 1) drawDistance(w, list, w.picks[count - 2], w.picks[count - 1]);
+    for (std::size_t p = count > 1 ? count - 2 : 0; p < count; ++p)
+        if (const auto at = onScreen(w, w.picks[p].position)) drawCross(list, *at);
+}
+
+} // namespace pointrt

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the light that was found is shown.
+#include <imgui.h>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+/// In the order of SHOWN_* (shaders/shared/develop_layout.h).
+constexpr const char* kShown[] = {"Picture",      "Colours only",   "Normals",  "Depth",
+                                  "Direct light", "Indirect light", "Caustics", "Noise"};
+
+} // namespace
+
+void drawPicture(Workspace& w) {
+    const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kLook, changed); };
+    note(slideRow("Exposure", w.look.exposure, {-8, 8}, "%+.2f stops", "one stop more is twice as bright"));
+    note(switchRow("Denoise", w.denoise, "smooths what the samples so far leave noisy"));
+    int shown = static_cast<int>(w.look.shown);
+    if (note(chooseRow("Show", shown, kShown, "the picture, or one of the parts it is made of")))
+        w.look.shown = static_cast<std::uint32_t>(shown);
+    if (w.look.shown == SHOWN_DEPTH)
+        note(slideRow("Black at", w.look.depth_black, {1e-2 * sceneSize(w), 1e2 * sceneSize(w), true}, "%.4g",
+                      "distance from the eye, scene units"));
+    if (shareButton("Save picture", 1, false, "F12: PNG and EXR")) w.requests.screenshot = true;
+}
+
+} // namespace pointrt

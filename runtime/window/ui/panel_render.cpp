@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// How light is followed.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+/// In the order of Integrator.
+constexpr const char* kIntegrators[] = {"Direct light (phong)", "With mirrors (whitted)", "Full light (path)",
+                                        "Normals", "Depth"};
+
+/// More than this is finer than 8 bits show.
+constexpr double kMostSamples = 65536;
+
+} // namespace
+
+void drawRender(Workspace& w) {
+    RenderSettings& settings = w.settings;
+    const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kSettings, changed); };
+    int integrator = static_cast<int>(settings.integrator);
+    if (note(chooseRow("Light", integrator, kIntegrators,
+                       "direct light: quick; with mirrors: reflections and glass as well; full light: also what "
+                       "surfaces throw on each other")))
+        settings.integrator = static_cast<Integrator>(integrator);
+    const bool follows = settings.integrator == Integrator::kWhitted || settings.integrator == Integrator::kPath;
+    ImGui::BeginDisabled(!follows);
+    note(slideRow("Bounces", settings.bounces, {0, 64, true}, "turns that light may take on its way"));
+    note(switchRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
+    ImGui::EndDisabled();
+    note(switchRow("Shadows", settings.shadows));
+    note(switchRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
+    noteEdit(w.requests, Edit::kLook,
+             slideRow("Samples", w.samples_wanted, {1, kMostSamples, true}, "a pixel, until the picture is done"));
+    noteEdit(w.requests, Edit::kLook, switchRow("Pause", w.paused, "Space"));
+}
+
+} // namespace pointrt

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands around the scan.
+#include <imgui.h>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+/// Lamps that a room has where nothing is said of them.
+constexpr std::uint32_t kRingLights = 3, kMostRingLights = 16;
+
+void wish(Workspace& w, std::optional<Room> room) {
+    w.settings.room = room;
+    if (!room) w.settings.lights.reset();
+    w.requests.settings_changed = true;
+}
+
+void roomButton(Workspace& w, const char* name, std::optional<Room> room, const char* tip) {
+    if (shareButton(name, 4, w.settings.room == room, tip)) wish(w, room);
+}
+
+/// Scanners mostly call up Z, modellers Y.
+void drawUp(Workspace& w) {
+    const struct {
+        const char* name;
+        Vec3 axis;
+    } sides[] = {{"Y up", {0, 1, 0}}, {"Z up", {0, 0, 1}}, {"-Y up", {0, -1, 0}}, {"-Z up", {0, 0, -1}}};
+    bool first = true;
+    for (const auto& side : sides) {
+        if (!first) ImGui::SameLine();
+        first = false;
+        const bool stands = length(w.scene_up - side.axis) < 1e-6;
+        if (shareButton(side.name, 4, stands, "the side that the scan stands on")) w.requests.up = side.axis;
+    }
+}
+
+} // namespace
+
+void drawRoom(Workspace& w) {
+    drawUp(w);
+    roomButton(w, "Studio", std::nullopt, "three soft lamps over a matte floor");
+    ImGui::SameLine();
+    roomButton(w, "Matte", Room::kMatte, "a grey room with lamps");
+    ImGui::SameLine();
+    roomButton(w, "Mirror", Room::kMirror, "walls of mirrors, with lamps");
+    ImGui::SameLine();
+    roomButton(w, "None", Room::kNone, "lamps only");
+    if (!w.settings.room) return;
+    std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
+    if (noteEdit(w.requests, Edit::kSettings,
+                 slideRow("Lamps", lamps, {0, kMostRingLights},
+                          "on a ring above the scan, the first over your left shoulder")))
+        w.settings.lights = lamps;
+}
+
+} // namespace pointrt

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The light from all around.
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+constexpr SlideRange kStrengths{1e-3, 1e3, true};
+
+/// Colours of light may be above 1, which stays in the brightest of them.
+bool lightRow(const char* name, Color& color, const char* tip) {
+    const float most = std::max({1.0f, color[0], color[1], color[2]});
+    Color shown = {color[0] / most, color[1] / most, color[2] / most};
+    if (!colorRow(name, shown, tip)) return false;
+    color = {shown[0] * most, shown[1] * most, shown[2] * most};
+    return true;
+}
+
+} // namespace
+
+void drawSky(Workspace& w) {
+    SkyDescription sky = w.scene.sky.value_or(SkyDescription{});
+    bool changed = false;
+    const auto note = [&](bool edited) { changed |= noteEdit(w.requests, Edit::kScene, edited); };
+    if (sky.image.empty()) {
+        note(lightRow("Above", sky.zenith, "the colour straight up"));
+        note(lightRow("Horizon", sky.horizon, "the colour at eye level"));
+        note(lightRow("Below", sky.ground, "the colour straight down"));
+    } else {
+        valueRow("Picture", std::filesystem::path(sky.image).filename().string().c_str());
+        note(slideRow("Turned", sky.rotation_deg, {-360, 360}, "%.1f\xC2\xB0", "about the upright axis"));
+    }
+    note(slideRow("Strength", sky.strength, kStrengths, "%.3f", "multiplies all of the sky"));
+    note(slideRow("Ambient", sky.ambient, {0, 1}, "%.2f",
+                  "share of the sky's light in shadows; for direct light and mirrors, full light works it out"));
+    if (changed) w.scene.sky = sky;
+}
+
+} // namespace pointrt

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sun by place, date and time.
+#include <imgui.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "runtime/scene/sun.h"
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/panel_widgets.h"
+
+namespace pointrt {
+namespace {
+
+/// Where and when, as the panel keeps it. Begins in Greenwich, on the afternoon of a midsummer day.
+struct SunDate {
+    float latitude_deg, longitude_deg, hour;
+    int day_of_year, year;
+};
+
+SunDate keptDate() {
+    return {keptFloat("sun latitude", 51.48f), keptFloat("sun longitude", 0), keptFloat("sun hour", 15),
+            keptInt("sun day", 172), keptInt("sun year", 2025)};
+}
+
+void keep(const SunDate& date) {
+    keptFloat("sun latitude", 0) = date.latitude_deg;
+    keptFloat("sun longitude", 0) = date.longitude_deg;
+    keptFloat("sun hour", 0) = date.hour;
+    keptInt("sun day", 0) = date.day_of_year;
+    keptInt("sun year", 0) = date.year;
+}
+
+std::chrono::sys_days dayOf(const SunDate& date) {
+    using namespace std::chrono;
+    return sys_days(year{date.year} / January / 1) + days(date.day_of_year - 1);
+}
+
+/// "21 June"
+void dayText(const SunDate& date, char (&text)[32]) {
+    constexpr const char* months[] = {"January", "February", "March",     "April",   "May",      "June",
+                                      "July",    "August",   "September", "October", "November", "December"};
+    const std::chrono::year_month_day day(dayOf(date));
+    std::snprintf(text, sizeof text, "%u %s", static_cast<unsigned>(day.day()),
+                  months[static_cast<unsigned>(day.month()) - 1]);
+}
+
+SunPosition positionAt(const SunDate& date) {
+    const double days = static_cast<double>(dayOf(date).time_since_epoch().count());
+    SunPosition sun = sunPosition(86400 * days + 3600 * static_cast<double>(date.hour),
+                                  static_cast<double>(date.latitude_deg), static_cast<double>(date.longitude_deg));
+    sun.elevation_deg += refraction(sun.elevation_deg);
+    return sun;
+}
+
+bool dateRows(Requests& requests, SunDate& date) {
+    char day[32], hour[16];
+    dayText(date, day);
+    std::snprintf(hour, sizeof hour, "%02d:%02d UTC", static_cast<int>(date.hour),
+                  static_cast<int>(60 * (date.hour - static_cast<float>(static_cast<int>(date.hour)))));
+    const auto note = [&](bool changed) { return noteEdit(requests, Edit::kScene, changed); };
+    bool changed = note(slideRow("Latitude", date.latitude_deg, {-90, 90}, "%.2f\xC2\xB0", "north is above 0"));
+    changed |= note(slideRow("Longitude", date.longitude_deg, {-180, 180}, "%.2f\xC2\xB0", "east is above 0"));
+    auto year = static_cast<std::uint32_t>(date.year), day_of_year = static_cast<std::uint32_t>(date.day_of_year);
+    changed |= note(slideRow("Year", year, {1900, 2100}));
+    pushRow("Day", "of the year");
+    constexpr std::uint32_t first = 1, last = 365;
+    changed |= note(ImGui::SliderScalar("##value", ImGuiDataType_U32, &day_of_year, &first, &last, day,
+                                        ImGuiSliderFlags_AlwaysClamp));
+    popRow();
+    changed |= note(slideRow("Hour", date.hour, {0, 24}, hour, "universal time: your clock's less its time zone"));
+    date.year = static_cast<int>(year);
+    date.day_of_year = static_cast<int>(day_of_year);
+    return changed;
+}
+
+} // namespace
+
+void drawSunByDate(Workspace& w, SunLight& sun) {
+    if (!ImGui::TreeNode("By place and date")) return;
+    SunDate date = keptDate();
+    bool changed = dateRows(w.requests, date);
+    changed |= noteEdit(w.requests, Edit::kScene, ImGui::Button("Put the sun there", ImVec2(-1, 0)));
+    keep(date);
+    const SunPosition position = positionAt(date);
+    const Vec3 up = sceneUpright(w);
+    if (changed && position.elevation_deg > 0) sun.towards = normalize(sunDirection(position, up, defaultNorth(up)));
+    if (position.elevation_deg > 0)
+        ImGui::TextDisabled("%.1f\xC2\xB0 high, azimuth %.1f\xC2\xB0", position.elevation_deg, position.azimuth_deg);
+    else
+        noteText("It is night: the sun stays where it was.");
+    ImGui::TreePop();
+}
+
+} // namespace pointrt

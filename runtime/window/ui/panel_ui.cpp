@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/ui/panel_ui.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/scene/default_lighting.h"
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_edit.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the design.
+constexpr float kPanelWidth = 300;
+/// A narrow window keeps some picture.
+constexpr float kMostOfWindow = 0.6f;
+
+struct Section {
+    const char* name;
+    void (*draw)(Workspace&);
+    bool open;
+};
+constexpr Section kSections[] = {
+    {"Light", drawLights, true},   {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
+    {"Room", drawRoom, true},      {"Render", drawRender, false}, {"Picture", drawPicture, true},
+    {"Camera", drawCamera, false}, {"Views", drawViews, false},   {"Measure", drawMeasure, false},
+    {"Output", drawOutput, false}, {"About", drawAbout, false},
+};
+
+float panelWidth() { return std::min(kPanelWidth * uiScale(), kMostOfWindow * ImGui::GetIO().DisplaySize.x); }
+
+void drawPanel(Workspace& w) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(window.x - panelWidth(), 0));
+    ImGui::SetNextWindowSize(ImVec2(panelWidth(), window.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    const bool shown = ImGui::Begin("Panel", nullptr,
+                                    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+    ImGui::PopStyleVar();
+    for (const Section& section : kSections) {
+        if (!shown) break;
+        if (!ImGui::CollapsingHeader(section.name, section.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) continue;
+        ImGui::PushID(section.name);
+        section.draw(w);
+        ImGui::PopID();
+        ImGui::Dummy(ImVec2(0, 4 * uiScale()));
+    }
+    ImGui::End();
+}
+
+} // namespace
+
+double sceneSize(const Workspace& w) {
+    const double size = length(w.scene_max - w.scene_min);
+    constexpr double smallest = 1e-9, largest = 1e13; // what scene files can hold
+    return size > smallest && size < largest ? size : 1;
+}
+
+Vec3 sceneUpright(const Workspace& w) {
+    const Vec3 up = sceneUp(w.scene, w.settings);
+    const double size = length(up);
+    return size > 0 && std::isfinite(size) ? up * (1 / size) : Vec3{0, 1, 0};
+}
+
+void drawUi(Workspace& w) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? panelWidth() : 0)), std::max(1.0f, window.y)};
+    drawPickMarks(w);
+    if (w.show_hud) drawHud(w, area);
+    drawEmptyState(w, area);
+    if (w.show_panel) drawPanel(w);
+    drawJobAndNotices(w, area);
+    if (w.show_cheat_sheet) drawCheatSheet(w, area);
+    endEdits(w.requests);
+}
+
+} // namespace pointrt

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Views to come back to.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <string>
+
+#include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the design.
+constexpr float kGoWidth = 34, kForgetWidth = 58;
+
+bool isFreeName(const SceneDescription& scene, const std::string& name) {
+    return !name.empty() && std::none_of(scene.views.begin(), scene.views.end(),
+                                         [&](const NamedView& view) { return view.name == name; });
+}
+
+/// A name to change, and what to do with the view. What is typed counts as soon as it is a name.
+void drawView(Workspace& w, std::size_t number) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, scale = uiScale();
+    ImGui::PushID(static_cast<int>(number));
+    if (ImGui::Button("Go", ImVec2(kGoWidth * scale, 0))) w.requests.go_to_view = number;
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - kForgetWidth * scale - gap));
+    std::string name = w.scene.views[number].name;
+    if (ImGui::InputText("##name", &name) && isFreeName(w.scene, name)) w.scene.views[number].name = name;
+    tipHere("click to give it another name");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("Forget", ImVec2(kForgetWidth * scale, 0))) w.requests.forget_view = number;
+    ImGui::PopID();
+}
+
+} // namespace
+
+void drawViews(Workspace& w) {
+    for (std::size_t v = 0; v < w.scene.views.size(); ++v) drawView(w, v);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = kForgetWidth * uiScale();
+    ImGui::SetNextItemWidth(std::max(1.0f, ImGui::GetContentRegionAvail().x - width - gap));
+    ImGui::InputTextWithHint("##new", "name of a new view", &w.view_name);
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("Save", ImVec2(width, 0))) w.requests.save_view = true;
+    tipHere("V: what you see now; it is kept in the scene file");
+}
+
+} // namespace pointrt

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film's sums as means: a picture of the part that is shown, and what guides the denoiser.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/math/color.glsl"
+#include "shaders/shared/develop_layout.h"
+#include "shaders/shared/params.h"
+
+layout(local_size_x = DEVELOP_GROUP) in;
+layout(constant_id = 0) const uint HAS_FIRST_HITS = 1;
+layout(push_constant) uniform Push { ResolveParams push; };
+
+layout(std430, set = 0, binding = 0) readonly buffer FilmBuffer { vec4 film[]; };
+layout(std430, set = 0, binding = 1) readonly buffer FirstHitBuffer { vec4 first_hits[]; };
+layout(std430, set = 0, binding = 2) writeonly buffer ColorBuffer { vec4 colors[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer SurfaceBuffer { vec4 surfaces[]; }; // normal, depth
+layout(std430, set = 0, binding = 4) writeonly buffer AlbedoBuffer { vec4 albedos[]; };   // w: variance of the mean
+
+vec4 layer(uint pixel, uint which) { return film[which * push.range.z + pixel]; }
+
+// Of the mean of the samples with this sum and this sum of squares.
+float varianceOfMean(float sum, float squares, float samples) {
+    float mean = sum / samples;
+    return max(squares / samples - mean * mean, 0.0) / (samples - 1.0);
+}
+
+vec3 shownOf(uint shown, vec3 beauty, vec4 direct, vec4 indirect, vec4 caustic, vec4 albedo, vec4 hit, float variance) {
+    float share = push.scale.x;
+    bool is_hit = hit.w >= 0.0;
+    if (shown == SHOWN_ALBEDO) return albedo.rgb * share;
+    if (shown == SHOWN_NORMAL) return is_hit ? 0.5 + 0.5 * hit.xyz : vec3(0.0);
+    if (shown == SHOWN_DEPTH) return vec3(is_hit ? max(1.0 - hit.w / push.scale.w, 0.0) : 0.0);
+    if (shown == SHOWN_DIRECT) return direct.rgb * share;
+    if (shown == SHOWN_INDIRECT) return indirect.rgb * share;
+    if (shown == SHOWN_CAUSTIC) return caustic.rgb * share;
+    // the deviation beside the light itself, a tenth of which is as bright as can be
+    if (shown == SHOWN_NOISE) return vec3(10.0 * sqrt(variance) / max(luminance(beauty), 1e-3));
+    return beauty;
+}
+
+void main() {
+    if (gl_GlobalInvocationID.x >= push.range.y) return;
+    uint pixel = push.range.x + gl_GlobalInvocationID.x;
+    float share = push.scale.x, samples = push.scale.y;
+    vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
+         caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
+    vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
+    // of one sample there is no variance; the last one is not squared yet
+    float variance = samples < 2.0 ? 0.0
+                                   : varianceOfMean(luminance(sum), caustic.w + indirect.w * indirect.w, samples);
+    vec4 hit = vec4(0.0, 0.0, 0.0, -1.0);
+    if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
+    // what the scene does not cover is a backdrop, whose shadows are as noisy as any
+    float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
+    colors[pixel] = vec4(shownOf(push.range.w, sum * share, direct, indirect, caustic, albedo, hit, variance), alpha);
+    if (HAS_FIRST_HITS == 0u) return;
+    surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale.z);
+    albedos[pixel] = vec4(albedo.rgb * share, variance);
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the scene has, known when programs are built: code for what it has not is left out. On lavapipe no branch skips
+// code, so that what is there costs time whether it is met or not.
+#ifndef POINTRT_SHADERS_FEATURES_GLSL
+#define POINTRT_SHADERS_FEATURES_GLSL
+#include "shaders/shared/params.h"
+
+layout(constant_id = 3) const uint kIntegrator = INTEGRATOR_PHONG;
+// FEATURE_* bits
+layout(constant_id = 4) const uint kFeatures = 0xFFFFFFFFu;
+
+// Whether the lanes are the pixels and their rays the camera's; else they are those of the queue. Each has programs of
+// its own.
+layout(constant_id = 5) const bool kCameraPass = false;
+
+#define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
+#define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
+#define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)
+#define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loads from buffers that outgrow one texel buffer: page k, from 1 on, is element k - 1 of an array in set 1, and page 0
+// where unpaged programs have the whole buffer (bindings.glsl). Some drivers, lavapipe among them, index such arrays by
+// constants alone, so each page in use is fetched from, those that do not have the texel at 0, and one is taken.
+#ifndef POINTRT_SHADERS_PAGES_GLSL
+#define POINTRT_SHADERS_PAGES_GLSL
+#include "shaders/shared/pages.h"
+
+// Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to PAGES_MOST.
+layout(constant_id = 6) const uint kPageBits = 27u;
+layout(constant_id = 7) const uint kBrickPages = 1u;
+layout(constant_id = 8) const uint kCellPages = 1u;
+layout(constant_id = 9) const uint kSlabPages = 1u;
+layout(constant_id = 10) const uint kNearPages = 1u;
+layout(constant_id = 11) const uint kListPages = 1u;
+layout(constant_id = 12) const uint kBlendRangePages = 1u;
+layout(constant_id = 13) const uint kSplatPages = 1u;
+
+layout(set = 1, binding = 0) uniform usamplerBuffer brick_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 1) uniform usamplerBuffer cell_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 2) uniform usamplerBuffer slab_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 3) uniform usamplerBuffer near_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 4) uniform usamplerBuffer list_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 5) uniform usamplerBuffer blend_range_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[PAGES_MOST - 1];
+
+#define FETCH_PAGE(texels, k) \
+    if (count > k) { \
+        uvec4 other = texelFetch(texels, page == k ? at : 0); \
+        texel = page == k ? other : texel; \
+    }
+
+// load: how the first page is read.
+#define DEFINE_FETCH(fetch, load, first, pages, page_count) \
+    uvec4 fetch(uint i) { \
+        const uint count = page_count; \
+        if (count == 1u) return load(first, int(i)); \
+        uint page = i >> kPageBits; \
+        int at = int(i & ((1u << kPageBits) - 1u)); \
+        uvec4 texel = load(first, page == 0u ? at : 0); \
+        FETCH_PAGE(pages[0], 1u) \
+        FETCH_PAGE(pages[1], 2u) \
+        FETCH_PAGE(pages[2], 3u) \
+        FETCH_PAGE(pages[3], 4u) \
+        FETCH_PAGE(pages[4], 5u) \
+        FETCH_PAGE(pages[5], 6u) \
+        FETCH_PAGE(pages[6], 7u) \
+        return texel; \
+    }
+
+DEFINE_FETCH(fetchBrickWord, imageLoad, brick_words, brick_pages, kBrickPages)
+DEFINE_FETCH(fetchCell, texelFetch, cell_words, cell_pages, kCellPages)
+DEFINE_FETCH(fetchSlab, imageLoad, slab_words, slab_pages, kSlabPages)
+DEFINE_FETCH(fetchNear, imageLoad, near_words, near_pages, kNearPages)
+DEFINE_FETCH(fetchListed, imageLoad, list_words, list_pages, kListPages)
+DEFINE_FETCH(fetchBlendRange, texelFetch, blend_range_words, blend_range_pages, kBlendRangePages)
+DEFINE_FETCH(fetchSplat, imageLoad, splat_words, splat_pages, kSplatPages)
+
+#define loadBrickWord(i) fetchBrickWord(i).x
+#define loadCell(i) fetchCell(i).xy
+#define loadSlab(i) fetchSlab(i).x
+#define loadNear(i) fetchNear(i)
+#define loadBlendRange(i) fetchBlendRange(i).xy
+#define loadListedTexel(i) fetchListed(i)
+#define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
+#define loadSplat(i) fetchSplat(i)
+
+#endif

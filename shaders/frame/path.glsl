@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path that a lane works on: a camera ray in the first pass, a queued one in later passes.
+#ifndef POINTRT_SHADERS_PATH_GLSL
+#define POINTRT_SHADERS_PATH_GLSL
+#include "shaders/frame/bindings.glsl"
+#include "shaders/frame/features.glsl"
+#include "shaders/frame/queue.glsl"
+#include "shaders/frame/camera_ray.glsl"
+
+const uvec4 kNoHit = uvec4(0x7149F2CAu, NO_INDEX, NO_INDEX, 0u); // t is 1e30
+
+// Paths are numbered as lanes, by tiles of pixels: what is near each other then lies near each other in memory.
+uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PIXELS); }
+
+PathState cameraPath(uint index) {
+    CameraRay ray = cameraRay(pathPixel(index));
+    return PathState(vec4(ray.origin, 0.0), vec4(ray.direction, 0.0), vec4(1.0),
+                     vec4(vec3(0.0), uintBitsToFloat(NO_OWNER << PATH_OWNER_SHIFT)));
+}
+
+PathState storedPath(uint index) {
+    return PathState(loadPathTexel(index, PATH_ORIGIN), loadPathTexel(index, PATH_DIRECTION),
+                     loadPathTexel(index, PATH_THROUGHPUT), loadPathTexel(index, PATH_LEFT_NORMAL));
+}
+
+PathState pathOf(uint index) {
+    if (kCameraPass) return cameraPath(index);
+    return storedPath(index);
+}
+
+// index: the path's number, NO_INDEX where this lane has none.
+PathState currentPath(out uint index) {
+    uint lane = balancedLane();
+    index = kCameraPass ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
+    return pathOf(index != NO_INDEX ? index : 0u);
+}
+
+uint pathBits(PathState path) { return floatBitsToUint(path.left_normal.w); }
+uint bounceOf(uint bits) { return bits & PATH_BOUNCE_MASK; }
+
+// The path's pixel in the band, and in the whole image.
+uint bandPixel(uint path) {
+    uvec2 pixel = pathPixel(path);
+    return pixel.y * params.image.x + pixel.x;
+}
+uint imagePixel(uint path) { return bandPixel(path) + params.image.z * params.image.x; }
+
+// Dimensions of the sample sequence, in pairs: a pixel's place, then these for each bounce.
+#define DIMENSIONS_A_BOUNCE 4u
+#define PAIR_DIRECTION 0u
+#define PAIR_CHOICES 1u // which lobe, whether to go on
+#define PAIR_LIGHT 2u
+#define PAIR_LIGHT_CHOICE 3u
+uint dimensionPair(uint bounce, uint use) { return 1u + bounce * DIMENSIONS_A_BOUNCE + use; }
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of photons at what they have hit: mirrors and glass send them on, a surface that scatters light keeps
+// those that came by way of such.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
+#include "shaders/surface/point.glsl"
+#include "shaders/material/matter.glsl"
+#include "shaders/math/sampler.glsl"
+#include "shaders/math/color.glsl"
+#include "shaders/integrator/next_path.glsl"
+#include "shaders/frame/append.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+// Photons are sent to one thing each. What else they meet on the way they are sent to as well, apart.
+bool meetsTarget(PathState path, Point point) {
+    uint target = point.owner | (point.owner == OWNER_SHAPES ? point.splat << PHOTON_SHAPE_SHIFT : 0u);
+    return floatBitsToUint(path.direction.w) == target;
+}
+
+void main() {
+    uint index;
+    PathState path = currentPath(index);
+    bool live = index != NO_INDEX;
+    index = live ? index : 0u;
+    uvec4 hit = live ? loadHit(index) : kNoHit;
+    Point point = findPoint(index, path, hit);
+    uint bits = pathBits(path), bounce = bounceOf(bits);
+    point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
+    Material row = loadMaterial(point.material);
+    vec3 normal = point.normal, way_back = -path.direction.xyz;
+    SurfaceMaterial matter = surfaceMaterial(row, point.albedo, point.back, dot(normal, way_back));
+    vec3 flux = path.throughput.rgb * (point.back ? transmittance(row, point.t) : vec3(1.0));
+
+    float u = sample1(index, push.step.x, bounce, params.mode.w);
+    bool reflects = u < matter.reflect_chance, refracts = !reflects && u < matter.reflect_chance + matter.refract_chance;
+    bool met = live && point.t >= 0.0 && (bounce > 0u || meetsTarget(path, point));
+    bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(matter);
+    if (stays) {
+        float chance = 1.0 - matter.reflect_chance - matter.refract_chance;
+        photons[index] = Photon(vec4(point.position, uintBitsToFloat(packSnorm4x8(vec4(normal, 0.0)))), vec4(flux / chance, 1.0));
+    }
+    // as radiance is carried over boundaries without its factor, so is light that ends or starts in glass
+    float boundary = matter.thin ? 1.0 : matter.eta * matter.eta;
+    NextRay ray = NextRay(refracts ? refractedWay(matter, normal, way_back) : reflect(-way_back, normal),
+                          flux * (refracts ? matter.albedo * boundary : matter.reflect_tint), 0.0);
+    bool goes_on = met && (reflects || refracts) && bounce < params.mode.y && largest(ray.weight) > 0.0;
+    appendRay(goes_on, index, pathAfter(point, path, ray, 0u));
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Caustics on the lit points.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/light/direct_light.glsl"
+#include "shaders/material/matter.glsl"
+#include "shaders/film/film.glsl"
+#include "shaders/light/caustic.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint path;
+    LitPoint point = litPoint(path);
+    if (path == NO_INDEX) return;
+    vec3 normal = point.normal.xyz;
+    Material row = loadMaterial(floatBitsToUint(point.normal.w));
+    SurfaceMaterial matter = matterOf(row, point.albedo.rgb, false, dot(normal, point.view.xyz));
+    if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
+    vec3 irradiance = causticIrradiance(point.position.xyz, normal);
+    vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
+    vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kPi);
+    film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
+    film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
+}

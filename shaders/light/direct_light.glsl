@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which light a lit point asks for in each of its turns. Three programs need the same answer: it comes from the lit
+// point and the sample's numbers alone.
+#ifndef POINTRT_SHADERS_DIRECT_LIGHT_GLSL
+#define POINTRT_SHADERS_DIRECT_LIGHT_GLSL
+#include "shaders/frame/path.glsl"
+#include "shaders/math/sampler.glsl"
+#include "shaders/light/sky.glsl"
+
+LitPoint loadLitPoint(uint path) {
+    return LitPoint(loadLitTexel(path, 0), loadLitTexel(path, 1), loadLitTexel(path, 2), loadLitTexel(path, 3),
+                    loadLitTexel(path, 4));
+}
+
+// The lit point of this lane; path: its pixel, NO_INDEX where it has none.
+LitPoint litPoint(out uint path) {
+    uint lane = balancedLane();
+    bool live = lane < control.queued.w;
+    path = live ? loadQueue(litQueueStart() + lane) : NO_INDEX;
+    return loadLitPoint(live ? path : 0u);
+}
+
+// path asks one light by chance, the others each in turn.
+uint lightTurns() {
+    uint lights = ofLane(params.scene.x);
+    return kIntegrator == INTEGRATOR_PATH ? min(lights, 1u) : lights;
+}
+
+float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.scene.x) : 1.0; }
+
+uint lightOfTurn(uint turn, uint path, uint bounce) {
+    if (kIntegrator != INTEGRATOR_PATH) return turn;
+    float u = sample1(imagePixel(path), push.step.x, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.mode.w);
+    return min(uint(u * float(params.scene.x)), params.scene.x - 1u);
+}
+
+// Beyond the pairs of any bounce.
+#define FIRST_LIGHT_PAIR 2048u
+
+LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
+    uint bounce = floatBitsToUint(point.throughput.w);
+    uint pair = dimensionPair(bounce, PAIR_LIGHT);
+    // each light has its own numbers
+    if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
+    light = loadLight(lightOfTurn(turn, path, bounce));
+    vec2 u = sample2(imagePixel(path), push.step.x, pair, params.mode.w);
+    // a sun's or a ball's middle is its cone's axis
+    vec2 middle = vec2(lightKind(light) == LIGHT_QUAD ? 0.5 : 0.0, 0.5);
+    u = hasStep(STEP_STEADY) && lightKind(light) != LIGHT_SKY ? middle : u;
+    if (kSkyPicture && lightKind(light) == LIGHT_SKY) return sampleSky(u);
+    return sampleLight(light, point.position.xyz, u);
+}
+
+// The shape of a lamp with an area, NO_INDEX of other lights.
+uint lampOf(Light light) {
+    uint kind = lightKind(light);
+    bool has_area = mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE || mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD;
+    return has_area ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
+}
+
+bool facesLight(LitPoint point, LightSample to) { return dot(point.normal.xyz, to.direction) > 0.0; }
+
+// Shadow rays end before the lamp that they ask: a share of the way that no float's rounding exceeds.
+const float kBeforeLamp = 0.99999;
+
+#endif

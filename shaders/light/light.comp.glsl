@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light from the lights that reach the lit points.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/light/direct_light.glsl"
+#include "shaders/material/material.glsl"
+#include "shaders/material/matter.glsl"
+#include "shaders/film/film.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+// What a surface makes of a light's sample. Path tracing leaves out what rays scattered by chance towards a lamp bring
+// (balance heuristic, Veach 1997); but for a sun's disc, which they leave out.
+vec3 scatteredLight(SurfaceMaterial matter, vec3 normal, vec3 view, LightSample to, uint kind, float chance) {
+    if (isClassic()) return classicBsdf(matter, normal, view, to.direction, to.pdf > 0.0);
+    float scatter_pdf = bsdfPdf(matter, normal, view, to.direction), light_pdf = to.pdf * chance;
+    float share = light_pdf > 0.0 && kind != LIGHT_SUN ? light_pdf / (light_pdf + scatter_pdf) : 1.0;
+    return evaluateBsdf(matter, normal, view, to.direction) * (share / chance);
+}
+
+void main() {
+    uint path;
+    LitPoint point = litPoint(path);
+    if (path == NO_INDEX) return;
+    uint turns = lightTurns(), mask = light_masks[path];
+    vec3 normal = point.normal.xyz, view = point.view.xyz;
+    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(point.normal.w)), point.albedo.rgb, false, dot(normal, view));
+    float chance = lightChance();
+    vec3 light_sum = vec3(0.0);
+    for (uint turn = 0u; turn < turns; turn++) {
+        Light light;
+        LightSample to = sampleTurn(point, path, turn, light);
+        vec3 scattered = scatteredLight(matter, normal, view, to, lightKind(light), chance);
+        light_sum += (mask >> turn & 1u) == 0u ? scattered * to.radiance_over_pdf : vec3(0.0);
+    }
+    addLight(path, point.throughput.rgb * light_sum, floatBitsToUint(point.throughput.w) + 1u);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which lights reach the lit points, as far as the surfaces' own facing and shapes say. Lists the shadow rays that may
+// meet instances.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#include "shaders/light/direct_light.glsl"
+#include "shaders/trace/shapes.glsl"
+#include "shaders/trace/offset.glsl"
+#include "shaders/frame/append.glsl"
+#include "shaders/trace/reach.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+// A lamp is not hidden by itself: its distance from here and as a shape differ by rounding.
+bool shapesHide(vec3 origin, bool on_shape, LightSample to, uint lamp) {
+    ShapeHit hit = nearestShape(ofLane(params.scene.z), origin, to.direction, on_shape ? ownShapeReach(origin) : 0.0);
+    return hit.shape != lamp && hit.t < to.distance * kBeforeLamp;
+}
+
+void main() {
+    uint path;
+    LitPoint point = litPoint(path);
+    bool live = path != NO_INDEX;
+    bool on_shape = floatBitsToUint(point.albedo.w) == OWNER_SHAPES;
+    uint first = push.step.y, end = min(lightTurns(), first + ASKED_TURNS), asked = 0u;
+    uint mask = live && first > 0u ? light_masks[path] : 0u;
+    for (uint turn = first; turn < end; turn++) {
+        // while things move, the key light's shadows alone: they say where things stand
+        bool shadows = hasOption(OPTION_SHADOWS) && (!hasStep(STEP_STEADY) || turn == 0u);
+        Light light;
+        LightSample to = sampleTurn(point, live ? path : 0u, turn, light);
+        bool faces = live && facesLight(point, to);
+        float own_t;
+        vec3 origin = leaveSurface(point.position.xyz, point.normal.xyz, point.position.w, to.direction, own_t);
+        bool dark = !faces || (shadows && shapesHide(origin, on_shape, to, lampOf(light)));
+        mask |= dark ? 1u << turn : 0u;
+        asked += faces && shadows ? 1u : 0u;
+        bool meets = meetsInstances(origin, to.direction, to.distance * kBeforeLamp);
+        appendEntry(APPEND_ASKED, shadows && !dark && meets, path | turn << ASKED_TURN_SHIFT);
+    }
+    asked = subgroupAdd(asked);
+    if (subgroupElect() && asked > 0u) atomicAdd(control.traced.y, asked);
+    if (live) light_masks[path] = mask;
+}

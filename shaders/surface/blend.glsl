@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef POINTRT_SHADERS_BLEND_GLSL
+#define POINTRT_SHADERS_BLEND_GLSL
+#include "shaders/trace/entry_grid.glsl"
+#include "shaders/trace/splat.glsl"
+
+// A surface, not confetti: around the first hit, the splats of its cell blend position, normal and colour.
+// Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
+// (1 - d^2/r^2)^2 (1 - h^2/s^2)^2 with d in the disc, h across it, s the slab's half height: zero with zero slope at
+// the rim and at the slab's faces, so the blended field has no steps. A cell lists every splat whose slab meets it,
+// so the field at a point is that of the cell that holds the point, and the same from either side of a border. The
+// surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
+// Surfaces from Points, 2003); two Newton steps along the ray find it.
+
+struct Surface {
+    float t;      // along the ray
+    vec3 normal;  // unit length, towards the ray's origin
+    vec3 color;   // sRGB
+    float radius; // weighted mean of the splats' radii
+    uint material;
+    uint splat; // hit first
+    bool back;  // seen from behind, where normals tell
+};
+
+// Discs blend when their normals differ by less than 60 degrees; the sides of an edge or a thin sheet stay apart.
+const float kSameSideCosine = 0.5;
+
+// Below the least sum of weights that an even sampling leaves anywhere, 0.63 (kOverlap in the bake sees to that).
+const float kWeightFloor = 0.5;
+
+// Lengths in position codes.
+struct Field {
+    float weight;
+    float height; // weighted sums from here on
+    vec3 normal;
+    vec3 color;
+    float radius;
+    float heaviest; // largest weight so far, and whose material that is
+    uint material;
+};
+
+// Where the field is asked for. side is the first hit's normal towards the viewer, front the sign that turns stored
+// normals the same way, or 0 where the file's normals are not oriented.
+struct Probe {
+    vec3 point; // in position codes
+    vec3 side;
+    float front;
+};
+
+vec3 codesOf(vec3 point) { return point * PRO_POSITION_STEPS - 0.5; }
+
+// instance.splat with lengths in position codes, z: inverse square of blend_slab.
+vec4 codingInCodes() {
+    vec4 coding = instance.splat;
+    return vec4(coding.x * PRO_POSITION_STEPS, coding.y, 1.0 / (coding.z * coding.z), coding.w);
+}
+
+// Weights of two splats. turn: the signs that turn their normals to side.
+vec2 blendWeights(vec2 cosine, vec2 turn, vec2 in_plane, vec2 in_slab, bvec2 there) {
+    vec2 root = in_plane * in_slab, facing = turn * cosine;
+    bool first = there.x && facing.x > kSameSideCosine && in_plane.x > 0.0 && in_slab.x > 0.0;
+    bool second = there.y && facing.y > kSameSideCosine && in_plane.y > 0.0 && in_slab.y > 0.0;
+    return mix(vec2(0.0), root * root, bvec2(first, second));
+}
+
+// Adds the shares of two splats, where they are there. Two, because on processors a splat's share takes its chain of
+// operations, not their number: the other's fit in between.
+void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 there, vec4 coding, Probe probe) {
+    VectorPair position = positionCodes(first, second), normal = normalCodes(first, second);
+    VectorPair offset =
+        VectorPair(probe.point.x - position.x, probe.point.y - position.y, probe.point.z - position.z);
+    vec2 inverse_length = inversesqrt(dots(normal, normal));
+    vec2 cosine = dots(normal, probe.side) * inverse_length;
+    vec2 away = mix(vec2(1.0), vec2(-1.0), lessThan(cosine, vec2(0.0)));
+    vec2 turn = probe.front == 0.0 ? away : vec2(probe.front);
+    vec2 radius = vec2(splatRadius(first, coding), splatRadius(second, coding)), inverse = 1.0 / (radius * radius);
+    vec2 height = dots(normal, offset) * inverse_length, squared = height * height;
+    vec2 in_plane = 1.0 - (dots(offset, offset) - squared) * inverse, in_slab = 1.0 - squared * inverse * coding.z;
+    vec2 weight = blendWeights(cosine, turn, in_plane, in_slab, there), turned = weight * turn;
+    vec2 along = turned * inverse_length;
+    field.weight += weight.x + weight.y;
+    field.height += dot(turned, height);
+    field.normal += vec3(dot(along, normal.x), dot(along, normal.y), dot(along, normal.z));
+    field.color += weight.x * splatColor(first) + weight.y * splatColor(second);
+    field.radius += dot(weight, radius);
+    float heavier = max(weight.x, weight.y);
+    bool heaviest = heavier > field.heaviest;
+    field.material = heaviest ? splatMaterial(weight.y > weight.x ? second : first) : field.material;
+    field.heaviest = heaviest ? heavier : field.heaviest;
+}
+
+// What is missing to kWeightFloor is filled up by the disc hit first, whose plane goes on beyond its rim: where hardly
+// anything else blends, at rims that stick out and at borders, the surface passes into the flat disc without a step.
+void fillUp(inout Field field, uvec4 words, vec4 coding, Probe probe) {
+    float missing = max(kWeightFloor - field.weight, 0.0);
+    field.weight += missing;
+    field.height += missing * dot(probe.side, probe.point - firstOf(positionCodes(words, words)));
+    field.normal += missing * probe.side;
+    field.color += missing * splatColor(words);
+    field.radius += missing * splatRadius(words, coding);
+}
+
+// A loop over a cell's discs and then those that only blend there, two words of the lists a turn, from an even one on.
+struct Turns {
+    uint of_discs, all;
+    uvec2 discs, others; // words of the lists: the first one, and the one behind the last
+};
+
+uint turnsOver(uvec2 range) { return (range.y - (range.x & ~1u) + 1u) / 2u; }
+
+Turns turnsOf(uint cell_index) {
+    uvec2 cell = loadCell(cell_index), blending = loadBlendRange(cell_index);
+    uint first = cell[PRO_CELL_FIRST];
+    uvec2 discs = uvec2(first, first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK));
+    uvec2 others = uvec2(blending.x, blending.x + blending.y);
+    return Turns(turnsOver(discs), turnsOver(discs) + turnsOver(others), discs, others);
+}
+
+// The splats of a turn, 0 where there is none.
+uvec2 splatsOf(Turns turns, uint turn, out bvec2 there) {
+    bool is_disc = turn < turns.of_discs;
+    uvec2 range = is_disc ? turns.discs : turns.others;
+    uint word = (range.x & ~1u) + 2u * (is_disc ? turn : turn - turns.of_discs);
+    there = bvec2(word >= range.x, word + 1u < range.y);
+    uvec4 texel = loadListedTexel(word >> 2);
+    return mix(uvec2(0u), (word & 2u) == 0u ? texel.xy : texel.zw, there);
+}
+
+// The field around the disc hit first.
+Field evaluateField(uint cell_index, uvec4 first, Probe probe) {
+    Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
+    Turns turns = turnsOf(cell_index);
+    vec4 coding = codingInCodes();
+    uint turn = 0u;
+    // asked at its top: at its end some lanes would lose what their last turn added (trace.glsl)
+    while (turn < turns.all) {
+        bvec2 there;
+        uvec2 splats = splatsOf(turns, turn, there);
+        addToField(field, loadSplat(splats.x), loadSplat(splats.y), there, coding, probe);
+        turn++;
+    }
+    fillUp(field, first, coding, probe);
+    return field;
+}
+
+// The step along the ray to the field's zero, at most one radius: at grazing angles the field says little.
+float newtonStep(Field field, vec3 direction, float radius) {
+    float slope = dot(field.normal, direction);
+    float step = slope == 0.0 ? 0.0 : -field.height * PRO_POSITION_STEP / slope;
+    return clamp(step, -radius, radius);
+}
+
+Surface flatSurface(SplatHit hit, vec3 direction) {
+    vec3 normal = normalize(splatDirection(hit.words));
+    bool back = dot(normal, direction) > 0.0;
+    return Surface(hit.t, back ? -normal : normal, splatColor(hit.words), splatRadius(hit.words, instance.splat),
+                   splatMaterial(hit.words), hit.splat, back && kOriented);
+}
+
+// At rims the blended normal may lean away from the viewer, who sees the surface all the same: it is brought back to
+// this cosine, nearly at right angles.
+const float kLeastFacing = 0.01;
+
+vec3 bentToViewer(vec3 normal, vec3 direction) {
+    float away = dot(normal, direction) + kLeastFacing;
+    return away > 0.0 ? normalize(normal - away * direction) : normal;
+}
+
+// The surface at a traced hit, its words as stored, of the ray.
+Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
+    SplatHit exact = exactHit(hit, origin, direction);
+    uvec4 words = exact.words;
+    float t = exact.t;
+    Surface surface = flatSurface(exact, direction);
+    if ((ofLane(params.scene.y) & OPTION_BLEND) == 0u) return surface;
+    vec3 side = surface.normal;
+    float front = kOriented ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
+    float radius = surface.radius;
+
+    vec3 point = origin + t * direction;
+    uint cell = cellAt(point);
+    cell = cell == NO_INDEX ? hit.y : cell; // the disc reaches into a cell that lists none
+    Field field = evaluateField(cell, words, Probe(codesOf(point), side, front));
+    float t_blended = t + newtonStep(field, direction, radius);
+    point = origin + t_blended * direction;
+    uint second_cell = cellAt(point);
+    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, Probe(codesOf(point), side, front));
+    t_blended += newtonStep(field, direction, radius);
+    surface.t = clamp(t_blended, t - radius, t + radius);
+    surface.normal = bentToViewer(normalize(field.normal), direction);
+    surface.color = field.color / field.weight;
+    surface.radius = field.radius * PRO_POSITION_STEP / field.weight;
+    surface.material = field.material;
+    return surface;
+}
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps what the rays through pixel centres have hit.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/surface/point.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint index;
+    PathState path = currentPath(index);
+    if (index == NO_INDEX) return;
+    Point point = findPoint(index, path, loadHit(index));
+    bool hit = point.t >= 0.0;
+    uint at = FIRST_HIT_VECTORS * (params.film.y + bandPixel(index));
+    first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
+    first_hits[at + 1u] =
+        vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays have hit of one instance: the blended surface, its colour and its material, in render space.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/frame/path.glsl"
+#include "shaders/trace/splat.glsl"
+#include "shaders/surface/blend.glsl"
+#include "shaders/math/color.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+bool between(vec3 v, uint low, uint high) {
+    // colours are stored in 256 steps, blends of them are not: half a step is granted
+    const float kHalfStep = 0.5 / 255.0;
+    return all(greaterThanEqual(v, unpackUnorm4x8(low).rgb - kHalfStep)) &&
+           all(lessThanEqual(v, unpackUnorm4x8(high).rgb + kHalfStep));
+}
+
+// The scene's number of a surface's material.
+uint materialOf(Surface surface) {
+    uint material = instance.materials.y + surface.material;
+    uint ranges = ofLane(instance.materials.z);
+    for (uint i = 0u; i < ranges; i++) {
+        uvec4 range = instance.color_range[i];
+        if (between(surface.color, range.x, range.y)) material = range.z;
+    }
+    return material;
+}
+
+void main() {
+    uint lane = balancedLane();
+    if (lane >= control.hit_groups.w) return;
+    uint index = loadQueue(hitListStart() + lane);
+    PathState path = pathOf(index);
+    uvec4 hit = loadHit(index);
+    hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
+    Surface surface = surfaceAt(cubePoint(path.origin.xyz), cubeDirection(path.direction.xyz), hit);
+    float t = surface.t / cubeScale();
+    uint material = materialOf(surface);
+    Material row = loadMaterial(material);
+    bool colored = (floatBitsToUint(row.base.w) & MATERIAL_USES_SPLAT_COLOR) != 0u;
+    vec3 albedo = row.base.rgb * (colored ? linearFromSrgb(surface.color) : vec3(1.0));
+    uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
+    surfaces[index] = SurfacePoint(
+        vec4(path.origin.xyz + t * path.direction.xyz, surface.radius / cubeScale()),
+        vec4(renderDirection(surface.normal), uintBitsToFloat(material | sides)),
+        vec4(albedo, t), uvec4(surface.splat, hit.w, instance.materials.w, 0u));
+}

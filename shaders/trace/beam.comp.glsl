@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the rays of a tile of pixels go before anything can be near: one lane marches a beam around all of them
+// through the entry grid: a cone, or a prism with parallel projection. Tiles whose beam leaves the grid are done; the
+// others are queued for trace_primary.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
+#include "shaders/frame/bindings.glsl"
+#include "shaders/trace/entry_grid.glsl"
+#include "shaders/frame/camera_ray.glsl"
+#include "shaders/trace/instance.glsl"
+#include "shaders/math/math.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+float least(vec3 v) { return min(v.x, min(v.y, v.z)); }
+
+// Cells by which an empty one may be extended to all sides, itself included: the least of its skips.
+float freeCells(uint word) {
+    uvec4 low = uvec4(word, word >> 4, word >> 8, word >> 12) & PRO_SKIP_MASK;
+    uvec4 high = uvec4(word >> 16, word >> 20, word >> 24, word >> 28) & PRO_SKIP_MASK;
+    uvec4 both = min(low, high);
+    return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
+}
+
+// How far a point, in grid units, is at least from all filled cells, by its largest component. From outside, they are
+// no nearer than from the grid's nearest point, and no nearer than the grid.
+float freeAround(vec3 point, Grid grid, vec3 highest) {
+    float outside = largest(max(-point, point - highest));
+    point = clamp(point, vec3(0.0), highest);
+    vec3 base = min(floor(point), highest - 1.0);
+    uint word = gridWord(ivec3(base), grid);
+    vec3 in_cell = point - base;
+    float inside = isFilled(word) ? 0.0 : freeCells(word) - 1.0 + least(min(in_cell, 1.0 - in_cell));
+    return max(outside, inside);
+}
+
+// Cells below which a further step is not worth its cost.
+const float kLeastStep = 0.25;
+// Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
+const int kStepsMost = 96;
+
+// Rays around one, in cube units: they start within width of it, and their directions differ by up to spread.
+struct Beam {
+    CameraRay middle;
+    float width;
+    float spread;
+};
+
+// Of what a start is from the eye, rounding makes less than this: a few times 2^-24.
+const float kStartRounding = 1e-6;
+
+Beam tileBeam(vec2 corner) {
+    vec2 middle = corner + 0.5 * TILE_SIDE;
+    CameraRay ray = rayThrough(middle);
+    vec2 start = onPlane(middle, params.up.w);
+    float width = distance(onPlane(corner, params.up.w), start) + kStartRounding * length(start);
+    // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
+    float spread = distance(onPlane(corner, params.eye.w), onPlane(middle, params.eye.w));
+    return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
+}
+
+// The distance, in cube units, that all rays of a beam can go, or BEAM_MISSES where that leads past the grid.
+float marchBeam(Beam beam) {
+    Grid grid = loadGridFrame();
+    float scale = instance.grid_scale.x;
+    vec3 highest = gridEnd();
+    vec3 start = gridPoint(beam.middle.origin), direction = beam.middle.direction;
+    float width = beam.width * scale;
+    // beyond its far corner no ray can be in the grid
+    float t_far = length(max(abs(start), abs(highest - start)));
+    float t = 0.0, advance = kLeastStep;
+    int left = kStepsMost;
+    do { // lanes that are done take part until all are: see trace.glsl
+        bool going = advance >= kLeastStep && t < t_far && left > 0;
+        float free = freeAround(start + direction * t, grid, highest);
+        float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
+        advance = going ? further : advance;
+        t = going ? t + max(further, 0.0) : t;
+        left--;
+    } while (advance >= kLeastStep && t < t_far && left > 0);
+    // less what rounding may have added
+    return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
+}
+
+void main() {
+    uint tile = gl_GlobalInvocationID.x;
+    bool live = tile < bandTiles();
+    float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile))));
+    if (live) beams[tile] = safe;
+
+    uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);
+    uint count = subgroupBallotBitCount(ballot), start = 0u;
+    if (subgroupElect() && count > 0u) {
+        start = atomicAdd(control.tile_groups.w, count);
+        atomicMax(control.tile_groups.x, ((start + count) * TILE_PIXELS + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE);
+    }
+    start = subgroupBroadcastFirst(start);
+    if (live && safe < BEAM_MISSES) queues[start + subgroupBallotExclusiveBitCount(ballot)] = tile;
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays and the surfaces without splats. No kind has a branch of its own: on lavapipe a branch costs as much as both
+// sides, and shapes of several kinds in a row would keep a GPU's lanes waiting for each other.
+//
+// nearestShape wants loadShape(i) from the program, a macro that gives the Shape with number i and may be asked for 0
+// where the scene has none. Without it only the functions over one shape are there.
+#ifndef POINTRT_SHADERS_SHAPES_GLSL
+#define POINTRT_SHADERS_SHAPES_GLSL
+
+#include "shaders/shared/scene_layout.h"
+
+// A program may say which kinds there are.
+#ifndef mayHaveShape
+#define mayHaveShape(kind) true
+#endif
+
+// The distance where nothing is hit.
+const float kNoShapeHit = 1e30;
+
+struct ShapeHit {
+    float t;    // along the ray; kNoShapeHit: none
+    uint shape; // its number; where none is hit, count
+};
+
+struct LocalRay {
+    vec3 origin;
+    vec3 direction; // as long as the shape is small, so that t is the ray's own
+};
+
+vec3 localVector(Shape shape, vec3 v) {
+    return vec3(dot(shape.row_x.xyz, v), dot(shape.row_y.xyz, v), dot(shape.row_z.xyz, v));
+}
+
+vec3 localPoint(Shape shape, vec3 p) {
+    return localVector(shape, p) + vec3(shape.row_x.w, shape.row_y.w, shape.row_z.w);
+}
+
+// Where the ray meets z = 0 within the kind's edge.
+float hitFlat(uint kind, LocalRay ray) {
+    float t = -ray.origin.z / ray.direction.z;
+    vec2 at = ray.origin.xy + ray.direction.xy * t;
+    bool on_disc = dot(at, at) <= 1.0, on_quad = max(abs(at.x), abs(at.y)) <= 1.0;
+    bool inside = kind == SHAPE_PLANE || (kind == SHAPE_DISC && on_disc) || (kind == SHAPE_QUAD && on_quad);
+    return inside && ray.direction.z != 0.0 ? t : kNoShapeHit;
+}
+
+// Where the ray enters and leaves the box; both kNoShapeHit where it passes by.
+vec2 hitBox(LocalRay ray) {
+    // a component of 0 would make products that are no numbers
+    vec3 direction = mix(ray.direction, vec3(1e-20), lessThan(abs(ray.direction), vec3(1e-20)));
+    vec3 inverse = 1.0 / direction;
+    vec3 middle = -ray.origin * inverse, half_way = abs(inverse);
+    vec3 enters = middle - half_way, leaves = middle + half_way;
+    float near = max(enters.x, max(enters.y, enters.z)), far = min(leaves.x, min(leaves.y, leaves.z));
+    return near <= far ? vec2(near, far) : vec2(kNoShapeHit);
+}
+
+// Likewise for the sphere, measured from where the ray is nearest to its centre: the difference of squares that the
+// quadratic formula takes loses all digits of spheres from afar (Haines et al., Ray Tracing Gems, chapter 7). The
+// nearer root from a start on the sphere is 0 but for rounding of a radius's last bit.
+vec2 hitSphere(LocalRay ray) {
+    float inverse = 1.0 / dot(ray.direction, ray.direction);
+    float middle = -dot(ray.origin, ray.direction) * inverse;
+    vec3 nearest = ray.origin + middle * ray.direction;
+    // once more from there: the first middle has the rounding of the whole way
+    float rest = -dot(nearest, ray.direction) * inverse;
+    nearest += rest * ray.direction;
+    float height = 1.0 - dot(nearest, nearest);
+    float half_chord = sqrt(max(height, 0.0) * inverse);
+    return height >= 0.0 ? middle + rest + half_chord * vec2(-1.0, 1.0) : vec2(kNoShapeHit);
+}
+
+// Distance to shape along the ray, in lengths of direction: the nearest hit that is not nearer than t_min, from outside
+// or inside; kNoShapeHit where there is none.
+float hitShape(Shape shape, vec3 origin, vec3 direction, float t_min) {
+    LocalRay ray = LocalRay(localPoint(shape, origin), localVector(shape, direction));
+    uint kind = shape.kind.x;
+    bool box = mayHaveShape(SHAPE_BOX) && kind == SHAPE_BOX, sphere = mayHaveShape(SHAPE_SPHERE) && kind == SHAPE_SPHERE;
+    vec2 solid = box ? hitBox(ray) : (sphere ? hitSphere(ray) : vec2(kNoShapeHit));
+    vec2 t = kind >= SHAPE_BOX ? solid : vec2(hitFlat(kind, ray));
+    float nearest = t.x >= t_min ? t.x : t.y;
+    return nearest >= t_min && nearest < kNoShapeHit ? nearest : kNoShapeHit;
+}
+
+// Unit normal at a point of shape, on the side that a ray with this direction comes from; back: that is the inside of a
+// box or sphere, or the side of a plane, disc or quad that its z axis points away from.
+vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
+    vec3 local = localPoint(shape, point);
+    vec3 size = abs(local);
+    vec3 face = size.x >= max(size.y, size.z) ? vec3(1.0, 0.0, 0.0)
+                                              : (size.y >= size.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+    uint kind = shape.kind.x;
+    vec3 n = kind == SHAPE_SPHERE ? local : (kind == SHAPE_BOX ? sign(local) * face : vec3(0.0, 0.0, 1.0));
+    // normals go by the transposed rows
+    vec3 normal = normalize(shape.row_x.xyz * n.x + shape.row_y.xyz * n.y + shape.row_z.xyz * n.z);
+    back = dot(normal, direction) > 0.0;
+    return back ? -normal : normal;
+}
+
+#ifdef loadShape
+
+// The first of count shapes that the ray meets at t_min or beyond, without those that have one of the skipped SHAPE_*
+// bits.
+ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 direction, float t_min) {
+    ShapeHit hit = ShapeHit(kNoShapeHit, count);
+    uint i = 0u;
+    do { // lanes that are done take part until all are: see trace.glsl
+        bool going = i < count;
+        Shape shape = loadShape(going ? i : 0u);
+        float t = hitShape(shape, origin, direction, t_min);
+        bool nearer = going && t < hit.t && (shape.kind.z & skipped) == 0u;
+        hit.t = nearer ? t : hit.t;
+        hit.shape = nearer ? i : hit.shape;
+        i++;
+    } while (i < count);
+    return hit;
+}
+
+ShapeHit nearestShape(uint count, vec3 origin, vec3 direction, float t_min) {
+    return nearestShapeWithout(0u, count, origin, direction, t_min);
+}
+
+// For rays from the camera.
+ShapeHit nearestSeenShape(uint count, vec3 origin, vec3 direction, float t_min) {
+    return nearestShapeWithout(SHAPE_UNSEEN_BY_CAMERA, count, origin, direction, t_min);
+}
+
+#endif
+#endif

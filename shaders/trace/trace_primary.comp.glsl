@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// First hits of the camera rays in the tiles that a beam left over.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
+#include "shaders/frame/bindings.glsl"
+#include "shaders/frame/queue.glsl"
+#include "shaders/trace/splat.glsl"
+#include "shaders/trace/trace.glsl"
+#include "shaders/frame/camera_ray.glsl"
+#include "shaders/frame/append.glsl"
+#include "shaders/trace/store_hit.glsl"
+
+layout(local_size_x = WORKGROUP_SIZE) in;
+
+void main() {
+    uint lane = balancedLane();
+    bool queued = lane < control.tile_groups.w * TILE_PIXELS;
+    uint tile = loadQueue(queued ? lane / TILE_PIXELS : 0u), index = tile * TILE_PIXELS + lane % TILE_PIXELS;
+    bool live = queued && isPixel(index);
+    index = live ? index : 0u; // idle lanes work along: the list needs the whole subgroup
+    CameraRay ray = cameraRay(tilePixel(tile, lane % TILE_PIXELS));
+    storeHit(live, index, trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), loadBeam(tile),
+                                         live ? reachOf(index) : -1.0, vec3(0.0), 0.0)));
+}

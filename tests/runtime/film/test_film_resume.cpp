@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film that is broken off, saved and gone on with is the film of one go; a film of something else is refused.
+#include "runtime/film/film_resume.h"
+
+#include <gtest/gtest.h>
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "pointrt/tool.hpp"
+#include "runtime/film/film_file.h"
+#include "runtime/film/film_signature.h"
+#include "runtime/gpu/device.h"
+#include "runtime/scene/camera.h"
+#include "runtime/tracer/tracer.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+RenderSettings testSettings() {
+    RenderSettings settings;
+    settings.width = settings.height = 24;
+    settings.integrator = Integrator::kPath;
+    settings.spp = 64;
+    settings.first_hits = true;
+    return settings;
+}
+
+/// A sphere of plastic over a floor under a small lamp: soft shadows and light by way of the floor.
+SceneDescription testScene() {
+    SceneDescription scene;
+    scene.materials.resize(1);
+    scene.materials[0].kind = MaterialKind::kPlastic;
+    scene.shapes.push_back({ShapeKind::kSphere, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
+    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
+    return scene;
+}
+
+class FilmResume : public testing::Test {
+protected:
+    void SetUp() override {
+        char name[] = "/tmp/pointrt_resume_XXXXXX";
+        ASSERT_NE(mkdtemp(name), nullptr);
+        folder = name;
+        device = createDevice({});
+        scene = openScene(device, testScene(), false);
+        uploadSceneTables(device, scene, testSettings());
+        camera = frameCamera({}, {-1, 0, -1}, {1, 2, 1}, 1);
+    }
+    void TearDown() override {
+        destroyDeviceScene(device, scene);
+        destroyDevice(device);
+        fs::remove_all(folder);
+    }
+
+    std::string path() const { return (folder / "film.exr").string(); }
+    std::string signature(const RenderSettings& settings) const { return filmSignature(scene, settings, camera); }
+
+    /// The film start with this many samples in all.
+    Film refine(const Film* start, std::uint32_t samples) {
+        Tracer tracer = createTracer(device, scene, testSettings(), camera);
+        FrameJob job;
+        job.samples = samples;
+        RayCounts rays;
+        const FrameState state = renderUntil(device, tracer, job, start, rays);
+        EXPECT_EQ(state.samples, samples);
+        const Film film = readFilm(tracer);
+        destroyTracer(device, tracer);
+        return film;
+    }
+
+    std::string refusal(const RenderSettings& settings) const {
+        try {
+            filmToResume(path(), signature(settings), settings);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadInput);
+            return error.what();
+        }
+        return "";
+    }
+
+    fs::path folder;
+    Device device;
+    DeviceScene scene;
+    Camera camera;
+};
+
+/// Largest difference in terms of the larger of the two, or of 1e-3.
+double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i])
+            worst = std::max(worst, std::abs(double{a[i]} - b[i]) / std::max({std::abs(a[i]), std::abs(b[i]), 1e-3f}));
+    return worst;
+}
+
+TEST_F(FilmResume, GoesOnAsIfItHadNeverStopped) {
+    const RenderSettings settings = testSettings();
+    const Film whole = refine(nullptr, 64);
+    for (const std::uint32_t first : {32u, 23u, 1u}) {
+        writeSavedFilm(path(), {refine(nullptr, first), first, settings.seed, signature(settings)});
+        const std::optional<Film> half = filmToResume(path(), signature(settings), settings);
+        ASSERT_TRUE(half);
+        EXPECT_EQ(mostSamples(*half), first);
+        const Film film = refine(&*half, 64);
+        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6) << first; // a sum of floats and 64 roundings less
+        EXPECT_LT(difference(film.indirect, whole.indirect), 2e-6) << first;
+        EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // what is left of a difference
+        EXPECT_EQ(film.depth, whole.depth);
+        EXPECT_EQ(film.splat_id, whole.splat_id);
+        EXPECT_EQ(fewestSamples(film), 64u);
+    }
+    EXPECT_GT(difference(refine(nullptr, 32).rgba, whole.rgba), 1e-2) << "the second half counts";
+}
+
+TEST_F(FilmResume, TakesTheColoursFromTheLayers) {
+    const RenderSettings settings = testSettings();
+    Film film = refine(nullptr, 8);
+    const std::vector<float> rgba = film.rgba;
+    for (std::size_t i = 0; i < film.rgba.size(); i += 4) film.rgba[i] = 0.5f; // as a denoiser might
+    writeSavedFilm(path(), {film, 8, settings.seed, signature(settings)});
+    EXPECT_LT(difference(filmToResume(path(), signature(settings), settings)->rgba, rgba), 1e-6);
+}
+
+TEST_F(FilmResume, BeginsWhereThereIsNoFile) { EXPECT_FALSE(filmToResume(path(), "", testSettings())); }
+
+TEST_F(FilmResume, SaysWhatDiffers) {
+    const RenderSettings settings = testSettings();
+    writeSavedFilm(path(), {refine(nullptr, 2), 2, settings.seed, signature(settings)});
+    EXPECT_EQ(refusal(settings), "");
+    RenderSettings other = settings;
+    other.spp = 1000; // how many there are in the end does not matter
+    EXPECT_EQ(refusal(other), "");
+    other.seed = 5;
+    EXPECT_EQ(refusal(other), path() + ": not a film to continue: seed was 0 and is 5");
+    other = settings;
+    other.integrator = Integrator::kWhitted;
+    EXPECT_EQ(refusal(other), path() + ": not a film to continue: integrator was path and is whitted");
+    other = settings;
+    other.width = 25;
+    EXPECT_EQ(refusal(other), path() + ": not a film to continue: size was 24x24 and is 25x24");
+    other = settings;
+    other.spp = 1;
+    EXPECT_EQ(refusal(other), path() + ": not a film to continue: pixel was area and is centre");
+    camera.eye.x += 1e-9;
+    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    camera.eye.x -= 1e-9;
+    camera.ortho_height = 4;
+    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    writeSavedFilm(path(), {refine(nullptr, 2), 2, settings.seed, signature(settings)});
+    EXPECT_EQ(refusal(settings), "");
+    camera.fov_deg += 1; // nothing to a parallel projection
+    EXPECT_EQ(refusal(settings), "");
+    camera.ortho_height = 4.5;
+    EXPECT_NE(refusal(settings).find("camera was"), std::string::npos);
+    EXPECT_NE(refusal(settings).find("ortho 4.5"), std::string::npos);
+}
+
+TEST_F(FilmResume, RefusesFilmsThatAreNotWhole) {
+    const RenderSettings settings = testSettings();
+    const Film film = refine(nullptr, 2);
+    const auto save = [&](auto damage) {
+        Film copy = film;
+        damage(copy);
+        writeSavedFilm(path(), {copy, 2, settings.seed, signature(settings)});
+    };
+    save([](Film& copy) { copy.caustic.clear(); });
+    EXPECT_NE(refusal(settings).find("it has no channel caustic.R"), std::string::npos);
+    save([](Film& copy) { copy.samples[30] = 3; });
+    EXPECT_NE(refusal(settings).find("its channel samples is damaged"), std::string::npos);
+    save([](Film& copy) { copy.samples.assign(copy.samples.size(), 1e9f); });
+    EXPECT_NE(refusal(settings).find("its channel samples is damaged"), std::string::npos);
+}
+
+TEST(SignatureDifference, NamesTheFirst) {
+    EXPECT_EQ(signatureDifference("a=1; b=2", "a=1; b=2"), "");
+    EXPECT_EQ(signatureDifference("a=1; b=2; c=3", "a=1; b=4; c=5"), "b was 2 and is 4");
+    EXPECT_EQ(signatureDifference("a=1", "a=1; b=2"), "b was nothing and is 2");
+    EXPECT_EQ(signatureDifference("a=1; b=2", "a=1"), "b was 2 and is nothing");
+    EXPECT_EQ(signatureDifference("junk", "a=1"), "a was nothing and is 1");
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// Devices, buffers and programs on whatever Vulkan device there is, with the validation layer on: any message fails.
+#include <gtest/gtest.h>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+#include "pointrt/tool.hpp"
+#include "runtime/gpu/device.h"
+#include "runtime/gpu/device_choice.h"
+#include "runtime/gpu/program.h"
+#include "runtime/gpu/resources.h"
+#include "shaders/scale_words.spv.h"
+
+namespace pointrt {
+namespace {
+
+constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+constexpr std::size_t kPageWords = 1024;
+
+struct Push {
+    std::uint32_t count, summand, unused[2];
+    float also_unused[3];
+};
+
+std::vector<std::uint32_t> countingWords(std::size_t count) {
+    std::vector<std::uint32_t> words(count);
+    std::iota(words.begin(), words.end(), 7u);
+    return words;
+}
+
+class DeviceTest : public testing::Test {
+protected:
+    void SetUp() override {
+        setenv("POINTRT_VALIDATION", "1", 1);
+        messages_before_ = validationMessages();
+        device = createDevice({});
+    }
+    void TearDown() override {
+        destroyDevice(device);
+        EXPECT_EQ(validationMessages(), messages_before_);
+    }
+
+    std::vector<std::uint32_t> download(const Buffer& buffer) {
+        std::vector<std::uint32_t> words(buffer.bytes / 4);
+        downloadBuffer(device, buffer, words.data(), buffer.bytes);
+        return words;
+    }
+
+    /// words[i] * 3 + 5 computed on the device, the group count taken from a buffer when indirect.
+    std::vector<std::uint32_t> scaleOnDevice(Buffer& words, bool indirect) {
+        const std::uint32_t count = static_cast<std::uint32_t>(words.bytes / 4), groups = (count + 63) / 64;
+        const std::vector<std::uint32_t> arguments = {0, groups, 1, 1};
+        Buffer result = createBuffer(device, "result", words.bytes, kStorage);
+        Buffer group_counts =
+            createFilledBuffer(device, "arguments", arguments.data(), 16, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+        createTexelView(device, "words", words, VK_FORMAT_R32_UINT);
+        Program program = createProgram(device, "scale_words", scale_words_spv, {3});
+        VkDescriptorPool pool = createDescriptorPool(device, 1);
+        const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{0, &words}, {3, &result}});
+        const Push push{count, 5, {}, {}};
+        const VkCommandBuffer commands = beginCommands(device);
+        if (indirect)
+            recordDispatchIndirect(commands, program, set, pushBytes(push), group_counts, 4);
+        else
+            recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});
+        submitAndWait(device, commands);
+        std::vector<std::uint32_t> scaled = download(result);
+        destroyDescriptorPool(device, pool);
+        destroyProgram(device, program);
+        destroyBuffer(device, group_counts);
+        destroyBuffer(device, result);
+        return scaled;
+    }
+
+    Device device;
+
+private:
+    std::uint64_t messages_before_ = 0;
+};
+
+std::vector<std::uint32_t> scaled(std::vector<std::uint32_t> words) {
+    for (std::uint32_t& word : words) word = word * 3 + 5;
+    return words;
+}
+
+TEST_F(DeviceTest, DescribesWhatItOpened) {
+    EXPECT_FALSE(device.name.empty());
+    EXPECT_GE(device.subgroup_size, 1u);
+    EXPECT_GE(device.max_allocation_bytes, 1u << 30);
+    EXPECT_GE(device.limits.maxTexelBufferElements, 1u << 24);
+    EXPECT_NE(listDevices().find(device.name), std::string::npos);
+}
+
+TEST_F(DeviceTest, UploadsAndDownloads) {
+    const std::vector<std::uint32_t> words = countingWords(100'003);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
+    EXPECT_EQ(download(buffer), words);
+    const std::uint32_t patch[2] = {1, 2};
+    uploadBuffer(device, buffer, patch, 8, 400);
+    std::uint32_t read[3] = {};
+    downloadBuffer(device, buffer, read, 12, 400);
+    EXPECT_EQ(std::vector<std::uint32_t>(read, read + 3), (std::vector<std::uint32_t>{1, 2, words[102]}));
+    EXPECT_THROW(uploadBuffer(device, buffer, patch, 8, buffer.bytes - 4), std::logic_error);
+    destroyBuffer(device, buffer);
+}
+
+// The way of devices with memory of their own, in more than one piece.
+TEST_F(DeviceTest, StagesWhatTheHostCannotReach) {
+    device.unified_memory = false;
+    const std::vector<std::uint32_t> words = countingWords((80u << 20) / 4);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), words.size() * 4, kStorage);
+    EXPECT_EQ(buffer.mapped, nullptr);
+    EXPECT_EQ(download(buffer), words);
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, HasBuffersForEmptySections) {
+    Buffer buffer = createFilledBuffer(device, "nothing", nullptr, 0, kTexels);
+    createTexelView(device, "nothing", buffer, VK_FORMAT_R32G32B32A32_UINT);
+    EXPECT_NE(buffer.view, nullptr);
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, RefusesMoreThanTheDeviceAllocates) {
+    try {
+        createBuffer(device, "splats", device.max_allocation_bytes + 1, kStorage);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kCannotRun);
+        EXPECT_NE(std::string(error.what()).find("splats"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(DeviceTest, RunsAProgram) {
+    const std::vector<std::uint32_t> words = countingWords(1000);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexels);
+    EXPECT_EQ(scaleOnDevice(buffer, false), scaled(words));
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, RunsAProgramIndirectly) {
+    const std::vector<std::uint32_t> words = countingWords(1000);
+    Buffer buffer = createFilledBuffer(device, "words", words.data(), 4000, kTexels);
+    EXPECT_EQ(scaleOnDevice(buffer, true), scaled(words));
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, ReadsAnImportedReadOnlyMappingInPlace) {
+    if (!device.external_memory_host) GTEST_SKIP() << "this device has no VK_EXT_external_memory_host";
+    const std::vector<std::uint32_t> words = countingWords(3 * kPageWords - 5);
+    char path[] = "/tmp/pointrt_import_XXXXXX";
+    const int file = mkstemp(path);
+    ASSERT_GE(file, 0);
+    unlink(path);
+    ASSERT_EQ(write(file, words.data(), words.size() * 4), static_cast<ssize_t>(words.size() * 4));
+    void* mapped = mmap(nullptr, words.size() * 4, PROT_READ, MAP_PRIVATE, file, 0);
+    ASSERT_NE(mapped, MAP_FAILED);
+    Buffer buffer = importHostBuffer(device, mapped, words.size() * 4, kTexels);
+    if (buffer.handle) {
+        EXPECT_TRUE(buffer.imported);
+        EXPECT_EQ(scaleOnDevice(buffer, false), scaled(words));
+        EXPECT_EQ(download(buffer), words);
+    } else {
+        EXPECT_FALSE(device.unified_memory) << "a device in host memory refused the import";
+    }
+    destroyBuffer(device, buffer);
+    munmap(mapped, words.size() * 4);
+    close(file);
+}
+
+TEST_F(DeviceTest, DoesNotImportFromTheMiddleOfAPage) {
+    std::vector<std::uint32_t> words(4 * kPageWords);
+    const auto address = reinterpret_cast<std::uintptr_t>(words.data());
+    const Buffer buffer = importHostBuffer(device, words.data() + (address % 4096 == 4 ? 2 : 1), 4096, kTexels);
+    EXPECT_EQ(buffer.handle, nullptr);
+}
+
+TEST_F(DeviceTest, ChecksBindingsAndPushConstantsAgainstTheShader) {
+    Buffer buffer = createBuffer(device, "words", 64, kTexels | kStorage);
+    Program program = createProgram(device, "scale_words", scale_words_spv, {3});
+    EXPECT_EQ(program.shader.push_bytes, sizeof(Push));
+    ASSERT_EQ(program.shader.bindings.size(), 2u);
+    EXPECT_EQ(program.shader.bindings[0].type, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
+    EXPECT_EQ(program.shader.bindings[1].type, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    EXPECT_EQ(program.shader.bindings[1].slot, 3u);
+    VkDescriptorPool pool = createDescriptorPool(device, 4);
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}}), std::logic_error);
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}, {3, &buffer}}), std::logic_error)
+        << "binding 0 has no view";
+    createTexelView(device, "words", buffer, VK_FORMAT_R32_UINT);
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}, {2, &buffer}}), std::logic_error);
+    const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{0, &buffer}, {3, &buffer}});
+    EXPECT_THROW(recordDispatch(VK_NULL_HANDLE, program, set, {}, {}), std::logic_error);
+    destroyDescriptorPool(device, pool);
+    destroyProgram(device, program);
+    destroyBuffer(device, buffer);
+}
+
+TEST_F(DeviceTest, IsFoundByNumberAndByPartOfItsName) {
+    for (const std::string& selector : {std::string("0"), device.name.substr(1, 4)}) {
+        Device other = createDevice({selector, false});
+        EXPECT_FALSE(other.name.empty());
+        destroyDevice(other);
+    }
+    try {
+        createDevice({"no such device", false});
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kCannotRun);
+        EXPECT_NE(std::string(error.what()).find(device.name), std::string::npos) << error.what();
+    }
+}
+
+TEST(Validation, CountsAMessage) {
+    setenv("POINTRT_VALIDATION", "1", 1);
+    Device device = createDevice({});
+    const std::uint64_t before = validationMessages();
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.usage = kStorage;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    testing::internal::CaptureStderr();
+    vkCreateBuffer(device.handle, &info, nullptr, &buffer); // a size of 0 is not allowed
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("Vulkan validation: "), std::string::npos);
+    EXPECT_GT(validationMessages(), before);
+    vkDestroyBuffer(device.handle, buffer, nullptr);
+    destroyDevice(device);
+}
+
+/// A candidate that nothing is wrong with.
+Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
+    Candidate candidate;
+    std::snprintf(candidate.properties.deviceName, sizeof candidate.properties.deviceName, "%s", name);
+    candidate.properties.apiVersion = VK_API_VERSION_1_3;
+    candidate.properties.deviceType = type;
+    candidate.properties.limits.maxTexelBufferElements = 1u << 27;
+    candidate.properties.limits.maxPerStageDescriptorStorageImages = 8;
+    candidate.subgroup.supportedStages = VK_SHADER_STAGE_COMPUTE_BIT;
+    candidate.subgroup.supportedOperations = ~0u;
+    candidate.queue_family = 0;
+    candidate.reads_texels = true;
+    return candidate;
+}
+
+TEST(DeviceChoice, RefusesWithReasons) {
+    const Candidate good = goodCandidate("GPU", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU);
+    EXPECT_EQ(refusalOf(good), "");
+    Candidate old = good, queueless = good, small = good, scalar = good, graphics = good, blind = good;
+    old.properties.apiVersion = VK_API_VERSION_1_1;
+    EXPECT_NE(refusalOf(old).find("Vulkan 1.1"), std::string::npos);
+    queueless.queue_family.reset();
+    EXPECT_NE(refusalOf(queueless).find("queue"), std::string::npos);
+    small.properties.limits.maxTexelBufferElements = 65536;
+    EXPECT_NE(refusalOf(small).find("65536"), std::string::npos);
+    scalar.subgroup.supportedOperations = VK_SUBGROUP_FEATURE_BASIC_BIT;
+    EXPECT_NE(refusalOf(scalar).find("ballot"), std::string::npos);
+    graphics.subgroup.supportedStages = VK_SHADER_STAGE_FRAGMENT_BIT;
+    EXPECT_NE(refusalOf(graphics).find("compute shaders"), std::string::npos);
+    blind.reads_texels = false;
+    EXPECT_NE(refusalOf(blind).find("texel"), std::string::npos);
+}
+
+TEST(DeviceChoice, PrefersTheFastestKind) {
+    std::vector<Candidate> candidates = {goodCandidate("llvmpipe", VK_PHYSICAL_DEVICE_TYPE_CPU),
+                                         goodCandidate("Iris", VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU),
+                                         goodCandidate("Virtio", VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU),
+                                         goodCandidate("GeForce", VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU)};
+    EXPECT_EQ(&chooseCandidate(candidates, ""), &candidates[3]);
+    EXPECT_EQ(&chooseCandidate(candidates, "2"), &candidates[2]);
+    EXPECT_EQ(&chooseCandidate(candidates, "LLVM"), &candidates[0]);
+    candidates[3].refusal = "no compute queue";
+    EXPECT_EQ(&chooseCandidate(candidates, ""), &candidates[1]);
+    try {
+        chooseCandidate(candidates, "force");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "no usable Vulkan device: 0 \"llvmpipe\": does not match \"force\"; 1 \"Iris\": does not match "
+                  "\"force\"; 2 \"Virtio\": does not match \"force\"; 3 \"GeForce\": no compute queue");
+    }
+    EXPECT_THROW(chooseCandidate({}, ""), Error);
+}
+
+} // namespace
+} // namespace pointrt

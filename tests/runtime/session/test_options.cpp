@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/options.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+using Arguments = std::vector<const char*>;
+
+Options parse(Arguments arguments) {
+    arguments.insert(arguments.begin(), "pointrt-view");
+    Options options;
+    EXPECT_FALSE(parseOptions(static_cast<int>(arguments.size()), arguments.data(), options));
+    return options;
+}
+
+/// The message of a usage error, "" where there was none.
+std::string refusal(Arguments arguments) {
+    arguments.insert(arguments.begin(), {"pointrt-view", "a.pro", "-o", "a.png"});
+    Options options;
+    try {
+        parseOptions(static_cast<int>(arguments.size()), arguments.data(), options);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kBadUsage);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+TEST(Options, HasTheDefaultsOfTheContract) {
+    const Options options = parse({"a.pro", "-o", "a.png"});
+    EXPECT_EQ(options.scene, "a.pro");
+    EXPECT_EQ(options.output, "a.png");
+    EXPECT_EQ(options.render.width, 512u);
+    EXPECT_EQ(options.render.height, 512u);
+    EXPECT_EQ(options.render.spp, 4u);
+    EXPECT_EQ(options.render.integrator, Integrator::kPhong);
+    EXPECT_EQ(options.render.camera.fov_deg, 40);
+    EXPECT_FALSE(options.render.camera.eye || options.render.camera.target || options.render.camera.up);
+    EXPECT_FALSE(options.choices.spp || options.choices.width || options.choices.fov_deg || options.render.room);
+    EXPECT_TRUE(options.render.shadows && options.render.blend && options.render.caustics);
+    EXPECT_FALSE(options.choices.shadows || options.choices.blend || options.choices.caustics || options.choices.seed);
+    EXPECT_FALSE(options.limits.seconds || options.limits.noise || options.choices.exposure || options.resume);
+    EXPECT_FALSE(options.choices.denoise);
+    EXPECT_EQ(options.view, "");
+    EXPECT_EQ(options.turntable, 0u);
+    EXPECT_FALSE(options.render.reflectivity || options.render.first_hits);
+    EXPECT_EQ(options.bench_frames, 0u);
+    EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
+}
+
+TEST(Options, TakesEveryOption) {
+    const Options options = parse({"--size",
+                                   "64x48",
+                                   "--spp",
+                                   "9",
+                                   "--seed",
+                                   "4294967295",
+                                   "--fov",
+                                   "12.5",
+                                   "--integrator",
+                                   "path",
+                                   "a.pro",
+                                   "--bounces",
+                                   "7",
+                                   "--room",
+                                   "mirror",
+                                   "--lights",
+                                   "0",
+                                   "--shadows",
+                                   "off",
+                                   "--blend",
+                                   "off",
+                                   "--reflectivity",
+                                   "0.25",
+                                   "--device",
+                                   "H100",
+                                   "--bench",
+                                   "3",
+                                   "--stats",
+                                   "-",
+                                   "--caustics",
+                                   "off",
+                                   "--time-limit",
+                                   "2.5",
+                                   "--noise",
+                                   "0.02",
+                                   "--denoise",
+                                   "on",
+                                   "-v",
+                                   "-o",
+                                   "out.exr"});
+    EXPECT_EQ(options.choices.width, 64u);
+    EXPECT_EQ(options.choices.height, 48u);
+    EXPECT_EQ(options.choices.spp, 9u);
+    EXPECT_EQ(options.choices.seed, 4294967295u);
+    EXPECT_EQ(options.choices.fov_deg, 12.5);
+    EXPECT_EQ(options.choices.integrator, Integrator::kPath);
+    EXPECT_EQ(options.choices.bounces, 7u);
+    EXPECT_EQ(options.render.room, Room::kMirror);
+    EXPECT_EQ(options.render.lights, 0u);
+    EXPECT_FALSE(*options.choices.shadows || *options.choices.blend || *options.choices.caustics);
+    EXPECT_EQ(options.limits.seconds, 2.5);
+    EXPECT_EQ(options.limits.noise, 0.02);
+    EXPECT_EQ(options.choices.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(options.render.reflectivity, 0.25f);
+    EXPECT_EQ(options.device, "H100");
+    EXPECT_EQ(options.bench_frames, 3u);
+    EXPECT_EQ(options.stats, "-");
+    EXPECT_TRUE(options.verbose && options.render.first_hits);
+}
+
+TEST(Options, TakesParallelProjection) {
+    const CameraRequest height = parse({"a.pro", "-o", "a.png", "--ortho", "2.5"}).render.camera;
+    EXPECT_TRUE(height.ortho);
+    EXPECT_EQ(height.ortho_height, 2.5);
+    const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).render.camera;
+    EXPECT_TRUE(fit.ortho && !fit.ortho_height);
+    EXPECT_EQ(refusal({"--ortho", "2", "--fov", "30"}),
+              "--fov and --ortho exclude each other: a parallel projection has no field of view");
+}
+
+TEST(Options, TakesNegativeCoordinates) {
+    const Options options =
+        parse({"a.pro", "-o", "a.png", "--eye", "-1,-.5,1e3", "--target=500000.25,-2,0", "--up", "0,0,1"});
+    EXPECT_EQ(options.render.camera.eye->x, -1);
+    EXPECT_EQ(options.render.camera.eye->y, -0.5);
+    EXPECT_EQ(options.render.camera.eye->z, 1000);
+    EXPECT_EQ(options.render.camera.target->x, 500000.25);
+    EXPECT_EQ(options.render.camera.up->z, 1);
+}
+
+TEST(Options, TakesTheLastOfARepeatedOption) {
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).choices.spp, 8u);
+}
+
+TEST(Options, TakesWhatGoesWithOneKindOfImage) {
+    EXPECT_TRUE(parse({"a.pro", "-o", "a.exr", "--resume"}).resume);
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--exposure", "-1.5"}).choices.exposure, -1.5f);
+    EXPECT_EQ(refusal({"--resume"}), "--resume: goes with -o FILE.exr");
+    EXPECT_EQ(refusal({"-o", "a.exr", "--exposure", "1"}), "--exposure: goes with -o FILE.png");
+    EXPECT_NE(refusal({"-o", "a.exr", "--resume", "--bench", "1"}), "");
+}
+
+TEST(Options, TakesATurntableWithAPattern) {
+    EXPECT_EQ(parse({"a.toml", "-o", "a%d.png", "--turntable", "36", "--view", "top"}).turntable, 36u);
+    EXPECT_NE(refusal({"--turntable", "36"}), "");
+    EXPECT_NE(refusal({"-o", "%d.png"}), "");
+    for (const char* text : {"0", "100001", "-1", "x"})
+        EXPECT_TRUE(contains(refusal({"-o", "%d.png", "--turntable", text}), "--turntable: ")) << text;
+    EXPECT_EQ(refusal({"-o", "%d.exr", "--turntable", "3", "--resume"}), "--turntable and --resume exclude each other");
+    EXPECT_EQ(refusal({"-o", "%d.png", "--turntable", "3", "--bench", "1"}),
+              "--turntable and --bench exclude each other");
+}
+
+TEST(Options, ListsDevicesWithoutAScene) { EXPECT_TRUE(parse({"--device", "list"}).list_devices); }
+
+TEST(Options, RefusesBadValuesByName) {
+    for (const char* text : {"64", "0x64", "64x0", "64x-1", "64x64x64", "16385x1", "ax b", ""})
+        EXPECT_TRUE(contains(refusal({"--size", text}), "--size: ")) << text;
+    for (const char* text : {"0", "-1", "1.5", "many", "99999999999"})
+        EXPECT_TRUE(contains(refusal({"--spp", text}), "--spp: ")) << text;
+    for (const char* text : {"0", "180", "nan", "inf", "-5", "4o"})
+        EXPECT_TRUE(contains(refusal({"--fov", text}), "--fov: ")) << text;
+    for (const char* text : {"0", "-1", "nan", "inf", "1e13", "all", ""})
+        EXPECT_TRUE(contains(refusal({"--ortho", text}), "--ortho: ")) << text;
+    for (const char* text : {"1,2", "1,2,3,4", "1,,3", "1, 2,3", "nan,0,0", "1e999,0,0", ","})
+        EXPECT_TRUE(contains(refusal({"--eye", text}), "--eye: ")) << text;
+    for (const char* text : {"-0.1", "1.1", "x"})
+        EXPECT_TRUE(contains(refusal({"--reflectivity", text}), "--reflectivity: ")) << text;
+    for (const char* text : {"0", "-1", "nan", "inf", "soon"})
+        EXPECT_TRUE(contains(refusal({"--time-limit", text}), "--time-limit: ")) << text;
+    for (const char* text : {"0", "1.01", "nan", "2%"})
+        EXPECT_TRUE(contains(refusal({"--noise", text}), "--noise: ")) << text;
+    for (const char* text : {"-21", "21", "nan", "+1EV"})
+        EXPECT_TRUE(contains(refusal({"--exposure", text}), "--exposure: ")) << text;
+    EXPECT_EQ(refusal({"--denoise", "maybe"}), "--denoise: \"maybe\" is none of on, off, auto");
+    EXPECT_EQ(refusal({"--room", "cellar"}), "--room: \"cellar\" is none of none, mirror, matte");
+    EXPECT_TRUE(contains(refusal({"--integrator", "bidirectional"}), "whitted"));
+    EXPECT_TRUE(contains(refusal({"--shadows", "yes"}), "--shadows: "));
+    EXPECT_TRUE(contains(refusal({"--lights", "17"}), "--lights: "));
+    EXPECT_TRUE(contains(refusal({"--bounces", "65"}), "--bounces: "));
+    EXPECT_TRUE(contains(refusal({"--bench", "0"}), "--bench: "));
+    EXPECT_TRUE(contains(refusal({"--seed", "-1"}), "--seed: "));
+    EXPECT_EQ(refusal({"-o", "a.jpeg"}), "a.jpeg: an image ends in .png or .exr");
+}
+
+TEST(Options, RefusesWhatItDoesNotKnow) {
+    EXPECT_TRUE(contains(refusal({"--frobnicate"}), "frobnicate"));
+    EXPECT_TRUE(contains(refusal({"second.pro"}), "second.pro"));
+    EXPECT_NE(refusal({"--spp"}), "");
+    EXPECT_NE(refusal({"-q", "-v"}), "");
+}
+
+TEST(Options, RefusesToDoNothing) {
+    EXPECT_THROW(parse({}), Error);
+    EXPECT_THROW(parse({"-o", "a.png"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--offscreen"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--replay", "r", "-o", "a.png"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--replay", "r", "--record", "r"}), Error);
+    EXPECT_THROW(parse({"a.pro", "--time-limit", "1"}), Error);
+    EXPECT_TRUE(opensWindow(parse({"a.pro"})));
+    EXPECT_TRUE(opensWindow(parse({"a.pro", "--exposure", "1", "--replay", "r", "--offscreen"})));
+    EXPECT_EQ(parse({"a.pro", "--bench", "1"}).output, "");
+}
+
+TEST(Options, HelpNamesEveryOptionWithItsDefault) {
+    const Arguments arguments = {"pointrt-view", "--help"};
+    Options options;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
+    const std::string help = testing::internal::GetCapturedStdout();
+    for (const char* part : {"512x512",   "--spp",      "--seed",         "--eye",     "--target", "--up",
+                             "--fov",     "default 40", "phong",          "--bounces", "--room",   "--lights",
+                             "--shadows", "--blend",    "--reflectivity", "--device",  "--ortho",  "--bench",
+                             "--stats",   "--quiet",    "--verbose",      "--version", "Camera",   "--caustics",
+                             "--denoise", "--exposure", "--time-limit",   "--noise",   "--resume", ".toml"})
+        EXPECT_TRUE(contains(help, part)) << part;
+}
+
+TEST(Options, PrintsItsVersion) {
+    const Arguments arguments = {"pointrt-view", "--version"};
+    Options options;
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(parseOptions(2, arguments.data(), options), 0);
+    EXPECT_TRUE(contains(testing::internal::GetCapturedStdout(), "pointrt-view "));
+}
+
+} // namespace
+} // namespace pointrt

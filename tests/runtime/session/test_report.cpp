@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <limits>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+Report testReport() {
+    Report report;
+    report.device = "GPU \"X\" \\ 1";
+    report.width = 640;
+    report.height = 480;
+    report.integrator = "path";
+    report.spp = 16;
+    report.samples = 4;
+    report.noise = 0.125;
+    report.denoise_ms = 2.5;
+    report.splats = 5'000'000'000;
+    report.device_bytes = 1ull << 40;
+    report.load_seconds = 0.25;
+    report.first_frame_seconds = 1.5;
+    report.frame_ms = {40, 10, 20, 30};
+    report.rays = {1'000'000, 1'500'000, 0};
+    return report;
+}
+
+TEST(Report, HasTheKeysOfTheContract) {
+    const nlohmann::json json = nlohmann::json::parse(reportJson(testReport()));
+    EXPECT_EQ(json["device"], "GPU \"X\" \\ 1");
+    EXPECT_EQ(json["width"], 640);
+    EXPECT_EQ(json["height"], 480);
+    EXPECT_EQ(json["integrator"], "path");
+    EXPECT_EQ(json["spp"], 16);
+    EXPECT_EQ(json["samples"], 4);
+    EXPECT_EQ(json["noise"], 0.125);
+    EXPECT_EQ(json["denoise_ms"], 2.5);
+    EXPECT_EQ(json["splats"], 5'000'000'000);
+    EXPECT_EQ(json["device_bytes"], 1ull << 40);
+    EXPECT_EQ(json["load_seconds"], 0.25);
+    EXPECT_EQ(json["first_frame_seconds"], 1.5);
+    EXPECT_EQ(json["frame_ms"], (nlohmann::json{{"min", 10}, {"median", 25}, {"max", 40}}));
+    EXPECT_EQ(json["rays"], (nlohmann::json{{"primary", 1'000'000}, {"shadow", 1'500'000}, {"secondary", 0}}));
+    EXPECT_EQ(json["mrays_per_second"], 100); // 2.5 million in 25 ms
+    EXPECT_EQ(json.size(), 15u);
+}
+
+TEST(Report, TakesTheMiddleOfOddCounts) {
+    Report report = testReport();
+    report.frame_ms = {30, 10, 20};
+    EXPECT_EQ(nlohmann::json::parse(reportJson(report))["frame_ms"]["median"], 20);
+}
+
+TEST(Report, HasNoNumbersThatAreNone) {
+    Report report = testReport();
+    report.noise = std::numeric_limits<double>::infinity(); // one sample a pixel
+    report.rays = {};                                       // a film that was complete
+    report.frame_ms = {0};
+    const nlohmann::json json = nlohmann::json::parse(reportJson(report));
+    EXPECT_TRUE(json["noise"].is_null());
+    EXPECT_EQ(json["mrays_per_second"], 0);
+}
+
+TEST(Report, CountsFromTheStartOfTheProcess) {
+    const double before = secondsSinceStart();
+    EXPECT_GE(before, 0);
+    EXPECT_LT(before, 60);
+    usleep(20'000);
+    EXPECT_GE(secondsSinceStart() - before, 0.019);
+    EXPECT_LT(secondsSinceStart() - before, 10);
+}
+
+TEST(Report, SaysWhyItCannotWrite) {
+    try {
+        writeText("/nonexistent/stats.json", "{}");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kCannotWrite);
+    }
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/settings.h"
+
+#include <gtest/gtest.h>
+
+#include "pointrt/tool.hpp"
+
+namespace pointrt {
+namespace {
+
+SceneDescription talkativeScene() {
+    SceneDescription scene;
+    scene.camera.eye = Vec3{1, 2, 3};
+    scene.camera.target = Vec3{4, 5, 6};
+    scene.camera.fov_deg = 25;
+    scene.integrator = Integrator::kPath;
+    scene.bounces = 9;
+    scene.spp = 64;
+    scene.width = 800;
+    scene.height = 600;
+    scene.seed = 5;
+    scene.shadows = scene.caustics = scene.blend = false;
+    scene.denoise = DenoiseChoice::kOn;
+    scene.exposure = 1.5f;
+    scene.room = Room::kMatte;
+    scene.ring_lights = 2;
+    scene.reflectivity = 0.5f;
+    return scene;
+}
+
+TEST(Settings, AreTheSceneFilesWhereTheCommandLineIsSilent) {
+    const RenderSettings settings = resolveSettings({}, talkativeScene());
+    EXPECT_EQ(settings.camera.eye->y, 2);
+    EXPECT_EQ(settings.camera.target->y, 5);
+    EXPECT_EQ(settings.camera.fov_deg, 25);
+    EXPECT_EQ(settings.integrator, Integrator::kPath);
+    EXPECT_EQ(settings.bounces, 9u);
+    EXPECT_EQ(settings.spp, 64u);
+    EXPECT_EQ(settings.width, 800u);
+    EXPECT_EQ(settings.height, 600u);
+}
+
+TEST(Settings, OfTheLookAreTheSceneFilesToo) {
+    RenderSettings settings = resolveSettings({}, talkativeScene());
+    EXPECT_EQ(settings.seed, 5u);
+    EXPECT_FALSE(settings.shadows || settings.caustics || settings.blend);
+    EXPECT_EQ(settings.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(settings.exposure, 1.5f);
+    EXPECT_EQ(settings.room, Room::kMatte);
+    EXPECT_EQ(settings.lights, 2u);
+    EXPECT_EQ(settings.reflectivity, 0.5f);
+    Options options;
+    options.choices.seed = 0;
+    options.choices.shadows = options.choices.caustics = options.choices.blend = true;
+    options.choices.denoise = DenoiseChoice::kAuto;
+    options.choices.exposure = 0.0f;
+    options.render.room = Room::kNone;
+    options.render.lights = 0;
+    options.render.reflectivity = 0.0f;
+    settings = resolveSettings(options, talkativeScene());
+    EXPECT_EQ(settings.seed, 0u);
+    EXPECT_TRUE(settings.shadows && settings.caustics && settings.blend);
+    EXPECT_EQ(settings.denoise, DenoiseChoice::kAuto);
+    EXPECT_EQ(settings.exposure, 0);
+    EXPECT_EQ(settings.room, Room::kNone);
+    EXPECT_EQ(settings.lights, 0u);
+    EXPECT_EQ(settings.reflectivity, 0);
+}
+
+TEST(Settings, LookFromTheViewThatIsNamed) {
+    SceneDescription scene = talkativeScene();
+    scene.path = "a.toml";
+    Options options;
+    options.view = "top";
+    const auto refusal = [&] {
+        try {
+            resolveSettings(options, scene);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadUsage);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has none");
+    scene.views.resize(2);
+    scene.views[0].name = "front";
+    scene.views[1].name = "side";
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has front, side");
+    scene.views[1] = {"top", {Vec3{0, 9, 0}, {}, {}, 30}};
+    options.render.camera.target = Vec3{1, 1, 1};
+    const CameraRequest camera = resolveSettings(options, scene).camera;
+    EXPECT_EQ(camera.eye->y, 9);
+    EXPECT_EQ(camera.target->y, 1) << "the command line's";
+    EXPECT_EQ(camera.fov_deg, 30);
+    EXPECT_FALSE(camera.up);
+    EXPECT_EQ(resolveSettings({}, scene).camera.eye->y, 2) << "no view was asked for";
+}
+
+TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
+    Options options;
+    options.choices = {Integrator::kDepth, 1u, 2u, 30u, 20u, 60.0};
+    options.render.camera.eye = Vec3{7, 7, 7};
+    const RenderSettings settings = resolveSettings(options, talkativeScene());
+    EXPECT_EQ(settings.camera.eye->y, 7);
+    EXPECT_EQ(settings.camera.target->y, 5) << "the file's, as nothing else was said";
+    EXPECT_EQ(settings.camera.fov_deg, 60);
+    EXPECT_EQ(settings.integrator, Integrator::kDepth);
+    EXPECT_EQ(settings.bounces, 1u);
+    EXPECT_EQ(settings.spp, 2u);
+    EXPECT_EQ(settings.width, 30u);
+    EXPECT_EQ(settings.height, 20u);
+}
+
+TEST(Settings, TakeTheProjectionThatWasSaidLast) {
+    SceneDescription parallel;
+    parallel.camera.ortho = true;
+    parallel.camera.ortho_height = 3;
+    EXPECT_EQ(resolveSettings({}, parallel).camera.ortho_height, 3);
+    Options pinhole, fit;
+    pinhole.choices.fov_deg = 50;
+    fit.render.camera.ortho = true;
+    const CameraRequest wide = resolveSettings(pinhole, parallel).camera;
+    EXPECT_EQ(wide.fov_deg, 50);
+    EXPECT_FALSE(wide.ortho || wide.ortho_height);
+    for (const SceneDescription& scene : {parallel, talkativeScene()}) {
+        const CameraRequest all = resolveSettings(fit, scene).camera;
+        EXPECT_TRUE(all.ortho && !all.ortho_height);
+    }
+}
+
+TEST(Settings, AreDefaultsWhereNothingIsSaid) {
+    const RenderSettings settings = resolveSettings({}, {}), defaults;
+    EXPECT_EQ(settings.integrator, Integrator::kPhong);
+    EXPECT_EQ(settings.spp, defaults.spp);
+    EXPECT_EQ(settings.width, defaults.width);
+    EXPECT_EQ(settings.camera.fov_deg, 40);
+    EXPECT_FALSE(settings.camera.eye || settings.camera.target || settings.camera.up);
+}
+
+TEST(Settings, LeaveSamplesToLimitsUnlessTheCommandLineCountsThem) {
+    Options options;
+    options.limits.noise = 0.1;
+    EXPECT_EQ(resolveSettings(options, talkativeScene()).spp, kMaxSpp);
+    options.choices.spp = 7;
+    EXPECT_EQ(resolveSettings(options, talkativeScene()).spp, 7u);
+}
+
+TEST(Settings, DenoiseWhatIsNoisy) {
+    Options options;
+    options.output = "a.png";
+    RenderSettings settings;
+    SceneDescription scene;
+    scene.lights = {PointLight{}};
+    EXPECT_FALSE(wantsDenoising(options, settings, scene, 4)) << "hard shadows";
+    settings.integrator = Integrator::kPath;
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4));
+    EXPECT_FALSE(wantsDenoising(options, settings, scene, 256));
+    settings.integrator = Integrator::kWhitted;
+    scene.lights = {SunLight{}};
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 255));
+    scene.lights = {SunLight{{0, 1, 0}, 0, {}}};
+    EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
+    scene.lights = {QuadLight{}};
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4));
+    settings.integrator = Integrator::kNormal;
+    EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
+}
+
+TEST(Settings, KeepDataAsTheyAreUnlessAsked) {
+    Options options;
+    options.output = "a.exr";
+    RenderSettings settings;
+    settings.integrator = Integrator::kPath;
+    EXPECT_FALSE(wantsDenoising(options, settings, {}, 4));
+    settings.denoise = DenoiseChoice::kOn;
+    EXPECT_TRUE(wantsDenoising(options, settings, {}, 1000));
+    options.output = "a.png";
+    settings.denoise = DenoiseChoice::kOff;
+    EXPECT_FALSE(wantsDenoising(options, settings, {}, 4));
+}
+
+} // namespace
+} // namespace pointrt

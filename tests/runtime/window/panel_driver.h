@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The user interface without a window: frames, and a mouse that finds what it is to press.
+#pragma once
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "runtime/window/ui/panel_ui.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+
+/// A step on the way to a widget: an id of a string or a number.
+struct IdStep {
+    IdStep(const char* name) : text(name) {}
+    IdStep(int n) : number(n) {}
+    const char* text = nullptr;
+    int number = 0;
+};
+
+/// An ImGui context for as long as it lives.
+class PanelDriver {
+public:
+    explicit PanelDriver(float width = 1280, float height = 3000) {
+        ImGui::CreateContext();
+        setUpUiStyle(1);
+        unsigned char* texels = nullptr;
+        int w = 0, h = 0;
+        ImGuiIO& io = ImGui::GetIO();
+        io.Fonts->GetTexDataAsAlpha8(&texels, &w, &h);
+        io.DisplaySize = {width, height};
+        io.DeltaTime = 0.02f;
+        io.MousePos = {-1, -1};
+    }
+    ~PanelDriver() { ImGui::DestroyContext(); }
+    PanelDriver(const PanelDriver&) = delete;
+    PanelDriver& operator=(const PanelDriver&) = delete;
+
+    /// A frame; returns what was asked for in it.
+    Requests frame(Workspace& w) {
+        w.requests = {};
+        ImGui::NewFrame();
+        drawUi(w);
+        ImGui::Render();
+        return w.requests;
+    }
+
+    /// Opens a header, or closes it. After the first frame.
+    static void open(const char* section, bool open = true) {
+        ImGuiWindow* panel = ImGui::FindWindowByName("Panel");
+        panel->StateStorage.SetInt(panel->GetID(section), open ? 1 : 0);
+    }
+    void openAll(Workspace& w) {
+        frame(w);
+        for (const char* name : {"Light", "Sky", "Materials", "Room", "Render", "Picture", "Camera", "Views", "Measure",
+                                 "Output", "About"})
+            open(name);
+    }
+
+    /// Moves the mouse over the window until it is over the widget.
+    bool find(Workspace& w, const char* window, std::initializer_list<IdStep> path) {
+        for (int f = 0; f < 3; ++f) frame(w); // until windows know their sizes
+        const ImGuiWindow* owner = ImGui::FindWindowByName(window);
+        if (!owner) return false;
+        const ImGuiID id = idOf(owner->ID, path);
+        const ImRect area = owner->Rect();
+        constexpr float column = 12, row = 7; // less than any widget has
+        for (float y = area.Min.y + 2; y < area.Max.y; y += row)
+            for (float x = area.Min.x + 2; x < area.Max.x; x += column) {
+                ImGui::GetIO().MousePos = {x, y};
+                frame(w);
+                if (GImGui->HoveredId == id) return true;
+            }
+        return false;
+    }
+
+    Requests press(Workspace& w) { return button(w, true); }
+    Requests release(Workspace& w) { return button(w, false); }
+    Requests move(Workspace& w, float dx) {
+        ImGui::GetIO().MousePos.x += dx;
+        return frame(w);
+    }
+    /// Returns what the release asked for.
+    Requests click(Workspace& w) {
+        press(w);
+        return release(w);
+    }
+
+private:
+    static ImGuiID idOf(ImGuiID seed, std::initializer_list<IdStep> path) {
+        for (const IdStep& step : path)
+            seed = step.text ? ImHashStr(step.text, 0, seed) : ImHashData(&step.number, sizeof step.number, seed);
+        return seed;
+    }
+    Requests button(Workspace& w, bool down) {
+        ImGui::GetIO().MouseDown[0] = down;
+        return frame(w);
+    }
+};
+
+} // namespace pointrt

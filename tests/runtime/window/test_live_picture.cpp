@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture made in slices is the picture made at once; what the window shows of it is what files hold.
+#include "runtime/window/live/live_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <thread>
+
+#include "runtime/gpu/device.h"
+#include "runtime/image/tonemap.h"
+#include "runtime/scene/camera.h"
+#include "runtime/tracer/tracer.h"
+
+namespace pointrt {
+namespace {
+
+constexpr double kSlice_s = 0.004;
+
+/// A ball of glass and one of plastic over a floor under a small lamp.
+SceneDescription testScene() {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.materials[0].kind = MaterialKind::kPlastic;
+    scene.materials[1].kind = MaterialKind::kGlass;
+    scene.shapes.push_back({ShapeKind::kSphere, {-1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
+    scene.shapes.push_back({ShapeKind::kSphere, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1});
+    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
+    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
+    return scene;
+}
+
+RenderSettings testSettings(Integrator integrator) {
+    RenderSettings settings;
+    settings.width = 72;
+    settings.height = 56;
+    settings.spp = 4;
+    settings.integrator = integrator;
+    settings.caustics = false;
+    return settings;
+}
+
+class LivePictureTest : public testing::TestWithParam<Integrator> {
+protected:
+    void SetUp() override {
+        messages = validationMessages();
+        device = createDevice({});
+        scene = openScene(device, testScene(), false);
+        view.settings = testSettings(GetParam());
+        uploadSceneTables(device, scene, view.settings);
+        view.camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 72.0 / 56);
+        view.look.scale = scene.space.scale;
+        createBandTracer(device, tracer, scene, view.settings, kLiveLanes, 1, 0);
+        live.emplace(device, tracer, 0.01);
+    }
+    void TearDown() override {
+        live.reset();
+        destroyBandTracer(device, tracer);
+        destroyDeviceScene(device, scene);
+        destroyDevice(device);
+        EXPECT_EQ(validationMessages(), messages);
+    }
+
+    void finish() {
+        for (int i = 0; i < 100000 && !live->progress().resting; ++i) {
+            live->clearUpdates();
+            live->work(kSlice_s);
+            // it waits for a while before it takes things for resting
+            if (live->updates().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        ASSERT_TRUE(live->progress().resting);
+    }
+
+    Film headless() {
+        Tracer whole = createTracer(device, scene, view.settings, view.camera);
+        renderFrame(device, whole, {});
+        Film film = pointrt::readFilm(whole);
+        destroyTracer(device, whole);
+        return film;
+    }
+
+    std::vector<std::uint32_t> shownPixels() {
+        std::vector<std::uint32_t> words(72 * 56);
+        downloadBuffer(device, live->pixels(), words.data(), words.size() * 4);
+        return words;
+    }
+
+    std::uint64_t messages = 0;
+    Device device;
+    DeviceScene scene;
+    LiveView view;
+    BandTracer tracer;
+    std::optional<LivePicture> live;
+};
+
+TEST_P(LivePictureTest, IsTheHeadlessPicture) {
+    live->setView(view, true);
+    finish();
+    const Film film = live->readFilm(), whole = headless();
+    EXPECT_EQ(film.rgba, whole.rgba);
+    EXPECT_EQ(film.variance, whole.variance);
+    const Image8 developed = developFilm(whole);
+    const std::vector<std::uint32_t> words = shownPixels();
+    int worst = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (std::uint32_t c = 0; c < 3; ++c)
+            worst = std::max(worst,
+                             std::abs(static_cast<int>(words[i] >> (16 - 8 * c) & 255) - developed.pixels[3 * i + c]));
+    EXPECT_LE(worst, 1); // where the device's powers round another way
+}
+
+TEST_P(LivePictureTest, StartsOverWhereTheCameraMoves) {
+    live->setView(view, true);
+    for (int i = 0; i < 20; ++i) {
+        view.camera.eye = view.camera.eye + Vec3{0.01, 0, 0};
+        live->setView(view, true);
+        live->clearUpdates();
+        live->work(kSlice_s);
+        ASSERT_FALSE(live->updates().empty()) << "every moving frame has a picture";
+    }
+    finish();
+    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+}
+
+TEST_P(LivePictureTest, GrowsAndShrinks) {
+    for (const std::uint32_t edge : {40u, 200u, 1u, 72u}) {
+        view.settings.width = edge;
+        view.settings.height = edge == 72 ? 56 : edge;
+        live->setView(view, true);
+        live->work(kSlice_s);
+    }
+    finish();
+    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+}
+
+TEST_P(LivePictureTest, PicksWhatTheFirstHitsSay) {
+    view.settings.first_hits = true;
+    live->setView(view, false);
+    finish();
+    const Film film = headless();
+    int found = 0;
+    for (std::uint32_t y = 3; y < 56; y += 7)
+        for (std::uint32_t x = 2; x < 72; x += 5) {
+            const std::optional<Pick> pick = live->pick(x, y);
+            const std::size_t at = std::size_t{y} * 72 + x;
+            ASSERT_EQ(pick.has_value(), film.instance_id[at] != NO_INDEX);
+            if (!pick) continue;
+            ++found;
+            EXPECT_EQ(pick->owner, film.instance_id[at]);
+            EXPECT_FLOAT_EQ(static_cast<float>(pick->distance), film.depth[at]);
+            EXPECT_FLOAT_EQ(static_cast<float>(pick->position.y), film.position[3 * at + 1]);
+        }
+    EXPECT_GT(found, 20);
+    EXPECT_EQ(live->readFilm().rgba, film.rgba);
+}
+
+TEST_P(LivePictureTest, ShowsDenoisedLightAndStaysTheSameFilm) {
+    view.denoise = true;
+    live->setView(view, false);
+    finish();
+    const std::vector<std::uint32_t> denoised = shownPixels();
+    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+    Look look = view.look;
+    live->setLook(look, false);
+    finish();
+    EXPECT_NE(shownPixels(), denoised);
+    look.shown = SHOWN_NORMAL;
+    live->setLook(look, false);
+    finish();
+    // the middle of the plastic ball faces the camera
+    const std::uint32_t normal = shownPixels()[28 * 72 + 20];
+    EXPECT_GT(normal & 255, 200u);
+}
+
+TEST_P(LivePictureTest, DenoisesAtRestWhenToldTo) {
+    view.settings.first_hits = true;
+    live->setView(view, false);
+    finish();
+    const std::vector<std::uint32_t> noisy = shownPixels();
+    live->setLook(view.look, true);
+    finish();
+    EXPECT_NE(shownPixels(), noisy);
+    live->setLook(view.look, false);
+    finish();
+    EXPECT_EQ(shownPixels(), noisy);
+}
+
+/// The quick picture of something that moves is no sample of it, even where it is as large.
+TEST_P(LivePictureTest, QuickPicturesAreNoSamples) {
+    view.settings.width = view.settings.height = 8;
+    live->setView(view, true);
+    live->work(kSlice_s);
+    EXPECT_EQ(live->progress().size, (PictureSize{8, 8}));
+    EXPECT_EQ(live->progress().samples, 0u);
+    EXPECT_FALSE(live->betweenSamples());
+}
+
+/// The look may change at any time, in the midst of a sample; the light stays.
+TEST_P(LivePictureTest, AnotherLookIsNoOtherLight) {
+    view.settings.first_hits = true;
+    live->setView(view, false);
+    Look look = view.look;
+    for (int i = 0; i < 60; ++i) {
+        live->work(kSlice_s / 4);
+        look.exposure = 0.1f * static_cast<float>(i % 7);
+        look.shown = i % 5 == 0 ? SHOWN_ALBEDO : SHOWN_BEAUTY;
+        live->setLook(look, i % 3 == 0);
+    }
+    look.exposure = 1;
+    look.shown = SHOWN_BEAUTY;
+    live->setLook(look, false);
+    finish();
+    EXPECT_EQ(live->readFilm().rgba, headless().rgba);
+    const Image8 developed = developFilm(headless(), 1);
+    const std::vector<std::uint32_t> words = shownPixels();
+    for (std::size_t i = 0; i < words.size(); i += 7)
+        ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, LivePictureTest,
+                         testing::Values(Integrator::kPhong, Integrator::kWhitted, Integrator::kPath));
+
+} // namespace
+} // namespace pointrt

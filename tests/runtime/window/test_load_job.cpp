@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that are loaded, and lit anew, while the window goes on.
+#include "runtime/window/jobs/load_job.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "runtime/scene/camera.h"
+#include "runtime/window/live/live_picture.h"
+#include "tests/format/tiny_scene.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pointrt {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kScan = "[[instance]]\nfile = 'tiny.pro'\n";
+constexpr const char* kGlassBall = "[material.glass]\nkind = 'glass'\n"
+                                   "[[shape]]\ntype = 'sphere'\ncenter = [11.1, 21.4, 30.8]\nradius = 0.3\n"
+                                   "material = 'glass'\n"
+                                   "[[shape]]\ntype = 'disc'\ncenter = [11, 20.4, 30.8]\nradius = 3\n"
+                                   "normal = [0, 1, 0]\n";
+
+std::string lamp(const char* position) {
+    return std::string("[[light]]\ntype = 'point'\nposition = ") + position + "\nintensity = 6\n";
+}
+
+class LoadJobTest : public testing::Test {
+protected:
+    void SetUp() override {
+        test::tinyScene().write(folder.file("tiny.pro"));
+        messages = validationMessages();
+        device = createDevice({});
+    }
+    void TearDown() override {
+        destroyDevice(device);
+        EXPECT_EQ(validationMessages(), messages);
+    }
+
+    Options optionsFor(const std::string& path) const {
+        Options options;
+        options.scene = path;
+        options.choices.width = 32;
+        options.choices.height = 24;
+        options.choices.integrator = integrator;
+        options.choices.caustics = caustics;
+        return options;
+    }
+
+    static void wait(const Job& job) {
+        for (int i = 0; i < 60000 && !job.ended(); ++i) std::this_thread::sleep_for(1ms);
+    }
+
+    std::unique_ptr<LoadedScene> load(const std::string& path) {
+        LoadJob load(device, optionsFor(path));
+        wait(load.job());
+        EXPECT_EQ(load.job().state(), JobState::kDone) << load.job().error();
+        return load.take();
+    }
+    std::unique_ptr<LoadedScene> loadText(const std::string& text) { return load(folder.write("scene.toml", text)); }
+
+    std::string failure(const std::string& path) {
+        LoadJob load(device, optionsFor(path));
+        wait(load.job());
+        EXPECT_EQ(load.job().state(), JobState::kFailed);
+        EXPECT_EQ(load.take(), nullptr);
+        return load.job().error();
+    }
+
+    static LiveView viewOf(const LoadedScene& loaded) {
+        LiveView view;
+        view.settings = loaded.settings;
+        view.settings.spp = 2;
+        view.camera = loaded.camera;
+        view.look.scale = loaded.scene.space.scale;
+        return view;
+    }
+
+    static std::vector<float> finish(LivePicture& live) {
+        for (int i = 0; i < 60000 && !live.progress().resting; ++i) {
+            live.clearUpdates();
+            live.work(0.01);
+            if (live.updates().empty()) std::this_thread::sleep_for(1ms);
+        }
+        EXPECT_TRUE(live.progress().resting);
+        return live.readFilm().rgba;
+    }
+
+    std::vector<float> picture(LoadedScene& loaded) {
+        LivePicture live(device, loaded.tracer, 0.01);
+        live.setView(viewOf(loaded), false);
+        return finish(live);
+    }
+
+    void relight(LoadedScene& loaded, const LoadedScene& like) {
+        RefurnishJob job(device, loaded, like.scene.description, like.settings);
+        wait(job.job());
+        EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
+    }
+
+    /// All of one colour, 2^exponent times (0.25, 0.375, 0.5).
+    std::string writeSky(const char* name, int exponent) const {
+        std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+        for (int i = 0; i < 8; ++i) text += {'\x40', '\x60', '\x7f', static_cast<char>(128 + exponent)};
+        return folder.write(name, text);
+    }
+
+    const test::TemporaryFolder folder;
+    Integrator integrator = Integrator::kWhitted;
+    bool caustics = false; ///< they take a second each time
+    Device device;
+    std::uint64_t messages = 0; ///< of tests before
+};
+
+TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
+    LoadJob load(device, optionsFor(folder.file("tiny.pro")));
+    double before = 0;
+    while (!load.job().ended()) {
+        const JobFigures figures = load.job().figures();
+        EXPECT_EQ(figures.what, "Loading tiny.pro");
+        EXPECT_GE(figures.share.value_or(0), before);
+        before = figures.share.value_or(0);
+        std::this_thread::sleep_for(1ms);
+    }
+    const auto loaded = load.take();
+    ASSERT_NE(loaded, nullptr) << load.job().error();
+    EXPECT_EQ(load.take(), nullptr) << "once";
+    EXPECT_EQ(loaded->scene.splat_count, 5u);
+    EXPECT_TRUE(loaded->described.lights.empty());
+    EXPECT_EQ(loaded->scene.description.lights.size(), 3u) << "the studio's";
+    EXPECT_EQ(loaded->camera.eye, loaded->staged_for);
+    EXPECT_FALSE(loaded->lacks_photons);
+    const std::vector<float> pixels = picture(*loaded);
+    EXPECT_EQ(pixels.size(), 32u * 24 * 4);
+    EXPECT_NE(pixels[4 * (12 * 32 + 16)], pixels[0]) << "something is there";
+    relight(*loaded, *loaded);
+    EXPECT_EQ(picture(*loaded), pixels);
+    EXPECT_EQ(loaded->scene.description.lights.size(), 3u) << "no more than at first";
+}
+
+TEST_F(LoadJobTest, SaysWhatIsWrong) {
+    EXPECT_EQ(failure(folder.write("broken.pro", "no scene at all")).find(folder.file("broken.pro") + ": "), 0u);
+    EXPECT_EQ(failure(folder.file("none.pro")).find(folder.file("none.pro") + ": "), 0u);
+    EXPECT_EQ(failure(folder.write("bad.toml", "[[light]]\n")).find(folder.file("bad.toml") + ":1: "), 0u);
+}
+
+TEST_F(LoadJobTest, GoesAwayUnderWay) {
+    for (int i = 0; i < 3; ++i) {
+        LoadJob load(device, optionsFor(folder.file("tiny.pro")));
+        std::this_thread::sleep_for(i * 10ms);
+    }
+    LoadJob load(device, optionsFor(folder.file("tiny.pro")));
+    load.job().cancel();
+    wait(load.job());
+    EXPECT_EQ(load.job().state(), JobState::kCancelled);
+    EXPECT_EQ(load.take(), nullptr);
+}
+
+TEST_F(LoadJobTest, MovesALightAtOnce) {
+    const auto loaded = loadText(kScan + lamp("[10, 24, 36]")), moved = loadText(kScan + lamp("[14, 22, 35]"));
+    LivePicture live(device, loaded->tracer, 0.01);
+    live.setView(viewOf(*loaded), false);
+    const std::vector<float> before = finish(live), expected = picture(*moved);
+    EXPECT_NE(before, expected);
+    ASSERT_TRUE(refurnishNow(device, *loaded, moved->scene.description, moved->settings));
+    EXPECT_FALSE(loaded->lacks_photons);
+    live.restart(true);
+    EXPECT_EQ(finish(live), expected);
+}
+
+TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
+    const std::string one = kScan + lamp("[10, 24, 36]");
+    const auto loaded = loadText(one);
+    LivePicture live(device, loaded->tracer, 0.01);
+    live.setView(viewOf(*loaded), false);
+    const auto change = [&](const LoadedScene& like) {
+        EXPECT_TRUE(refurnishNow(device, *loaded, like.scene.description, like.settings));
+        live.restart(false);
+        return finish(live);
+    };
+    std::string text = one;
+    for (const char* place : {"[14, 22, 35]", "[12, 26, 31]"}) {
+        text += lamp(place);
+        const auto more = loadText(text);
+        EXPECT_EQ(change(*more), picture(*more));
+    }
+    const auto fewer = loadText(kScan + lamp("[14, 22, 35]"));
+    EXPECT_EQ(change(*fewer), picture(*fewer));
+}
+
+TEST_F(LoadJobTest, OtherProgramsTakeAJob) {
+    const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
+    const std::vector<float> before = picture(*loaded);
+    const auto round = loadText(kScan + lamp("[10, 24, 36]") +
+                                "[[light]]\ntype = 'sphere'\ncenter = [14, 22, 35]\n"
+                                "radius = 0.2\nradiance = 90\n");
+    EXPECT_FALSE(refurnishNow(device, *loaded, round->scene.description, round->settings));
+    RenderSettings path = loaded->settings;
+    path.integrator = Integrator::kPath;
+    EXPECT_FALSE(refurnishNow(device, *loaded, loaded->scene.description, path));
+    EXPECT_EQ(picture(*loaded), before) << "nothing was changed";
+    relight(*loaded, *round);
+    EXPECT_EQ(picture(*loaded), picture(*round));
+    integrator = Integrator::kPath;
+    const auto traced = loadText(kScan + lamp("[10, 24, 36]"));
+    relight(*loaded, *traced);
+    EXPECT_EQ(picture(*loaded), picture(*traced));
+}
+
+TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
+    const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
+    caustics = true;
+    const auto ball = loadText(kScan + std::string(kGlassBall) + lamp("[11, 25, 31]")),
+               moved = loadText(kScan + std::string(kGlassBall) + lamp("[12, 25, 31]"));
+    const std::vector<float> expected = picture(*moved);
+    relight(*loaded, *ball);
+    EXPECT_GT(loaded->tracer.caustics.frame.count.x, 0u);
+    EXPECT_FALSE(loaded->lacks_photons);
+    EXPECT_EQ(picture(*loaded), picture(*ball));
+    ASSERT_TRUE(refurnishNow(device, *loaded, moved->scene.description, moved->settings));
+    EXPECT_TRUE(loaded->lacks_photons);
+    EXPECT_EQ(loaded->tracer.caustics.frame.count.x, 0u);
+    const std::vector<float> without = picture(*loaded);
+    EXPECT_NE(without, expected);
+    {
+        RefurnishJob job(device, *loaded, moved->scene.description, moved->settings);
+        job.job().cancel();
+        wait(job.job());
+        EXPECT_FALSE(loaded->lacks_photons) << "nobody wants to wait for them";
+        if (job.job().state() == JobState::kCancelled) { // and was in time
+            EXPECT_EQ(picture(*loaded), without);
+        }
+    }
+    relight(*loaded, *moved);
+    EXPECT_FALSE(loaded->lacks_photons);
+    EXPECT_EQ(picture(*loaded), expected);
+}
+
+TEST_F(LoadJobTest, ReadsASkyOnce) {
+    writeSky("dim.hdr", 0);
+    writeSky("bright.hdr", 1);
+    const auto sky = [](const char* image, const char* rest) {
+        return std::string(kScan) + "[sky]\nimage = '" + image + "'\n" + rest;
+    };
+    const auto loaded = loadText(sky("dim.hdr", "")), bright = loadText(sky("bright.hdr", "")),
+               turned = loadText(sky("dim.hdr", "strength = 0.5\nrotation = 30\n")),
+               none = loadText(kScan + lamp("[10, 24, 36]"));
+    EXPECT_FALSE(refurnishNow(device, *loaded, bright->scene.description, bright->settings));
+    SceneDescription gone = bright->scene.description;
+    gone.sky->image = folder.file("none.hdr");
+    RefurnishJob job(device, *loaded, gone, bright->settings);
+    wait(job.job());
+    EXPECT_EQ(job.job().state(), JobState::kFailed);
+    EXPECT_EQ(job.job().error().find(folder.file("none.hdr") + ": "), 0u) << job.job().error();
+    EXPECT_EQ(loaded->scene.description.sky->image, folder.file("dim.hdr"));
+    relight(*loaded, *bright);
+    EXPECT_EQ(picture(*loaded), picture(*bright));
+    relight(*loaded, *none);
+    EXPECT_EQ(picture(*loaded), picture(*none));
+    relight(*loaded, *turned);
+    EXPECT_EQ(picture(*loaded), picture(*turned));
+    std::filesystem::remove(folder.file("dim.hdr"));
+    relight(*loaded, *turned);
+    EXPECT_EQ(picture(*loaded), picture(*turned)) << "without reading it again";
+}
+
+TEST_F(LoadJobTest, OtherScansAreLoadedNotRefurnished) {
+    const auto loaded = loadText(kScan + lamp("[10, 24, 36]"));
+    const std::vector<float> before = picture(*loaded);
+    SceneDescription other = loaded->scene.description;
+    other.instances[0].placement.translation.x += 1;
+    EXPECT_FALSE(refurnishNow(device, *loaded, other, loaded->settings));
+    RefurnishJob job(device, *loaded, other, loaded->settings);
+    wait(job.job());
+    EXPECT_EQ(job.job().state(), JobState::kFailed);
+    EXPECT_EQ(picture(*loaded), before);
+}
+
+} // namespace
+} // namespace pointrt

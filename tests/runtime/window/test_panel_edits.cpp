@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the panels do to lights and materials, and how they write numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/window/edit/light_edit.h"
+#include "runtime/window/edit/material_edit.h"
+#include "runtime/window/widgets/panel_numbers.h"
+
+namespace pointrt {
+namespace {
+
+constexpr Vec3 kUp{0, 1, 0};
+const LitScene kScene{{1, 2, 3}, kUp, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr LightKind kKinds[] = {LightKind::kPoint, LightKind::kSpot, LightKind::kSun, LightKind::kSphere,
+                                LightKind::kQuad};
+
+void expectNear(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
+
+TEST(LightEdit, BrightnessOneShowsWhite) {
+    // A white surface gives back irradiance / pi. From 10 away a point of intensity 100 pi irradiates pi; the sun
+    // does so by itself; a sphere of radius 1 and a square of area 4 with radiance 100 irradiate 100 pi / 100 and
+    // 100 * 4 / 100.
+    const auto pi = std::numbers::pi_v<float>;
+    EXPECT_NEAR(brightnessOf(PointLight{{}, {100 * pi, 0, 0}}, 10), 1, 1e-6);
+    EXPECT_NEAR(brightnessOf(SunLight{kUp, 0, {0, pi, 0}}, 10), 1, 1e-6);
+    EXPECT_NEAR(brightnessOf(SphereLight{{}, 1, {0, 0, 100}, true}, 10), 1, 1e-6);
+    EXPECT_NEAR(brightnessOf(QuadLight{{}, {1, 0, 0}, {0, 1, 0}, {100, 0, 0}, true}, 10), 4 / std::numbers::pi, 1e-6);
+}
+
+TEST(LightEdit, TintAndBrightnessAreSeparate) {
+    for (const LightKind kind : kKinds) {
+        LightDescription light = newLight(kind, kScene);
+        EXPECT_EQ(light.index(), static_cast<std::size_t>(kind));
+        EXPECT_NEAR(brightnessOf(light, 8), 0.7, 1e-6);
+        setTint(light, {0.5f, 0.25f, 0});
+        EXPECT_NEAR(brightnessOf(light, 8), 0.7, 1e-6);
+        setBrightness(light, 3, 8);
+        EXPECT_NEAR(brightnessOf(light, 8), 3, 1e-5);
+        EXPECT_NEAR(tintOf(light)[0], 1, 1e-6);
+        EXPECT_NEAR(tintOf(light)[1], 0.5, 1e-6);
+        EXPECT_EQ(tintOf(light)[2], 0);
+    }
+}
+
+TEST(LightEdit, StaysWithinWhatSceneFilesTake) {
+    LightDescription light = PointLight{{}, {1, 1, 1}};
+    setBrightness(light, 1e30, 1e12);
+    EXPECT_LE(emissionOf(light)[0], 1.0001e12f);
+    setTint(light, {0, 0, 0});
+    EXPECT_GT(emissionOf(light)[0], 0);
+    setBrightness(light, 0, 1);
+    EXPECT_EQ(tintOf(light), (Color{1, 1, 1}));
+}
+
+TEST(LightEdit, SizeKeepsTheBrightness) {
+    LightDescription sphere = newLight(LightKind::kSphere, kScene), quad = newLight(LightKind::kQuad, kScene);
+    setRadius(std::get<SphereLight>(sphere), 3);
+    setHalfEdges(std::get<QuadLight>(quad), 3, 0.1);
+    EXPECT_NEAR(brightnessOf(sphere, 8), 0.7, 1e-6);
+    EXPECT_NEAR(brightnessOf(quad, 8), 0.7, 1e-6);
+    EXPECT_NEAR(length(std::get<QuadLight>(quad).u), 3, 1e-9);
+    EXPECT_NEAR(length(std::get<QuadLight>(quad).v), 0.1, 1e-9);
+}
+
+TEST(LightEdit, NewLightsLookAtTheScene) {
+    const auto towards = [](Vec3 from) { return normalize(kScene.centre - from); };
+    const auto spot = std::get<SpotLight>(newLight(LightKind::kSpot, kScene));
+    expectNear(spot.direction, towards(spot.position));
+    EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere from twice its radius away
+    const auto quad = std::get<QuadLight>(newLight(LightKind::kQuad, kScene));
+    expectNear(normalOf(quad), towards(quad.center));
+    EXPECT_NEAR(dot(quad.u, quad.v), 0, 1e-9);
+    EXPECT_NEAR(quad.u.y, 0, 1e-9);
+    const auto sun = std::get<SunLight>(newLight(LightKind::kSun, kScene));
+    expectNear(sun.towards, normalize(Vec3{-1, 1, 1}));
+}
+
+TEST(LightEdit, BearingsAreACompass) {
+    expectNear(directionOf({0, 0}, kUp), {0, 0, -1});
+    expectNear(directionOf({90, 0}, kUp), {1, 0, 0});
+    expectNear(directionOf({90, 90}, kUp), kUp);
+    for (const Vec3 up : {kUp, Vec3{0, 0, 1}, normalize(Vec3{1, 2, -3})})
+        for (const double azimuth : {0.0, 10.0, 179.0, 359.0})
+            for (const double height : {-80.0, 0.0, 45.0}) {
+                const Bearing bearing = bearingOf(5 * directionOf({azimuth, height}, up), up);
+                EXPECT_NEAR(bearing.azimuth_deg, azimuth, 1e-9);
+                EXPECT_NEAR(bearing.height_deg, height, 1e-9);
+            }
+    EXPECT_EQ(bearingOf({}, kUp).height_deg, 90);
+    EXPECT_EQ(bearingOf({0, -2, 0}, kUp).height_deg, -90);
+}
+
+TEST(LightEdit, TurnsASoftboxStraightDown) {
+    QuadLight light{{}, {2, 0, 0}, {0, 3, 0}, {1, 1, 1}, true};
+    setNormal(light, {0, -1, 0}, kUp);
+    expectNear(normalOf(light), {0, -1, 0});
+    EXPECT_NEAR(length(light.u), 2, 1e-9);
+    EXPECT_NEAR(length(light.v), 3, 1e-9);
+}
+
+SceneDescription threeScans() {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.materials[0].name = "floor";
+    scene.materials[1].name = "gold";
+    scene.instances.resize(3);
+    scene.instances[0].material = scene.instances[1].material = 1;
+    scene.shapes.resize(1);
+    return scene;
+}
+
+TEST(MaterialEdit, LeavesWhatOthersUse) {
+    SceneDescription scene = threeScans();
+    ASSERT_TRUE(setScanMaterial(scene, {0, 1}, MaterialKind::kGlass));
+    EXPECT_EQ(scene.instances[0].material, 2u);
+    EXPECT_EQ(scene.instances[1].material, 1u);
+    EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMatte);
+    EXPECT_EQ(scene.materials[2].kind, MaterialKind::kGlass);
+    ASSERT_TRUE(setScanMaterial(scene, {1, 1}, MaterialKind::kMetal)); // now its own
+    EXPECT_EQ(scene.instances[1].material, 1u);
+    EXPECT_EQ(scene.materials[1].kind, MaterialKind::kMetal);
+    EXPECT_EQ(scene.materials[1].name, "gold");
+    EXPECT_FALSE(scene.instances[2].material.has_value());
+    scene.instances[2].material = 0; // as the floor
+    ASSERT_TRUE(setScanMaterial(scene, {2, 1}, MaterialKind::kMirror));
+    EXPECT_NE(scene.instances[2].material, 0u);
+    EXPECT_EQ(scene.materials[0].kind, MaterialKind::kMatte);
+}
+
+TEST(MaterialEdit, MakesNoMoreThanItNeeds) {
+    SceneDescription scene = threeScans();
+    for (int turn = 0; turn < 10; ++turn) {
+        ASSERT_TRUE(setScanMaterial(scene, {0, 3}, MaterialKind::kMirror));
+        ASSERT_TRUE(setScanMaterial(scene, {0, 3}, std::nullopt));
+        ASSERT_TRUE(setScanMaterial(scene, {2, 1}, MaterialKind::kPlastic));
+    }
+    EXPECT_LE(scene.materials.size(), 3u);
+}
+
+TEST(MaterialEdit, RefusesMoreThanAFileHolds) {
+    SceneDescription scene = threeScans();
+    scene.materials.resize(256);
+    const SceneDescription before = scene;
+    EXPECT_FALSE(setScanMaterial(scene, {2, 1}, MaterialKind::kGlass));
+    EXPECT_EQ(scene, before);
+    EXPECT_TRUE(setScanMaterial(scene, {0, 1}, std::nullopt));
+}
+
+TEST(MaterialEdit, NamesAreOfOneMaterial) {
+    SceneDescription scene = threeScans();
+    for (std::size_t i = 0; i < 3; ++i) ASSERT_TRUE(setScanMaterial(scene, {i, 1}, MaterialKind::kPlastic));
+    std::vector<std::string> names;
+    for (const MaterialDescription& material : scene.materials) names.push_back(material.name);
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(PanelNumbers, HaveSensibleDigits) {
+    EXPECT_EQ(lengthText(0.123456789, 0.27), "0.12346");
+    EXPECT_EQ(lengthText(4512345.678912, 120), "4512345.68");
+    EXPECT_EQ(lengthText(-3.7, 1e6), "-4");
+    EXPECT_EQ(lengthText(1e30, 1), "1e+30");
+    EXPECT_EQ(lengthText(NAN, 1).find("nan") != std::string::npos, true);
+    EXPECT_EQ(decimalsFor(NAN), 3);
+    EXPECT_EQ(countText(0), "0");
+    EXPECT_EQ(countText(999), "999");
+    EXPECT_EQ(countText(1000), "1 000");
+    EXPECT_EQ(countText(12345678), "12 345 678");
+    EXPECT_EQ(bytesText(999), "999 B");
+    EXPECT_EQ(bytesText(1500), "1.5 kB");
+    EXPECT_EQ(bytesText(231000000), "231 MB");
+    EXPECT_EQ(bytesText(~0ull), "18 EB");
+    EXPECT_EQ(durationText(0.2), "1 s");
+    EXPECT_EQ(durationText(185), "3 min 05 s");
+    EXPECT_EQ(durationText(7800), "2 h 10 min");
+    EXPECT_EQ(durationText(1e300), "99 h 59 min");
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panels, used with a mouse, and shown with anything in them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "panel_driver.h"
+#include "runtime/scene/sun.h"
+#include "runtime/window/edit/light_edit.h"
+
+namespace pointrt {
+namespace {
+
+/// A scan on a floor under a sun and a lamp.
+Workspace litScan() {
+    Workspace w;
+    w.scene.instances.push_back({"scans/bust.pro", {}, {}, {}});
+    w.scene.materials.push_back({});
+    w.scene.materials.back().name = "floor";
+    w.scene.shapes.push_back({});
+    w.scene.lights.push_back(SunLight{Vec3{0, 1, 0}, 0.3, {3, 3, 3}});
+    w.scene.lights.push_back(SphereLight{Vec3{1, 2, 3}, 0.5, {8, 6, 4}, true});
+    w.scene_min = {-1, 0, -1};
+    w.scene_max = {1, 2, 1};
+    w.camera = framedView({}, w.scene_min, w.scene_max, {0, 1, 0}, 1.5);
+    return w;
+}
+
+PickedPoint pick(Vec3 position) {
+    PickedPoint point;
+    point.splat = 7;
+    point.owner = "scans/bust.pro";
+    point.position = position;
+    point.normal = {0, 0, 1};
+    point.radius = 0.01;
+    point.color = {{200, 100, 50}};
+    return point;
+}
+
+/// Everything at once that can be shown.
+Workspace busyScan() {
+    Workspace w = litScan();
+    w.picks = {pick({0, 1, 0}), pick({0.5, 1, 0})};
+    w.keeps_measurement = w.show_cheat_sheet = true;
+    w.job = JobFigures{"Baking bust.ply", "normals", 0.3, 75.0, true};
+    w.notices = {{"saved", false, 10}, {"broken", true, 0.1}, {"gone", false, -5}};
+    w.scene.views = {{"front", {}}, {"front", {}}, {"", {}}};
+    return w;
+}
+
+bool asksNothing(const Requests& r) {
+    return !(r.scene_changed || r.settings_changed || r.look_changed || r.dragging || r.save_scene || r.screenshot ||
+             r.save_view || r.home || r.quit || r.cancel_job || r.go_to_view || r.forget_view || r.turntable_pictures);
+}
+
+void showAll(Workspace w, float width = 1280, float height = 720) {
+    PanelDriver driver(width, height);
+    const SceneDescription before = w.scene;
+    driver.openAll(w);
+    for (int f = 0; f < 5; ++f) EXPECT_TRUE(asksNothing(driver.frame(w)));
+    const bool comparable = before == before; // what is no number is not equal to itself
+    EXPECT_TRUE(!comparable || w.scene == before);
+}
+
+TEST(Panels, ShowAnythingAndChangeNothing) {
+    showAll({});
+    showAll(busyScan());
+    Workspace many = busyScan();
+    for (int i = 0; i < 300; ++i)
+        many.scene.lights.push_back(
+            newLight(static_cast<LightKind>(i % 5), {{}, {0, 1, 0}, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+    many.scene.instances.resize(254, many.scene.instances.front());
+    many.scene.materials.resize(256);
+    showAll(many);
+}
+
+TEST(Panels, ShowInAnyWindow) {
+    for (const float side : {1.0f, 20.0f, 150.0f, 8000.0f}) showAll(busyScan(), side, side);
+    showAll(busyScan(), 1, 2000);
+    showAll(busyScan(), 2000, 1);
+}
+
+TEST(Panels, ShowAbsurdNumbers) {
+    for (const double absurd :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300, -1e30, 0.0}) {
+        const float number = static_cast<float>(std::clamp(absurd, -1e30, 1e30));
+        const Vec3 point{absurd, absurd, absurd};
+        const Color color{number, number, number};
+        Workspace w = busyScan();
+        w.scene.lights = {PointLight{point, color}, SpotLight{point, point, absurd, absurd, color},
+                          SunLight{point, absurd, color}, SphereLight{point, absurd, color, true},
+                          QuadLight{point, point, point, color, true}};
+        w.scene.up = w.scene_max = w.camera.eye = w.picks[0].position = point;
+        w.scene.sky = SkyDescription{color, color, color, "", absurd, number, number};
+        w.scene.instances[0].material = 0;
+        w.scene.materials[0] = {
+            "", MaterialKind::kGlass, color, true, number, number, number, number, number, false, color, color};
+        w.hud.frame_ms = w.hud.sample_share = w.time_s = w.look.depth_black = absurd;
+        w.look.exposure = number;
+        w.look.shown = 77;
+        w.job->share = w.job->seconds_left = absurd;
+        for (int selected = 0; selected < 5; ++selected) {
+            showAll(w);
+            std::rotate(w.scene.lights.begin(), w.scene.lights.begin() + 1, w.scene.lights.end());
+        }
+    }
+}
+
+TEST(Panels, AskAgainWhenADragEnds) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Picture", "Exposure", "##value"}));
+    EXPECT_TRUE(asksNothing(driver.frame(w)));
+    driver.press(w);
+    const Requests moved = driver.move(w, 15);
+    EXPECT_TRUE(moved.look_changed && moved.dragging);
+    EXPECT_FALSE(moved.scene_changed || moved.settings_changed);
+    const Requests held = driver.frame(w);
+    EXPECT_TRUE(held.dragging);
+    EXPECT_FALSE(held.look_changed);
+    const Requests released = driver.release(w);
+    EXPECT_TRUE(released.look_changed);
+    EXPECT_FALSE(released.dragging);
+    EXPECT_NE(w.look.exposure, 0);
+    EXPECT_TRUE(asksNothing(driver.frame(w)));
+}
+
+TEST(Panels, MakeTheScanOfGlass) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    driver.frame(w);
+    driver.open("Materials");
+    ASSERT_TRUE(driver.find(w, "Panel", {"Materials", "The scan is", "##value"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, "##Combo_00", {"Glass"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_TRUE(w.scene.instances[0].material.has_value());
+    ASSERT_LT(*w.scene.instances[0].material, w.scene.materials.size());
+    EXPECT_EQ(w.scene.materials[*w.scene.instances[0].material].kind, MaterialKind::kGlass);
+    EXPECT_EQ(w.scene.materials[w.scene.shapes[0].material].kind, MaterialKind::kMatte);
+}
+
+TEST(Panels, DeleteTheChosenLight) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_EQ(w.scene.lights.size(), 1u);
+    EXPECT_TRUE(std::holds_alternative<SphereLight>(w.scene.lights[0]));
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Delete"})); // the list is shorter
+    driver.click(w);
+    EXPECT_TRUE(w.scene.lights.empty());
+    driver.find(w, "Panel", {"Light", "Delete"});
+    EXPECT_TRUE(asksNothing(driver.click(w)));
+}
+
+TEST(Panels, AddALightAndChooseIt) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", "Add"}));
+    driver.click(w);
+    const ImGuiWindow* menu = GImGui->OpenPopupStack.back().Window;
+    ASSERT_TRUE(menu);
+    ASSERT_TRUE(driver.find(w, menu->Name, {"Softbox"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    ASSERT_EQ(w.scene.lights.size(), 3u);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 2, "Width", "##value"}));
+    driver.press(w);
+    EXPECT_TRUE(driver.move(w, -20).scene_changed);
+    EXPECT_LT(length(std::get<QuadLight>(w.scene.lights[2]).u), length(std::get<QuadLight>(w.scene.lights[2]).v));
+}
+
+TEST(Panels, HoldNoMoreLightsThanTheTracer) {
+    Workspace w = litScan();
+    w.scene.lights.resize(32, w.scene.lights[0]);
+    PanelDriver driver;
+    driver.find(w, "Panel", {"Light", "Copy"});
+    driver.click(w);
+    EXPECT_EQ(w.scene.lights.size(), 32u);
+}
+
+TEST(Panels, WishForARoom) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Room", "Mirror"}));
+    EXPECT_TRUE(driver.click(w).settings_changed);
+    EXPECT_EQ(w.settings.room, Room::kMirror);
+    w.settings.lights = 5;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Room", "Studio"}));
+    EXPECT_TRUE(driver.click(w).settings_changed);
+    EXPECT_FALSE(w.settings.room || w.settings.lights);
+}
+
+TEST(Panels, PutTheSunWhereItStood) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "By place and date"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Light", 0, "By place and date", "Put the sun there"}));
+    EXPECT_TRUE(driver.click(w).scene_changed);
+    // Greenwich, 2025-06-21 15:00 UTC, where the panel begins; north is -Z
+    SunPosition sun = sunPosition(1750518000, 51.48, 0);
+    sun.elevation_deg += refraction(sun.elevation_deg);
+    const Vec3 expected = sunDirection(sun, {0, 1, 0}, {0, 0, -1});
+    EXPECT_LT(length(std::get<SunLight>(w.scene.lights[0]).towards - expected), 1e-6);
+}
+
+TEST(Panels, CancelTheJob) {
+    Workspace w = busyScan();
+    w.show_cheat_sheet = false;
+    PanelDriver driver(1280, 720);
+    ASSERT_TRUE(driver.find(w, "Job", {"Cancel"}));
+    EXPECT_TRUE(driver.click(w).cancel_job);
+    w.job->can_cancel = false;
+    EXPECT_FALSE(driver.find(w, "Job", {"Cancel"}));
+}
+
+TEST(Panels, AskForTheTurntableAsSet) {
+    Workspace w = litScan();
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Output", "Render turntable"}));
+    EXPECT_EQ(driver.click(w).turntable_pictures, 36u);
+    w.job = JobFigures{};
+    EXPECT_FALSE(driver.click(w).turntable_pictures.has_value());
+}
+
+TEST(Panels, LeaveTheMiddleOfThePictureToTheScan) {
+    Workspace w = litScan();
+    PanelDriver driver(1280, 720);
+    driver.frame(w);
+    ImGui::GetIO().MousePos = {490, 360};
+    driver.frame(w);
+    driver.frame(w);
+    EXPECT_FALSE(ImGui::GetIO().WantCaptureMouse);
+    ImGui::GetIO().MousePos = {1200, 360};
+    driver.frame(w);
+    driver.frame(w);
+    EXPECT_TRUE(ImGui::GetIO().WantCaptureMouse);
+}
+
+TEST(Panels, MarkPicksOnThePicture) {
+    Workspace w = litScan();
+    w.show_hud = w.show_panel = false;
+    PanelDriver driver(1280, 720);
+    driver.frame(w);
+    EXPECT_EQ(ImGui::GetDrawData()->TotalVtxCount, 0);
+    w.picks = {pick(w.camera.pivot)};
+    driver.frame(w);
+    const ImDrawData* data = ImGui::GetDrawData();
+    ASSERT_GT(data->TotalVtxCount, 0);
+    double x = 0, y = 0;
+    for (const ImDrawVert& vertex : data->CmdLists[0]->VtxBuffer) x += vertex.pos.x, y += vertex.pos.y;
+    EXPECT_NEAR(x / data->TotalVtxCount, 640, 0.6); // ImGui draws lines through the middle of pixels
+    EXPECT_NEAR(y / data->TotalVtxCount, 360, 0.6);
+}
+
+TEST(UiStyle, FollowsTheScreen) {
+    PanelDriver driver;
+    const auto scaleAt = [](float content, float pixels) {
+        setUpUiStyle(content, pixels);
+        ImGui::GetIO().Fonts->Build();
+        ImGui::NewFrame();
+        const float scale = uiScale();
+        ImGui::Render();
+        return scale;
+    };
+    EXPECT_FLOAT_EQ(scaleAt(1, 1), 1);
+    EXPECT_FLOAT_EQ(scaleAt(2, 1), 2);
+    EXPECT_FLOAT_EQ(scaleAt(2, 2), 1);
+    EXPECT_FLOAT_EQ(scaleAt(std::numeric_limits<float>::quiet_NaN(), 1), scaleAt(0.5f, 1));
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asks shaders/material/material.glsl about many directions or random numbers at one surface.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+layout(set = 0, binding = 0) uniform samplerBuffer ggx_texels;
+#define loadGgxAlbedo(i) texelFetch(ggx_texels, int(i)).xy
+#include "shaders/material/material.glsl"
+
+layout(local_size_x = 64) in;
+
+struct Surface {
+    Material material;
+    vec4 albedo; // w: 1 on the inner side
+    vec4 normal;
+    vec4 view; // w: 1 where inputs are directions of light, 0 where they are random numbers
+};
+
+struct Answer {
+    vec4 scattered;        // direction and pdf
+    vec4 weight;           // w: 1 transmitted, 2 isDelta, 4 hasSmoothLobe, added up
+    vec4 evaluated;        // at the input, or at the direction drawn; w: bsdfPdf there
+    vec4 reflected;        // w: phongHighlight
+    vec4 reflected_weight; // w: glossedMirrorShare
+    vec4 refracted;
+    vec4 refracted_weight;
+    vec4 rest;             // smoothAlbedo
+    vec4 classic;          // classicBsdf of a lamp that rays meet
+};
+
+layout(std430, set = 0, binding = 1) readonly buffer SurfaceBuffer { Surface surface; };
+layout(std430, set = 0, binding = 2) readonly buffer InputBuffer { vec4 inputs[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer AnswerBuffer { Answer answers[]; };
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= inputs.length()) return;
+    vec3 n = surface.normal.xyz, wo = surface.view.xyz;
+    SurfaceMaterial s = surfaceMaterial(surface.material, surface.albedo.rgb, surface.albedo.w == 1.0, dot(n, wo));
+    Scattering drawn = sampleBsdf(s, n, wo, inputs[i].xyz);
+    vec3 wi = surface.view.w == 1.0 ? inputs[i].xyz : drawn.direction;
+    SpecularPair pair = specularPair(s, n, wo);
+    float flags = (drawn.transmitted ? 1.0 : 0.0) + (isDelta(drawn) ? 2.0 : 0.0) + (hasSmoothLobe(s) ? 4.0 : 0.0);
+    answers[i] = Answer(vec4(drawn.direction, drawn.pdf), vec4(drawn.weight, flags),
+                        vec4(evaluateBsdf(s, n, wo, wi), bsdfPdf(s, n, wo, wi)),
+                        vec4(pair.reflected, phongHighlight(s, n, wo, wi)),
+                        vec4(pair.reflected_weight, glossedMirrorShare(surface.material, dot(n, wo))),
+                        vec4(pair.refracted, 0.0), vec4(pair.refracted_weight, 0.0), vec4(smoothAlbedo(s), 0.0),
+                        vec4(classicBsdf(s, n, wo, wi, true), 0.0));
+}

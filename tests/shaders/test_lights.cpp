@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples and lights of the shaders against closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "runtime/device_scene/render_space.h"
+#include "shaders/lights_probe.spv.h"
+#include "tests/runtime/gpu/probe.h"
+
+namespace pointrt {
+namespace {
+
+using std::numbers::pi;
+
+struct Receiver {
+    gpu::vec4 point;
+    gpu::uvec4 light;
+};
+struct Answer {
+    gpu::vec4 direction, radiance_over_pdf, pdf, free, sample2;
+};
+
+constexpr std::uint32_t kSamples = 1u << 14;
+
+std::vector<Answer> ask(const std::vector<gpu::Light>& lights, const std::vector<Receiver>& receivers,
+                        std::uint32_t samples = kSamples) {
+    const auto count = static_cast<std::uint32_t>(receivers.size() * samples);
+    return runProbe<Answer>(lights_probe_spv, lights, receivers, {count, samples, 0, 0});
+}
+
+Receiver receiverAt(Vec3 p, std::uint32_t light = 0) {
+    return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 3}, {light, 11, 5, 0}};
+}
+
+Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
+
+/// Of one light at the origin's surroundings, from each point: the answers, point after point.
+std::vector<Answer> askFrom(const LightDescription& light, const std::vector<Vec3>& points) {
+    std::vector<Receiver> receivers;
+    for (const Vec3& p : points) receivers.push_back(receiverAt(p));
+    return ask({packLight({}, light)}, receivers);
+}
+
+using Span = std::span<const Answer>;
+
+Span samplesOf(const std::vector<Answer>& answers, std::size_t receiver) {
+    return Span(answers).subspan(receiver * kSamples, kSamples);
+}
+
+double mean(Span answers, const std::function<double(const Answer&)>& value) {
+    double sum = 0;
+    for (const Answer& answer : answers) sum += value(answer);
+    return sum / static_cast<double>(answers.size());
+}
+
+double irradiance(Span answers, Vec3 normal) {
+    return mean(answers, [&](const Answer& a) {
+        return a.radiance_over_pdf.x * std::max(0.0, dot(vecOf(a.direction), normal));
+    });
+}
+
+/// The solid angle that the samples' densities say the light has.
+double solidAngle(Span answers) {
+    return mean(answers, [](const Answer& a) { return 1.0 / a.radiance_over_pdf.w; });
+}
+
+void expectShare(double value, double expected, double share) { EXPECT_NEAR(value / expected, 1, share) << expected; }
+
+/// Unit directions, and lightPdf the density that the sample was drawn with.
+void expectConsistent(Span answers) {
+    for (const Answer& a : answers) {
+        ASSERT_NEAR(length(vecOf(a.direction)), 1, 1e-6);
+        ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 1e-3);
+        ASSERT_NEAR(a.radiance_over_pdf.x * a.radiance_over_pdf.w / a.free.w, 1, 1e-3);
+    }
+}
+
+// Samples.
+
+std::vector<std::array<double, 2>> pairsOf(std::uint32_t pixel, std::uint32_t pair, std::uint32_t seed,
+                                           std::uint32_t samples) {
+    std::vector<std::array<double, 2>> points;
+    const Receiver receiver{{0, 0, 0, static_cast<float>(pair)}, {0, pixel, seed, 0}};
+    for (const Answer& a : ask({gpu::Light{}}, {receiver}, samples)) {
+        EXPECT_EQ(a.sample2.x, a.pdf.w) << "sample1 is the pair's first";
+        points.push_back({a.sample2.x, a.sample2.y});
+    }
+    return points;
+}
+
+/// Whether points [first, first + 2^k) fill each elementary interval of 2^across by 2^(k - across) parts once.
+bool fillsIntervals(const std::vector<std::array<double, 2>>& points, std::size_t first, unsigned k, unsigned across) {
+    std::vector<int> filled(1u << k);
+    for (std::size_t i = first; i < first + (1u << k); ++i) {
+        const auto x = static_cast<unsigned>(points[i][0] * (1u << across));
+        const auto y = static_cast<unsigned>(points[i][1] * (1u << (k - across)));
+        filled.at((y << across) + x)++;
+    }
+    return std::all_of(filled.begin(), filled.end(), [](int n) { return n == 1; });
+}
+
+TEST(Sampler, FillsEveryElementaryInterval) {
+    for (const std::uint32_t pixel : {0u, 1u, 123'456u})
+        for (const std::uint32_t pair : {0u, 7u}) {
+            const auto points = pairsOf(pixel, pair, 42, 2048);
+            for (unsigned k = 0; k <= 11; ++k)
+                for (unsigned across = 0; across <= k; ++across) {
+                    EXPECT_TRUE(fillsIntervals(points, 0, k, across)) << k << " " << across;
+                    EXPECT_TRUE(fillsIntervals(points, 2048 - (1u << k), k, across)) << k << " " << across;
+                }
+        }
+}
+
+TEST(Sampler, StaysBelowOneAndChangesWithPixelPairAndSeed) {
+    const auto points = pairsOf(3, 4, 5, 4096);
+    for (const auto& p : points) ASSERT_TRUE(p[0] >= 0 && p[0] < 1 && p[1] >= 0 && p[1] < 1);
+    EXPECT_NE(points, pairsOf(4, 4, 5, 4096));
+    EXPECT_NE(points, pairsOf(3, 5, 5, 4096));
+    EXPECT_NE(points, pairsOf(3, 4, 6, 4096));
+    EXPECT_EQ(points, pairsOf(3, 4, 5, 4096));
+}
+
+/// Root mean square error over pixels of the mean of n samples of a smooth and of an edged integrand.
+std::array<double, 2> errors(std::uint32_t n,
+                             const std::function<std::array<double, 2>(std::uint32_t, std::uint32_t)>& point,
+                             std::uint32_t pixels) {
+    // exp(x + y) has (e - 1)^2, the quarter of the unit disc pi / 4
+    const double smooth = (std::numbers::e - 1) * (std::numbers::e - 1), edged = pi / 4;
+    std::array<double, 2> squares{};
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+        double sums[2] = {};
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const auto [x, y] = point(pixel, i);
+            sums[0] += std::exp(x + y);
+            sums[1] += x * x + y * y < 1 ? 1 : 0;
+        }
+        squares[0] += std::pow(sums[0] / n - smooth, 2);
+        squares[1] += std::pow(sums[1] / n - edged, 2);
+    }
+    return {std::sqrt(squares[0] / pixels), std::sqrt(squares[1] / pixels)};
+}
+
+TEST(Sampler, ConvergesFasterThanRandomNumbers) {
+    constexpr std::uint32_t kPixels = 256, kCount = 256;
+    std::vector<Receiver> receivers;
+    for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) receivers.push_back({{0, 0, 0, 1}, {0, pixel, 9, 0}});
+    const auto answers = ask({gpu::Light{}}, receivers, kCount);
+    const auto ours = errors(
+        kCount,
+        [&](std::uint32_t pixel, std::uint32_t i) {
+            const gpu::vec4& u = answers[pixel * kCount + i].sample2;
+            return std::array<double, 2>{u.x, u.y};
+        },
+        kPixels);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit;
+    const auto theirs = errors(
+        kCount,
+        [&](std::uint32_t, std::uint32_t) {
+            return std::array<double, 2>{unit(random), unit(random)};
+        },
+        kPixels);
+    std::printf("rms error of 256 samples, ours over random: smooth %.2g, edged %.2g\n", ours[0] / theirs[0],
+                ours[1] / theirs[1]);
+    // n^-3/2 and n^-3/4 against n^-1/2: by 256 samples a factor of 256 and of 4 at best
+    EXPECT_LT(ours[0], theirs[0] / 64);
+    EXPECT_LT(ours[1], theirs[1] / 2.5);
+}
+
+/// Pearson's coefficient of two rows.
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+    const auto n = static_cast<double>(a.size());
+    double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        sa += a[i], sb += b[i], saa += a[i] * a[i], sbb += b[i] * b[i], sab += a[i] * b[i];
+    }
+    return (sab - sa * sb / n) / std::sqrt((saa - sa * sa / n) * (sbb - sb * sb / n));
+}
+
+TEST(Sampler, HasNoCorrelationBetweenPairsAndPixels) {
+    constexpr std::uint32_t kCount = 64, kOthers = 64;
+    // sample 0 to 63 of the same pixel in other pairs, and of the same pair in other pixels
+    for (const bool pixels : {false, true}) {
+        std::vector<Receiver> receivers;
+        for (std::uint32_t k = 0; k <= kOthers; ++k)
+            receivers.push_back({{0, 0, 0, pixels ? 2.0f : static_cast<float>(k)}, {0, pixels ? k : 77u, 9, 0}});
+        const auto answers = ask({gpu::Light{}}, receivers, kCount);
+        std::vector<double> rows[4]; // one and the next pair (or pixel): x, y, next x, next y
+        for (std::uint32_t k = 0; k < kOthers; ++k)
+            for (std::uint32_t i = 0; i < kCount; ++i) {
+                const gpu::vec4 &one = answers[k * kCount + i].sample2, &next = answers[(k + 1) * kCount + i].sample2;
+                rows[0].push_back(one.x), rows[1].push_back(one.y);
+                rows[2].push_back(next.x), rows[3].push_back(next.y);
+            }
+        // of 4096 unrelated numbers it strays by 1/64; the bound is four times that
+        for (int a = 0; a < 4; ++a)
+            for (int b = a + 1; b < 4; ++b) EXPECT_NEAR(correlation(rows[a], rows[b]), 0, 4.0 / 64) << a << " " << b;
+    }
+}
+
+TEST(Sampler, HasFirstSamplesThatDoNotRepeatAcrossPixels) {
+    std::vector<Receiver> receivers;
+    for (std::uint32_t pixel = 0; pixel < 65'536; ++pixel) receivers.push_back({{0, 0, 0, 0}, {0, pixel, 0, 0}});
+    const auto answers = ask({gpu::Light{}}, receivers, 1);
+    std::vector<int> cells(64 * 64);
+    for (const Answer& a : answers)
+        cells[static_cast<int>(a.sample2.x * 64) + 64 * static_cast<int>(a.sample2.y * 64)]++;
+    double chi = 0; // 16 expected in each cell
+    for (const int n : cells) chi += (n - 16) * (n - 16) / 16.0;
+    // 4095 degrees of freedom: mean 4095, deviation 90.5
+    EXPECT_NEAR(chi, 4095, 5 * 90.5);
+}
+
+// Lights.
+
+TEST(Lights, PointAndSpotFallOffWithTheSquareOfDistance) {
+    const Vec3 point{1, 2, 3}, at{3, 5, 9};
+    const auto answers = askFrom(PointLight{at, {49, 98, 7}}, {point});
+    const Answer& a = answers.front();
+    EXPECT_NEAR(a.direction.w, 7, 1e-5);
+    EXPECT_NEAR(length(7 * vecOf(a.direction) - (at - point)), 0, 1e-5);
+    EXPECT_NEAR(a.radiance_over_pdf.x, 1, 1e-6);
+    EXPECT_NEAR(a.radiance_over_pdf.y, 2, 1e-6);
+    EXPECT_EQ(a.radiance_over_pdf.w, 0);
+    EXPECT_EQ(a.pdf.x, 0);
+}
+
+TEST(Lights, SpotDimsBetweenItsAngles) {
+    std::vector<Vec3> points;
+    for (int degrees = 0; degrees < 90; ++degrees) {
+        const double angle = degrees * pi / 180;
+        points.push_back({2 * std::sin(angle), 0, 5 - 2 * std::cos(angle)});
+    }
+    const auto answers = askFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 40, 20, {8, 8, 8}}, points);
+    const double outer = std::cos(40 * pi / 180), inner = std::cos(20 * pi / 180);
+    for (std::size_t d = 0; d < points.size(); ++d) {
+        const double cosine = std::cos(static_cast<double>(d) * pi / 180);
+        const double s = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+        EXPECT_NEAR(samplesOf(answers, d)[0].radiance_over_pdf.x, 2 * s * s * (3 - 2 * s), 1e-4) << d;
+    }
+    const auto hard = askFrom(SpotLight{{0, 0, 5}, {0, 0, -1}, 30, 30, {8, 8, 8}}, points);
+    for (std::size_t d = 0; d < points.size(); ++d)
+        if (d != 30) {
+            EXPECT_NEAR(samplesOf(hard, d)[0].radiance_over_pdf.x, d < 30 ? 2 : 0, 1e-5) << d;
+        }
+}
+
+TEST(Lights, SunGivesItsIrradianceWhateverItsSize) {
+    for (const double radius : {0.0, 0.05, 0.2665, 5.0, 44.0}) {
+        const Vec3 towards = normalize({0.3, 0.5, 0.8});
+        const auto answers = askFrom(SunLight{towards, radius, {3, 2, 1}}, {{0, 0, 0}});
+        const Span samples = samplesOf(answers, 0);
+        expectShare(irradiance(samples, towards), 3, 2e-3);
+        // all of the disc is above the horizon of a surface turned by 40 degrees
+        const Vec3 aside = normalize(cross(towards, {0, 0, 1}));
+        const Vec3 turned = std::cos(40 * pi / 180) * towards + std::sin(40 * pi / 180) * aside;
+        expectShare(irradiance(samples, turned), 3 * std::cos(40 * pi / 180), 2e-3);
+        for (const Answer& a : samples) {
+            ASSERT_LE(length(cross(vecOf(a.direction), towards)), std::sin(radius * pi / 180) * 1.003 + 1e-6);
+            ASSERT_GT(a.direction.w, 1e29);
+        }
+        if (radius == 0) {
+            EXPECT_EQ(samples[0].radiance_over_pdf.w, 0);
+            EXPECT_EQ(samples[0].free.w, 0);
+            continue;
+        }
+        expectConsistent(samples);
+        // cosines near 1 come in steps of 6e-8: at 0.05 degrees the disc is off by up to a thirteenth
+        expectShare(solidAngle(samples), 2 * pi * (1 - std::cos(radius * pi / 180)), radius < 1 ? 0.08 : 1e-3);
+    }
+}
+
+TEST(Lights, SunIsMetByTheDirectionsOfItsDisc) {
+    const Vec3 towards = normalize({-0.2, 0.1, 0.7});
+    for (const double radius : {5.0, 30.0}) {
+        const auto answers = askFrom(SunLight{towards, radius, {3, 3, 3}}, {{0, 0, 0}});
+        const Span samples = samplesOf(answers, 0);
+        for (const Answer& a : samples) {
+            const double angle = std::acos(dot(vecOf(a.free), towards)) * 180 / pi;
+            if (std::abs(angle - radius) > 0.01) {
+                ASSERT_EQ(a.pdf.z, angle < radius ? 1 : 0) << angle;
+            }
+        }
+        // lightPdf over the directions that meet it, and the radiance seen there
+        expectShare(4 * pi * mean(samples, [](const Answer& a) { return a.pdf.y * a.pdf.z; }), 1, 0.01);
+        const double facing = mean(
+            samples, [&](const Answer& a) { return a.pdf.z * a.free.w * std::max(0.0, dot(vecOf(a.free), towards)); });
+        expectShare(4 * pi * facing, 3, 0.01);
+    }
+}
+
+TEST(Lights, SphereGivesPiLTimesTheSquareOfItsSine) {
+    const Vec3 center{0.2, -0.4, 3};
+    for (const double radius : {1e-4, 0.01, 0.5, 1.5, 2.9}) {
+        std::vector<Vec3> points;
+        for (const double distance : {1.01, 1.5, 4.0, 50.0})
+            points.push_back(center + (distance * radius) * normalize(Vec3{1, 2, -2}));
+        const auto answers = askFrom(SphereLight{center, radius, {5, 5, 5}}, points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3 point = vecOf(receiverAt(points[i]).point), way = center - point;
+            const Span samples = samplesOf(answers, i);
+            // positions are floats: around a sphere of 1e-4 at 3 units they are off by a thousandth of the radius
+            const double share = radius < 1e-3 ? 0.01 : 2e-3;
+            const double squared_sine = radius * radius / dot(way, way);
+            expectShare(irradiance(samples, normalize(way)), 5 * pi * squared_sine, share);
+            expectShare(solidAngle(samples), 2 * pi * (1 - std::sqrt(1 - squared_sine)), share);
+            expectConsistent(samples);
+            if (radius < 1e-3) continue;
+            for (const Answer& a : samples) { // the distance ends on the sphere
+                const Vec3 end = point + a.direction.w * vecOf(a.direction);
+                ASSERT_NEAR(length(end - center), radius, 2e-3 * radius);
+                ASSERT_LT(a.direction.w, length(way));
+            }
+        }
+    }
+}
+
+TEST(Lights, SphereShinesInside) {
+    const Vec3 center{1, 1, 1};
+    const auto answers = askFrom(SphereLight{center, 2, {5, 5, 5}}, {center, {1, 2.5, 0.5}});
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Span samples = samplesOf(answers, i);
+        expectShare(irradiance(samples, normalize(Vec3{1, 2, 3})), 5 * pi, 2e-3);
+        expectShare(solidAngle(samples), 4 * pi, 1e-5);
+        expectConsistent(samples);
+        const Vec3 point = i == 0 ? center : Vec3{1, 2.5, 0.5};
+        for (const Answer& a : samples)
+            ASSERT_NEAR(length(point + a.direction.w * vecOf(a.direction) - center), 2, 1e-5);
+    }
+}
+
+std::array<Vec3, 4> cornersOf(const QuadLight& quad) {
+    return {quad.center - quad.u - quad.v, quad.center + quad.u - quad.v, quad.center + quad.u + quad.v,
+            quad.center - quad.u + quad.v};
+}
+
+/// Lambert's formula: irradiance over radiance of a polygon that is wholly above the surface.
+double lambert(const std::array<Vec3, 4>& corners, Vec3 point, Vec3 normal) {
+    Vec3 sum;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 a = normalize(corners[i] - point), b = normalize(corners[(i + 1) % 4] - point);
+        const Vec3 across = cross(a, b);
+        sum = sum + (std::atan2(length(across), dot(a, b)) / length(across)) * across;
+    }
+    return 0.5 * std::abs(dot(sum, normal));
+}
+
+/// Van Oosterom and Strackee, over both triangles.
+double solidAngleOf(const std::array<Vec3, 4>& corners, Vec3 point) {
+    double sum = 0;
+    for (const int last : {2, 3}) {
+        const Vec3 a = normalize(corners[0] - point), b = normalize(corners[last - 1] - point),
+                   c = normalize(corners[last] - point);
+        sum += 2 * std::atan2(std::abs(dot(a, cross(b, c))), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    }
+    return sum;
+}
+
+const QuadLight kPanel{{0.5, 1.0, 3.0}, {1.0, 0.2, 0.0}, 0.5 * normalize({-0.2, 1.0, 0.3}), {5, 5, 5}, true};
+
+QuadLight panel() {
+    QuadLight quad = kPanel; // at right angles
+    quad.v = 0.6 * normalize(cross(cross(quad.u, quad.v), quad.u));
+    return quad;
+}
+
+TEST(Lights, QuadGivesLambertsFormula) {
+    const QuadLight quad = panel();
+    const Vec3 normal = normalize(cross(quad.u, quad.v));
+    std::vector<Vec3> points;
+    for (const double depth : {-30.0, -7.0, -2.0, -0.5, -0.05, -0.005, 0.05, 0.5, 2.0})
+        for (const Vec3 aside : {Vec3{}, 0.4 * quad.u + 0.9 * quad.v, 2.0 * quad.u + 0.3 * quad.v})
+            points.push_back(quad.center + aside + depth * normal);
+    const auto answers = askFrom(quad, points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 point = vecOf(receiverAt(points[i]).point);
+        const Vec3 facing = dot(quad.center - point, normal) > 0 ? normal : -1 * normal;
+        const Span samples = samplesOf(answers, i);
+        SCOPED_TRACE(testing::Message() << "point " << i);
+        // from aside, next to its own plane, floats give the sample's place a hundredth; what comes from there is next
+        // to nothing
+        const double expected = 5 * lambert(cornersOf(quad), point, facing);
+        EXPECT_NEAR(irradiance(samples, facing), expected, 2e-3 * expected + 1e-6);
+        expectShare(solidAngle(samples), solidAngleOf(cornersOf(quad), point), 2e-3);
+        expectConsistent(samples);
+        for (const Answer& a : samples) {
+            const Vec3 at = point + a.direction.w * vecOf(a.direction) - quad.center;
+            ASSERT_NEAR(dot(at, normal), 0, 2e-6 * (1 + a.direction.w));
+            ASSERT_LE(std::abs(dot(at, quad.u)), dot(quad.u, quad.u) * (1 + 1e-4));
+            ASSERT_LE(std::abs(dot(at, quad.v)), dot(quad.v, quad.v) * (1 + 1e-4));
+        }
+    }
+}
+
+// Over solid angle: only the cosine is left to vary among 64 samples.
+TEST(Lights, QuadIsSampledEvenlyFromNearby) {
+    const QuadLight quad = panel();
+    const Vec3 normal = normalize(cross(quad.u, quad.v)), point = quad.center + 0.9 * quad.u - 0.3 * normal;
+    const auto answers = askFrom(quad, {point});
+    const double expected = 5 * lambert(cornersOf(quad), vecOf(receiverAt(point).point), normal);
+    for (std::size_t first = 0; first < 4096; first += 64)
+        expectShare(irradiance(Span(answers).subspan(first, 64), normal), expected, 0.03);
+}
+
+TEST(Lights, QuadInItsOwnPlaneGivesNothing) {
+    const QuadLight quad{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, true};
+    const auto answers = askFrom(quad, {{3, 0, 1}, {30, 0, 1}});
+    for (std::size_t i = 0; i < 2; ++i)
+        for (const Answer& a : samplesOf(answers, i)) {
+            ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
+            ASSERT_TRUE(std::isfinite(a.radiance_over_pdf.w * a.radiance_over_pdf.w));
+            ASSERT_TRUE(std::isfinite(a.direction.x + a.direction.y + a.direction.z + a.direction.w));
+        }
+}
+
+/// Whether a ray from point meets the lamp.
+bool meets(const LightDescription& light, Vec3 point, Vec3 direction) {
+    if (const auto* sphere = std::get_if<SphereLight>(&light)) {
+        const Vec3 way = sphere->center - point;
+        const double along = dot(way, direction), height = dot(way, way) - along * along;
+        return height < sphere->radius * sphere->radius &&
+               (along > 0 || dot(way, way) < sphere->radius * sphere->radius);
+    }
+    const auto& quad = std::get<QuadLight>(light);
+    const Vec3 normal = cross(quad.u, quad.v);
+    const double t = dot(quad.center - point, normal) / dot(direction, normal);
+    const Vec3 at = point + t * direction - quad.center;
+    return t > 0 && std::abs(dot(at, quad.u)) < dot(quad.u, quad.u) && std::abs(dot(at, quad.v)) < dot(quad.v, quad.v);
+}
+
+TEST(Lights, DensitiesAddUpToOne) {
+    const Vec3 point{0.5, 0.5, 0.5};
+    const LightDescription lights[] = {SphereLight{{1, 0.5, 2}, 1, {1, 1, 1}},
+                                       SphereLight{{0.6, 0.4, 0.5}, 1, {1, 1, 1}},
+                                       QuadLight{{0.5, 1.0, 1.5}, {2, 0, 0}, {0, 1, 0}, {1, 1, 1}, true},
+                                       QuadLight{{0.5, 3.0, 7.5}, {0.7, 0, 0}, {0, 0.7, 0}, {1, 1, 1}, true}};
+    for (const LightDescription& light : lights) {
+        std::vector<Vec3> points(8, point); // eight seeds
+        std::vector<Receiver> receivers;
+        for (std::uint32_t seed = 0; seed < 8; ++seed)
+            receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
+        const auto answers = ask({packLight({}, light)}, receivers);
+        const double sum = mean(answers, [&](const Answer& a) {
+            return meets(light, point, vecOf(a.free)) ? static_cast<double>(a.pdf.y) : 0.0;
+        });
+        expectShare(4 * pi * sum, 1, 0.01);
+    }
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+# awk -f check_rooms.awk rooms.txt FILE...: holds the includes of FILEs, paths from the repository's root, against what
+# the rooms may use (cmake/Rooms.cmake writes rooms.txt). A line for each finding; exit status 1 where there is one.
+#   - each file lies in a room, and a room has at most most_files (25) of them: more is a list, not a place to know
+#   - an include names its file from the root, and lies in the same room or in one that this room uses
+#   - no room uses itself by way of others
+function finding(text) {
+    print text
+    found = 1
+}
+
+function folderOf(path) {
+    sub(/\/[^\/]*$/, "", path)
+    return path
+}
+
+# Walks depth first; a room that is met while it is under way closes a circle.
+function visit(room, path,    names, count, i) {
+    if (state[room] == "done") return
+    if (state[room] == "open") {
+        finding("rooms in a circle: " path room)
+        return
+    }
+    state[room] = "open"
+    count = split(uses[room], names, " ")
+    for (i = 1; i <= count; i++) visit(names[i], path room " -> ")
+    state[room] = "done"
+}
+
+BEGIN { if (!most_files) most_files = 25 }
+
+FILENAME == ARGV[1] {
+    split($0, fields, "|")
+    uses[fields[1]] = fields[2]
+    rooms[++room_count] = fields[1]
+    next
+}
+
+FNR == 1 {
+    room = folderOf(FILENAME)
+    if (!(room in uses)) finding(FILENAME ": lies in no room")
+    if (++files[room] == most_files + 1) finding(room ": has more than " most_files " files")
+}
+
+/^[ \t]*#[ \t]*include[ \t]*"/ {
+    split($0, parts, "\"")
+    included = parts[2]
+    if (included ~ /\.spv\.h$/) next # compiled shaders
+    if (included ~ /^pointrt\//) included = "format/include/" included
+    other = folderOf(included)
+    if (other == room) next
+    if (!(other in uses))
+        finding(FILENAME ":" FNR ": \"" parts[2] "\" is not a file of a room by its path from the root")
+    else if (index(" " uses[room] " ", " " other " ") == 0)
+        finding(FILENAME ":" FNR ": " room " may not include " other " (\"" parts[2] "\"): its CMakeLists.txt does not use that room")
+}
+
+END {
+    for (i = 1; i <= room_count; i++) visit(rooms[i], "")
+    exit found
+}

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The rooms of the tree: what they may include, and that the check sees what it is there for.
+# rooms.sh CASE REPOSITORY rooms.txt
+set -euo pipefail
+check=$2/tests/structure/check_rooms.awk
+
+sources() { find format preprocess runtime shaders -name '*.h' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.glsl'; }
+fail() {
+    echo "$*" >&2
+    exit 1
+}
+
+# expectFinding TEXT: the check of the small tree here fails, and says so.
+expectFinding() {
+    local said
+    # shellcheck disable=SC2046 # a list of words
+    if said=$(awk -v most_files=3 -f "$check" rooms.txt $(find low high -type f)); then fail "the check found nothing"; fi
+    [ "$said" = "$1" ] || fail "the check said: $said"
+}
+
+# A room below another one, as they should be.
+smallTree() {
+    cd "$(mktemp -d)"
+    trap 'rm -rf "$PWD"' EXIT
+    mkdir low high
+    printf 'low||Below.\nhigh|low|Above.\n' >rooms.txt
+    printf '#include <vector>\n' >low/a.h
+    printf '#include "low/a.h"\n#include "high/c.h"\n#include "shaders/x.spv.h"\n' >high/b.cpp
+    printf '#pragma once\n' >high/c.h
+    # shellcheck disable=SC2046
+    awk -v most_files=3 -f "$check" rooms.txt $(find low high -type f) || fail "the small tree should pass"
+}
+
+case_tree() {
+    cd "$1"
+    # shellcheck disable=SC2046
+    awk -f "$check" "$2" $(sources)
+}
+case_arrow_up() {
+    smallTree
+    printf '#include "high/c.h"\n' >>low/a.h
+    expectFinding 'low/a.h:2: low may not include high ("high/c.h"): its CMakeLists.txt does not use that room'
+}
+case_circle() {
+    smallTree
+    printf 'low|high|Below.\nhigh|low|Above.\n' >rooms.txt
+    expectFinding 'rooms in a circle: low -> high -> low'
+}
+case_relative() {
+    smallTree
+    printf '#include "../low/a.h"\n' >>high/c.h
+    expectFinding 'high/c.h:2: "../low/a.h" is not a file of a room by its path from the root'
+}
+case_stray() {
+    smallTree
+    mkdir low/attic
+    : >low/attic/d.h
+    printf '\n' >low/attic/d.h
+    expectFinding 'low/attic/d.h: lies in no room'
+}
+case_crowd() {
+    smallTree
+    printf '\n' | tee low/1.h low/2.h low/3.h >/dev/null
+    expectFinding 'low: has more than 3 files'
+}
+
+"case_$1" "$2" "$3"
