@@ -119,7 +119,7 @@ PictureState Window::pictureState() const {
     PictureState state;
     state.busy = busy() || bake_ || turntable_ || save_ || screenshot_wanted_ || edits_wait_;
     if (!live_ || refurnish_) return state;
-    const LiveProgress progress = live_->progress();
+    const ViewportProgress progress = live_->progress();
     state.busy |= progress.denoising;
     state.samples = progress.samples;
     state.grows = !progress.resting && !work_.paused;
@@ -141,7 +141,7 @@ void Window::noteTimes(Clock::time_point start) {
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     mean_frame_ms_ += (mean_frame_ms_ == 0 ? 1 : kMeanShare) * (ms - mean_frame_ms_);
     if (!live_) return;
-    const LiveProgress progress = live_->progress();
+    const ViewportProgress progress = live_->progress();
     if (frame_moved_) {
         report_.moving_ms.push_back(ms);
         report_.moving_pixels.push_back(double{1} * progress.size.width * progress.size.height);

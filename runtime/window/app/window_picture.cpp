@@ -32,7 +32,7 @@ void Window::updatePicture() {
     const PixelSize pixels = host_.pixels();
     const bool resized = pixels.width != shown_pixels_.width || pixels.height != shown_pixels_.height;
     if (shown_camera_ != camera || resized || restart_) {
-        LiveView view{work_.settings, camera, work_.look, work_.denoise};
+        Viewport view{work_.settings, camera, work_.look, work_.denoise};
         view.settings.width = pixels.width;
         view.settings.height = pixels.height;
         view.settings.spp = work_.samples_wanted;
@@ -97,7 +97,7 @@ void Window::fillHud() {
     hud.samples_wanted = work_.samples_wanted;
     hud.splats = loaded_ ? loaded_->scene.splat_count : 0;
     if (!loaded_ || !live_ || refurnish_) return;
-    const LiveProgress progress = live_->progress();
+    const ViewportProgress progress = live_->progress();
     hud.device_bytes = loaded_->scene.device_bytes + live_->deviceBytes();
     hud.samples = progress.samples;
     hud.sample_share = progress.share;
@@ -113,7 +113,7 @@ void Window::resolvePicks() {
     const PickRequest request = *pick_;
     pick_.reset();
     const ViewSize size = viewSize();
-    const LiveView& view = live_->view();
+    const Viewport& view = live_->view();
     const auto pixel = [](double at, double units, std::uint32_t pixels) {
         return static_cast<std::uint32_t>(std::clamp(at / units * pixels, 0.0, pixels - 1.0));
     };

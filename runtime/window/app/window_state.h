@@ -21,7 +21,7 @@
 #include "runtime/window/jobs/save_job.h"
 #include "runtime/window/jobs/turntable_job.h"
 #include "runtime/window/live/frame_times.h"
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 #include "runtime/window/view/view_flight.h"
 #include "runtime/window/widgets/ui_input.h"
 
@@ -149,7 +149,7 @@ private:
     SceneDescription staged_; ///< the scene when its surroundings were put up
     std::optional<Room> staged_room_;
     std::optional<std::uint32_t> staged_lights_;
-    std::optional<LivePicture> live_;
+    std::optional<ViewportRenderer> live_;
     std::optional<Camera> shown_camera_;
     PixelSize shown_pixels_;
     bool restart_ = false;

@@ -4,7 +4,7 @@
 
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/window/edit/workspace.h"
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 
 namespace pointrt {
 

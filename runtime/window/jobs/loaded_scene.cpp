@@ -7,7 +7,7 @@
 #include "runtime/scene/default_lighting.h"
 #include "runtime/session/scene_cameras.h"
 #include "runtime/session/settings.h"
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 
 namespace pointrt {
 namespace {
@@ -92,7 +92,7 @@ std::unique_ptr<LoadedScene> loadFromFile(Device& owner, Device& worker, const O
     scene.description = withSurroundings(*loaded, loaded->settings);
     uploadSceneTables(worker, scene, loaded->settings);
     begin(control, "programs", kProgramsShare);
-    createBandTracer(worker, loaded->tracer, scene, loaded->settings, kLiveLanes, 1, 0);
+    createBandTracer(worker, loaded->tracer, scene, loaded->settings, kSliceLanes, 1, 0);
     loaded->program_kinds = kindsOf(scene, loaded->settings);
     if (wantsPhotons(*loaded)) {
         begin(control, "caustics", kPhotonsShare);

@@ -35,7 +35,7 @@ struct LoadedScene {
     Camera camera;              ///< the first
     Vec3 staged_for;            ///< the eye that its surroundings were put up for, world frame
     DeviceScene scene;
-    BandTracer tracer; ///< for LivePicture
+    BandTracer tracer; ///< for ViewportRenderer
     ProgramKinds program_kinds;
     bool lacks_photons = false; ///< since refurnishNow: the scene throws caustics, for which it takes a refurnish
 };

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "runtime/scene/camera.h"
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -70,8 +70,8 @@ protected:
         return load.job().error();
     }
 
-    static LiveView viewOf(const LoadedScene& loaded) {
-        LiveView view;
+    static Viewport viewOf(const LoadedScene& loaded) {
+        Viewport view;
         view.settings = loaded.settings;
         view.settings.spp = 2;
         view.camera = loaded.camera;
@@ -79,7 +79,7 @@ protected:
         return view;
     }
 
-    static std::vector<float> finish(LivePicture& live) {
+    static std::vector<float> finish(ViewportRenderer& live) {
         for (int i = 0; i < 60000 && !live.progress().resting; ++i) {
             live.clearUpdates();
             live.work(0.01);
@@ -90,7 +90,7 @@ protected:
     }
 
     std::vector<float> picture(LoadedScene& loaded) {
-        LivePicture live(device, loaded.tracer, 0.01);
+        ViewportRenderer live(device, loaded.tracer, 0.01);
         live.setView(viewOf(loaded), false);
         return finish(live);
     }
@@ -161,7 +161,7 @@ TEST_F(LoadJobTest, GoesAwayUnderWay) {
 
 TEST_F(LoadJobTest, MovesALightAtOnce) {
     const auto loaded = loadText(kScan + lamp("[10, 24, 36]")), moved = loadText(kScan + lamp("[14, 22, 35]"));
-    LivePicture live(device, loaded->tracer, 0.01);
+    ViewportRenderer live(device, loaded->tracer, 0.01);
     live.setView(viewOf(*loaded), false);
     const std::vector<float> before = finish(live), expected = picture(*moved);
     EXPECT_NE(before, expected);
@@ -174,7 +174,7 @@ TEST_F(LoadJobTest, MovesALightAtOnce) {
 TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
     const std::string one = kScan + lamp("[10, 24, 36]");
     const auto loaded = loadText(one);
-    LivePicture live(device, loaded->tracer, 0.01);
+    ViewportRenderer live(device, loaded->tracer, 0.01);
     live.setView(viewOf(*loaded), false);
     const auto change = [&](const LoadedScene& like) {
         EXPECT_TRUE(refurnishNow(device, *loaded, like.scene.description, like.settings));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 
 #include <algorithm>
 #include <bit>
@@ -36,12 +36,12 @@ PictureSize withinFilm(PictureSize size, std::uint64_t most_pixels) {
 
 } // namespace
 
-LivePicture::LivePicture(Device& device, BandTracer& tracer, double moving_budget_s)
+ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s)
     : device_(device), tracer_(tracer), moving_budget_s_(moving_budget_s) {}
 
-LivePicture::~LivePicture() { destroyDarkroom(device_, darkroom_); }
+ViewportRenderer::~ViewportRenderer() { destroyDarkroom(device_, darkroom_); }
 
-void LivePicture::fitFilm() {
+void ViewportRenderer::fitFilm() {
     const PictureSize wanted{view_.settings.width, view_.settings.height};
     const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4));
     full_ = withinFilm(wanted, most);
@@ -57,20 +57,20 @@ void LivePicture::fitFilm() {
     film_pixels_ = pixels;
 }
 
-void LivePicture::setView(const LiveView& view, bool moving) {
+void ViewportRenderer::setView(const Viewport& view, bool moving) {
     view_ = view;
     fitFilm();
     restart(moving);
 }
 
-void LivePicture::restart(bool moving) {
+void ViewportRenderer::restart(bool moving) {
     updates_.clear();
     moved_ = Clock::now();
     moving_size_ = moving_pace_.movingSize(moving_budget_s_, full_, moving_size_);
     begin(moving ? Stage::kMoving : Stage::kFine);
 }
 
-void LivePicture::setLook(const Look& look, bool denoise) {
+void ViewportRenderer::setLook(const Look& look, bool denoise) {
     view_.look = look;
     view_.denoise = denoise;
     if (full_.width == 0) return;
@@ -85,7 +85,7 @@ void LivePicture::setLook(const Look& look, bool denoise) {
     if (stage_ == Stage::kResting && denoisesNow()) begin(Stage::kDenoising);
 }
 
-void LivePicture::setSamples(std::uint32_t spp) {
+void ViewportRenderer::setSamples(std::uint32_t spp) {
     const std::uint32_t before = std::exchange(view_.settings.spp, spp);
     if (before == spp) return;
     // a single sample is one through the pixel's centre
@@ -94,14 +94,14 @@ void LivePicture::setSamples(std::uint32_t spp) {
 }
 
 /// All rows that have samples, but those under way.
-void LivePicture::showFilm() {
+void ViewportRenderer::showFilm() {
     const std::uint32_t under_way = sample_ ? sample_->rows : 0;
     if (row_ > 0) showRows(0, row_, samples_ + 1);
     if (samples_ > 0 && row_ + under_way < size_.height)
         showRows(row_ + under_way, size_.height - row_ - under_way, samples_);
 }
 
-void LivePicture::begin(Stage stage) {
+void ViewportRenderer::begin(Stage stage) {
     stage_ = stage;
     if (stage == Stage::kDenoising) {
         prepareDenoiser(device_, darkroom_, full_);
@@ -118,7 +118,7 @@ void LivePicture::begin(Stage stage) {
 }
 
 /// Where to go from a stage that is done.
-void LivePicture::next() {
+void ViewportRenderer::next() {
     if (stage_ == Stage::kMoving) return; // until it rests: work()
     if (stage_ == Stage::kCoarse) return begin(Stage::kFine);
     if (stage_ == Stage::kFine && denoisesNow()) return begin(Stage::kDenoising);
@@ -126,13 +126,13 @@ void LivePicture::next() {
 }
 
 /// At sample counts that are powers of two: in between the picture hardly changes.
-bool LivePicture::denoisesNow() const {
+bool ViewportRenderer::denoisesNow() const {
     return view_.denoise && view_.look.shown == SHOWN_BEAUTY && has_guides_ && samples_ >= 2 &&
            samples_ < kCleanSamplesOfLight &&
            (denoise_due_ || std::has_single_bit(samples_) || samples_ == view_.settings.spp);
 }
 
-bool LivePicture::work(double seconds) {
+bool ViewportRenderer::work(double seconds) {
     if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kResting) return false;
     const Clock::time_point start = Clock::now();
     if (stage_ == Stage::kMoving && samples_ > 0) {
@@ -149,9 +149,9 @@ bool LivePicture::work(double seconds) {
     return true;
 }
 
-bool LivePicture::mustShow() const { return !updates_.empty() && updates_.back().size != size_; }
+bool ViewportRenderer::mustShow() const { return !updates_.empty() && updates_.back().size != size_; }
 
-void LivePicture::advance(double seconds_left) {
+void ViewportRenderer::advance(double seconds_left) {
     if (stage_ == Stage::kDenoising) return denoiseOn();
     if (!sample_) openSlice(seconds_left);
     const Clock::time_point start = Clock::now();
@@ -164,13 +164,13 @@ void LivePicture::advance(double seconds_left) {
     if (sample_->done) finishSlice();
 }
 
-void LivePicture::openSlice(double seconds_left) {
+void ViewportRenderer::openSlice(double seconds_left) {
     std::uint32_t rows = size_.height - row_;
     if (stage_ != Stage::kMoving) {
         const Pace& pace = stage_ == Stage::kFine ? fine_pace_ : moving_pace_;
         rows = std::min(rows, pace.rowsFor(kPlanned * seconds_left, size_.width));
     }
-    rows = std::min(rows, std::max(kLiveLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
+    rows = std::min(rows, std::max(kSliceLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
     RenderSettings settings = view_.settings;
     settings.width = size_.width;
     settings.height = size_.height;
@@ -183,7 +183,7 @@ void LivePicture::openSlice(double seconds_left) {
     slice_seconds_ = 0;
 }
 
-void LivePicture::finishSlice() {
+void ViewportRenderer::finishSlice() {
     const std::uint32_t first_row = row_, rows = sample_->rows;
     Pace& pace = stage_ == Stage::kFine ? fine_pace_ : moving_pace_;
     if (!sample_->first_hits) pace.learn(std::uint64_t{size_.width} * rows, slice_seconds_);
@@ -203,16 +203,16 @@ void LivePicture::finishSlice() {
 
 /// Whether the film of this stage gets first hits. The whole picture has them for the denoiser and for files, others
 /// only where they are looked at.
-bool LivePicture::hasHits() const {
+bool ViewportRenderer::hasHits() const {
     const bool looked_at = needsFirstHits(view_.look);
     return looked_at || (stage_ == Stage::kFine && (view_.denoise || view_.settings.first_hits));
 }
 
-FilmRange LivePicture::rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const {
+FilmRange ViewportRenderer::rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const {
     return {size_.width * first_row, size_.width * rows, size_.width * size_.height, samples};
 }
 
-void LivePicture::showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
+void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
     const FilmRange range = rangeOf(first_row, rows, samples);
     const VkCommandBuffer commands = beginCommands(device_);
     recordResolve(commands, darkroom_, range, view_.look, false);
@@ -221,7 +221,7 @@ void LivePicture::showRows(std::uint32_t first_row, std::uint32_t rows, std::uin
     updates_.push_back({size_, first_row, rows});
 }
 
-void LivePicture::denoiseOn() {
+void ViewportRenderer::denoiseOn() {
     const VkCommandBuffer commands = beginCommands(device_);
     const FilmRange all = rangeOf(0, full_.height, samples_);
     Look light = view_.look;
@@ -237,15 +237,15 @@ void LivePicture::denoiseOn() {
     showFilm();
 }
 
-void LivePicture::showDenoised() {
+void ViewportRenderer::showDenoised() {
     const VkCommandBuffer commands = beginCommands(device_);
     recordDevelop(commands, darkroom_, rangeOf(0, full_.height, samples_), view_.look, true);
     submitAndWait(device_, commands);
     updates_.push_back({full_, 0, full_.height});
 }
 
-LiveProgress LivePicture::progress() const {
-    LiveProgress progress;
+ViewportProgress ViewportRenderer::progress() const {
+    ViewportProgress progress;
     progress.size = size_;
     progress.samples = isWhole() ? samples_ : 0;
     progress.share = size_.height > 0 ? static_cast<double>(row_) / size_.height : 0;
@@ -257,11 +257,13 @@ LiveProgress LivePicture::progress() const {
 }
 
 /// Quick pictures are of another light, whatever their size.
-bool LivePicture::isWhole() const { return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCoarse; }
+bool ViewportRenderer::isWhole() const {
+    return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCoarse;
+}
 
-bool LivePicture::betweenSamples() const { return samples_ > 0 && isWhole() && row_ == 0 && !sample_; }
+bool ViewportRenderer::betweenSamples() const { return samples_ > 0 && isWhole() && row_ == 0 && !sample_; }
 
-std::optional<Pick> LivePicture::pick(std::uint32_t x, std::uint32_t y) {
+std::optional<Pick> ViewportRenderer::pick(std::uint32_t x, std::uint32_t y) {
     if (x >= full_.width || y >= full_.height) return std::nullopt;
     const std::uint32_t first = full_.width * y;
     openBand(device_, tracer_, view_.settings, view_.camera, {y, 1}, {full_.width * full_.height, first});
@@ -282,7 +284,7 @@ std::optional<Pick> LivePicture::pick(std::uint32_t x, std::uint32_t y) {
     return pick;
 }
 
-Film LivePicture::readFilm() {
+Film ViewportRenderer::readFilm() {
     Film film;
     RenderSettings settings = view_.settings;
     settings.first_hits = has_guides_;
@@ -293,7 +295,7 @@ Film LivePicture::readFilm() {
     return film;
 }
 
-std::uint64_t LivePicture::deviceBytes() const {
+std::uint64_t ViewportRenderer::deviceBytes() const {
     return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(darkroom_);
 }
 

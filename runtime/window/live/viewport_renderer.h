@@ -15,7 +15,7 @@
 namespace pointrt {
 
 /// All that the picture depends on but the scene.
-struct LiveView {
+struct Viewport {
     RenderSettings settings; ///< width, height: of the whole picture; spp: samples after which it rests
     Camera camera;
     Look look;
@@ -35,7 +35,7 @@ struct Pick {
     Vec3 position, normal;              ///< input frame
 };
 
-struct LiveProgress {
+struct ViewportProgress {
     PictureSize size;          ///< that is traced now
     std::uint32_t samples = 0; ///< of every pixel of the whole picture
     double share = 0;          ///< of the next sample
@@ -45,19 +45,19 @@ struct LiveProgress {
 };
 
 /// Of the tracers that it works with: what a fast device does in a frame, for 130 MB of states.
-constexpr std::uint32_t kLiveLanes = 1u << 18;
+constexpr std::uint32_t kSliceLanes = 1u << 18;
 
-class LivePicture {
+class ViewportRenderer {
 public:
-    /// tracer, whose scene is furnished and which takes kLiveLanes, must outlive it. A picture of something that moves
+    /// tracer, whose scene is furnished and which takes kSliceLanes, must outlive it. A picture of something that moves
     /// is made as fine as that budget allows.
-    LivePicture(Device& device, BandTracer& tracer, double moving_budget_s);
-    ~LivePicture();
-    LivePicture(const LivePicture&) = delete;
-    LivePicture& operator=(const LivePicture&) = delete;
+    ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s);
+    ~ViewportRenderer();
+    ViewportRenderer(const ViewportRenderer&) = delete;
+    ViewportRenderer& operator=(const ViewportRenderer&) = delete;
 
     /// Starts over. moving: more views are to come soon, so that the next picture is to be there at once.
-    void setView(const LiveView& view, bool moving);
+    void setView(const Viewport& view, bool moving);
     /// Another look at the same light: nothing is traced again unless it must be.
     void setLook(const Look& look, bool denoise);
     /// Starts over: the scene has changed, and the tracer with it.
@@ -74,7 +74,7 @@ public:
     bool mustShow() const;
     const Buffer& pixels() const { return darkroom_.pixels; }
 
-    LiveProgress progress() const;
+    ViewportProgress progress() const;
     /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y);
     bool betweenSlices() const { return !sample_.has_value(); }
@@ -83,7 +83,7 @@ public:
     /// The whole picture as headless runs have it, with first hits where they were asked for; betweenSamples.
     Film readFilm();
     std::uint64_t deviceBytes() const;
-    const LiveView& view() const { return view_; }
+    const Viewport& view() const { return view_; }
 
 private:
     enum class Stage { kMoving, kCoarse, kFine, kDenoising, kResting };
@@ -108,7 +108,7 @@ private:
     BandTracer& tracer_;
     double moving_budget_s_;
     Darkroom darkroom_;
-    LiveView view_;
+    Viewport view_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kResting;
     Clock::time_point moved_{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A picture made in slices is the picture made at once; what the window shows of it is what files hold.
-#include "runtime/window/live/live_picture.h"
+#include "runtime/window/live/viewport_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ RenderSettings testSettings(Integrator integrator) {
     return settings;
 }
 
-class LivePictureTest : public testing::TestWithParam<Integrator> {
+class ViewportRendererTest : public testing::TestWithParam<Integrator> {
 protected:
     void SetUp() override {
         messages = validationMessages();
@@ -52,7 +52,7 @@ protected:
         uploadSceneTables(device, scene, view.settings);
         view.camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 72.0 / 56);
         view.look.scale = scene.space.scale;
-        createBandTracer(device, tracer, scene, view.settings, kLiveLanes, 1, 0);
+        createBandTracer(device, tracer, scene, view.settings, kSliceLanes, 1, 0);
         live.emplace(device, tracer, 0.01);
     }
     void TearDown() override {
@@ -90,12 +90,12 @@ protected:
     std::uint64_t messages = 0;
     Device device;
     DeviceScene scene;
-    LiveView view;
+    Viewport view;
     BandTracer tracer;
-    std::optional<LivePicture> live;
+    std::optional<ViewportRenderer> live;
 };
 
-TEST_P(LivePictureTest, IsTheHeadlessPicture) {
+TEST_P(ViewportRendererTest, IsTheHeadlessPicture) {
     live->setView(view, true);
     finish();
     const Film film = live->readFilm(), whole = headless();
@@ -111,7 +111,7 @@ TEST_P(LivePictureTest, IsTheHeadlessPicture) {
     EXPECT_LE(worst, 1); // where the device's powers round another way
 }
 
-TEST_P(LivePictureTest, StartsOverWhereTheCameraMoves) {
+TEST_P(ViewportRendererTest, StartsOverWhereTheCameraMoves) {
     live->setView(view, true);
     for (int i = 0; i < 20; ++i) {
         view.camera.eye = view.camera.eye + Vec3{0.01, 0, 0};
@@ -124,7 +124,7 @@ TEST_P(LivePictureTest, StartsOverWhereTheCameraMoves) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-TEST_P(LivePictureTest, GrowsAndShrinks) {
+TEST_P(ViewportRendererTest, GrowsAndShrinks) {
     for (const std::uint32_t edge : {40u, 200u, 1u, 72u}) {
         view.settings.width = edge;
         view.settings.height = edge == 72 ? 56 : edge;
@@ -135,7 +135,7 @@ TEST_P(LivePictureTest, GrowsAndShrinks) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
-TEST_P(LivePictureTest, PicksWhatTheFirstHitsSay) {
+TEST_P(ViewportRendererTest, PicksWhatTheFirstHitsSay) {
     view.settings.first_hits = true;
     live->setView(view, false);
     finish();
@@ -156,7 +156,7 @@ TEST_P(LivePictureTest, PicksWhatTheFirstHitsSay) {
     EXPECT_EQ(live->readFilm().rgba, film.rgba);
 }
 
-TEST_P(LivePictureTest, ShowsDenoisedLightAndStaysTheSameFilm) {
+TEST_P(ViewportRendererTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     view.denoise = true;
     live->setView(view, false);
     finish();
@@ -174,7 +174,7 @@ TEST_P(LivePictureTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     EXPECT_GT(normal & 255, 200u);
 }
 
-TEST_P(LivePictureTest, DenoisesAtRestWhenToldTo) {
+TEST_P(ViewportRendererTest, DenoisesAtRestWhenToldTo) {
     view.settings.first_hits = true;
     live->setView(view, false);
     finish();
@@ -188,7 +188,7 @@ TEST_P(LivePictureTest, DenoisesAtRestWhenToldTo) {
 }
 
 /// The quick picture of something that moves is no sample of it, even where it is as large.
-TEST_P(LivePictureTest, QuickPicturesAreNoSamples) {
+TEST_P(ViewportRendererTest, QuickPicturesAreNoSamples) {
     view.settings.width = view.settings.height = 8;
     live->setView(view, true);
     live->work(kSlice_s);
@@ -198,7 +198,7 @@ TEST_P(LivePictureTest, QuickPicturesAreNoSamples) {
 }
 
 /// The look may change at any time, in the midst of a sample; the light stays.
-TEST_P(LivePictureTest, AnotherLookIsNoOtherLight) {
+TEST_P(ViewportRendererTest, AnotherLookIsNoOtherLight) {
     view.settings.first_hits = true;
     live->setView(view, false);
     Look look = view.look;
@@ -219,7 +219,7 @@ TEST_P(LivePictureTest, AnotherLookIsNoOtherLight) {
         ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, LivePictureTest,
+INSTANTIATE_TEST_SUITE_P(Integrators, ViewportRendererTest,
                          testing::Values(Integrator::kPhong, Integrator::kWhitted, Integrator::kPath));
 
 } // namespace
