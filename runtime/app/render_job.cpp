@@ -82,7 +82,7 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
 }
 
 void writeImage(const RenderSession& session, const std::string& path, const std::string& signature, Film film) {
-    if (path.ends_with(".png")) return writePng(path, developFilm(film, session.settings.exposure));
+    if (path.ends_with(".png")) return writePng(path, tonemapFilm(film, session.settings.exposure));
     const std::uint32_t samples = mostSamples(film);
     writeSavedFilm(path, {std::move(film), samples, session.settings.seed, signature});
 }

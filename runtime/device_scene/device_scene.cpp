@@ -89,23 +89,22 @@ std::string skyImage(const SceneDescription& description) {
     return description.sky ? description.sky->image : std::string();
 }
 
-/// The sky's picture; nothing where it is on the device already, or where there is none to read.
+/// The sky image; nothing where it is on the device already, or where there is none to read.
 std::optional<Environment> readSky(const DeviceScene& scene) {
     const std::string image = skyImage(scene.description);
     if (scene.environment_texels.handle && image == scene.sky_image) return std::nullopt;
     return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
 }
 
-void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settings,
-                std::optional<Environment> picture) {
-    if (picture) {
+void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settings, std::optional<Environment> map) {
+    if (map) {
         scene.sky_image.clear(); // until all of it is there
-        replaceBuffer(device, scene.environment_texels, "environment buffer", std::exchange(picture->texels, {}),
+        replaceBuffer(device, scene.environment_texels, "environment buffer", std::exchange(map->texels, {}),
                       VK_FORMAT_R32G32B32A32_SFLOAT);
-        replaceBuffer(device, scene.environment_cdf, "environment distribution", std::exchange(picture->cdf, {}),
+        replaceBuffer(device, scene.environment_cdf, "environment distribution", std::exchange(map->cdf, {}),
                       VK_FORMAT_R32_SFLOAT);
         scene.sky_image = skyImage(scene.description);
-        scene.sky_sizes = std::move(*picture);
+        scene.sky_sizes = std::move(*map);
     }
     if (scene.sky_image.empty()) return;
     const SkyDescription& sky = *scene.description.sky;

@@ -35,10 +35,10 @@ struct DeviceScene {
     std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
     std::uint32_t shape_count = 0;
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by
-    std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky's picture
-    gpu::EnvironmentFrame environment{}; ///< of that picture
-    std::string sky_image;               ///< path of that picture, which is read once
-    Environment sky_sizes;               ///< of that picture, without texels
+    std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky image
+    gpu::EnvironmentFrame environment{}; ///< of that image
+    std::string sky_image;               ///< path of that image, which is read once
+    Environment sky_sizes;               ///< of that image, without texels
     std::uint64_t splat_count = 0;
     std::uint64_t device_bytes = 0;
     Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
@@ -49,12 +49,12 @@ struct DeviceScene {
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
 
 /// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before. The
-/// sky's picture is read only where it is another one. Throws Error kBadInput where it cannot be read, and where an
+/// sky image is read only where it is another one. Throws Error kBadInput where it cannot be read, and where an
 /// override asks for a material row that its file does not have; nothing is changed then.
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
 /// Furnishes scene for description in a few milliseconds, where programs built for what it was furnished for will do.
-/// Returns false, with nothing changed, where there are other kinds of lights, materials or shapes, another picture of
+/// Returns false, with nothing changed, where there are other kinds of lights, materials or shapes, another image of
 /// the sky, or other files or places. Throws as uploadSceneTables does.
 bool furnishAlike(Device& device, DeviceScene& scene, const SceneDescription& description,
                   const RenderSettings& settings);

@@ -79,12 +79,12 @@ double luminanceOf(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] 
 
 /// Luminance averaged over each texel as bilinear interpolation fills it, times the solid angle: of each axis the texel
 /// itself counts for 3/4 and its neighbours for 1/8.
-Grid lightOfTexels(const Grid& picture) {
-    const std::size_t width = picture.width, height = picture.height;
-    Grid luminance{picture.width, picture.height, 1, std::vector<float>(width * height)};
+Grid lightOfTexels(const Grid& map) {
+    const std::size_t width = map.width, height = map.height;
+    Grid luminance{map.width, map.height, 1, std::vector<float>(width * height)};
     Grid light = luminance;
     for (std::size_t i = 0; i < width * height; ++i)
-        luminance.values[i] = static_cast<float>(luminanceOf(&picture.values[3 * i]));
+        luminance.values[i] = static_cast<float>(luminanceOf(&map.values[3 * i]));
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
             double sum = 0;
@@ -95,7 +95,7 @@ Grid lightOfTexels(const Grid& picture) {
                     0.75 * line[x] + 0.125 * (line[x == 0 ? width - 1 : x - 1] + line[x + 1 == width ? 0 : x + 1]);
                 sum += average * (dy == 0 ? 0.75 : 0.125);
             }
-            light.values[y * width + x] = static_cast<float>(sum * bandShare(y, picture.height));
+            light.values[y * width + x] = static_cast<float>(sum * bandShare(y, map.height));
         }
     return light;
 }
@@ -129,14 +129,14 @@ void fillCdf(Environment& environment, const Grid& light) {
     environment.cdf.insert(environment.cdf.end(), columns.begin(), columns.end());
 }
 
-void fillTexels(Environment& environment, const Grid& picture) {
-    const std::size_t count = std::size_t{picture.width} * picture.height;
+void fillTexels(Environment& environment, const Grid& map) {
+    const std::size_t count = std::size_t{map.width} * map.height;
     environment.texels.resize(4 * count, 1.0f);
     for (std::size_t i = 0; i < count; ++i) {
-        const double share = rowShare(i / picture.width, picture.height) / (2.0 * picture.width);
+        const double share = rowShare(i / map.width, map.height) / (2.0 * map.width);
         for (std::size_t c = 0; c < 3; ++c) {
-            environment.texels[4 * i + c] = picture.values[3 * i + c];
-            environment.mean_radiance[c] += share * picture.values[3 * i + c];
+            environment.texels[4 * i + c] = map.values[3 * i + c];
+            environment.mean_radiance[c] += share * map.values[3 * i + c];
         }
     }
 }
@@ -148,11 +148,11 @@ gpu::vec4 packRow(Vec3 row, float w) {
 } // namespace
 
 Environment makeEnvironment(FloatImage image) {
-    if (image.width == 0 || image.height == 0) throw std::logic_error("makeEnvironment: the picture is empty");
-    const Grid picture = averageTo({image.width, image.height, 3, std::move(image.rgb)}, kMaxTexels, kMaxTexels);
-    const Grid light = averageTo(lightOfTexels(picture), kMaxColumns, kMaxRows);
-    Environment environment{picture.width, picture.height, light.width, light.height, {}, {}, {}};
-    fillTexels(environment, picture);
+    if (image.width == 0 || image.height == 0) throw std::logic_error("makeEnvironment: the image is empty");
+    const Grid map = averageTo({image.width, image.height, 3, std::move(image.rgb)}, kMaxTexels, kMaxTexels);
+    const Grid light = averageTo(lightOfTexels(map), kMaxColumns, kMaxRows);
+    Environment environment{map.width, map.height, light.width, light.height, {}, {}, {}};
+    fillTexels(environment, map);
     fillCdf(environment, light);
     return environment;
 }

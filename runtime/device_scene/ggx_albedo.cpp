@@ -129,7 +129,7 @@ float cosineMean(ValueAt valueAt) {
 }
 
 // Stands for cosine 0, where the quadrature's terms have no value.
-constexpr double kLeastCosine = 1e-6;
+constexpr double kMinCosine = 1e-6;
 
 } // namespace
 
@@ -137,11 +137,11 @@ std::vector<GgxAlbedo> ggxAlbedoTable() {
     std::vector<GgxAlbedo> table(GGX_TABLE_ENTRIES);
     for (int row = 0; row < GGX_TABLE_SIDE; row++) {
         const double y = static_cast<double>(row) / (GGX_TABLE_SIDE - 1);
-        const double roughness = GGX_LEAST_ROUGHNESS + (1 - GGX_LEAST_ROUGHNESS) * y;
+        const double roughness = GGX_MIN_ROUGHNESS + (1 - GGX_MIN_ROUGHNESS) * y;
         GgxAlbedo* const entries = &table[static_cast<std::size_t>(row) * GGX_TABLE_SIDE];
         for (int column = 0; column < GGX_TABLE_SIDE; column++) {
             const double x = static_cast<double>(column) / (GGX_TABLE_SIDE - 1);
-            entries[column] = ggxAlbedoAt(std::max(x * x, kLeastCosine), roughness);
+            entries[column] = ggxAlbedoAt(std::max(x * x, kMinCosine), roughness);
         }
         table[static_cast<std::size_t>(GGX_TABLE_SIDE * GGX_TABLE_SIDE + row)] = {
             cosineMean([&](int column) { return entries[column].lost; }),

@@ -19,7 +19,7 @@ struct GgxAlbedo {
 GgxAlbedo ggxAlbedoAt(double cosine, double roughness);
 
 /// GGX_TABLE_ENTRIES entries (shaders/shared/ggx_table.h). Entry row * GGX_TABLE_SIDE + column is for cosine x^2 and
-/// roughness GGX_LEAST_ROUGHNESS + (1 - GGX_LEAST_ROUGHNESS) * y with x, y = column, row / (GGX_TABLE_SIDE - 1). The
+/// roughness GGX_MIN_ROUGHNESS + (1 - GGX_MIN_ROUGHNESS) * y with x, y = column, row / (GGX_TABLE_SIDE - 1). The
 /// last row holds, by roughness, the mean over all directions, weighted by cosine, of the row's piecewise linear
 /// function of x: what is read and its mean agree exactly, so that energy is conserved whatever the table's error.
 std::vector<GgxAlbedo> ggxAlbedoTable();

@@ -12,10 +12,10 @@ namespace pointrt {
 struct SceneRows {
     std::vector<gpu::Material> materials; ///< the description's, then lamps', then those of each instance
     std::vector<gpu::Shape> shapes;       ///< the description's, then lamps with an area
-    std::vector<gpu::Light> lights;       ///< the description's, then the sky's picture where it has one
+    std::vector<gpu::Light> lights;       ///< the description's, then the sky image where it has one
     std::vector<gpu::InstanceParams> instances;
     std::vector<bool> casting_shapes;   ///< of the description's, those that throw caustics
-    std::uint32_t sky_light = NO_LIGHT; ///< number of the light that stands for the sky's picture
+    std::uint32_t sky_light = NO_LIGHT; ///< number of the light that stands for the sky image
     std::uint32_t features = 0;         ///< FEATURE_* of shaders/shared/params.h
 };
 

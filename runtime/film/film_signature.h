@@ -11,7 +11,7 @@ namespace pointrt {
 
 /// "name=value; ..." with all that decides what a sample with a given number is: the renderer's version, size, camera,
 /// integrator, bounces, seed, surroundings, and one XXH3-64 of the scene file's bytes, the header checksums of the .pro
-/// files (which cover those of their sections) and the sky's picture. Not the number of samples, but whether one is
+/// files (which cover those of their sections) and the sky image. Not the number of samples, but whether one is
 /// taken at the pixel's centre. Throws Error kBadInput where a file cannot be read.
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera);
 

@@ -19,10 +19,10 @@ VkBufferUsageFlags usageFor(VkFormat format) {
 
 void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_bytes) {
     const std::uint64_t pages = (bytes + page_bytes - 1) / page_bytes;
-    if (pages > PAGES_MOST)
+    if (pages > MAX_PAGES)
         throw Error{ExitCode::kCannotRun,
                     std::string(what) + " of " + std::to_string(bytes) + " bytes takes " + std::to_string(pages) +
-                        " texel buffers of this device, the viewer reads " + std::to_string(PAGES_MOST)};
+                        " texel buffers of this device, the viewer reads " + std::to_string(MAX_PAGES)};
 }
 
 } // namespace

@@ -22,10 +22,10 @@ Buffer createTexelBuffer(Device& device, const char* what, const void* data, std
 
 /// Texels in pages of 2^device.page_bits, the last one shorter. Plain data: free it with destroyPagedBuffer, once.
 struct PagedBuffer {
-    std::vector<Buffer> pages; ///< 1 to PAGES_MOST, each with a view
+    std::vector<Buffer> pages; ///< 1 to MAX_PAGES, each with a view
 };
 
-/// createTexelBuffer for each page. Throws Error kCannotRun also where there are more than PAGES_MOST.
+/// createTexelBuffer for each page. Throws Error kCannotRun also where there are more than MAX_PAGES.
 PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format);
 void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
 /// Whether any of the memory is the caller's.

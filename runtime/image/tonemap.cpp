@@ -36,7 +36,7 @@ std::uint8_t encodeSrgb(float linear) {
     return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
 }
 
-Image8 developFilm(const Film& film, float stops) {
+Image8 tonemapFilm(const Film& film, float stops) {
     const float gain = std::exp2(stops);
     Image8 image{film.width, film.height, 3, {}};
     image.pixels.reserve(film.rgba.size() / 4 * image.channels);

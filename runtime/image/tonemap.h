@@ -19,6 +19,6 @@ std::array<float, 3> toneMap(std::array<float, 3> linear);
 std::uint8_t encodeSrgb(float linear);
 
 /// The film's colours, times 2^stops, as RGB: the background is part of the picture; alpha goes to EXR only.
-Image8 developFilm(const Film& film, float stops = 0);
+Image8 tonemapFilm(const Film& film, float stops = 0);
 
 } // namespace pointrt

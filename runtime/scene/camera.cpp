@@ -23,10 +23,10 @@ double framingDistance(double radius, double fov_deg, double aspect) {
 /// Distances along rays are float on the device: from here they still resolve a thousandth of the scene's radius.
 constexpr double kFarthestRadii = 1e4;
 /// Below this, neighbouring rays are the same in float.
-constexpr double kLeastFov_deg = 1e-3;
+constexpr double kMinFov_deg = 1e-3;
 
 /// Starts of rays are float as well: windows of this many radii still have a hundred rows apart from each other.
-constexpr double kLeastHeightRadii = 1e-5;
+constexpr double kMinHeightRadii = 1e-5;
 
 /// A vector of the same direction whose squares neither overflow nor vanish.
 Vec3 withinRange(Vec3 v) {
@@ -43,7 +43,7 @@ Vec3 usableUp(Vec3 up, Vec3 forward) {
 }
 
 void requireUsable(const CameraRequest& request) {
-    if (!(request.fov_deg >= kLeastFov_deg && request.fov_deg < 180))
+    if (!(request.fov_deg >= kMinFov_deg && request.fov_deg < 180))
         throw Error{ExitCode::kBadUsage, "--fov: must be 0.001 or more and below 180 degrees"};
     if (request.up && !(length(withinRange(*request.up)) > 0))
         throw Error{ExitCode::kBadUsage, "--up: the zero vector has no direction"};
@@ -70,7 +70,7 @@ double windowHeight(const CameraRequest& request, Vec3 low, Vec3 high, double as
     if (!isParallelProjection(request)) return 0;
     if (!request.ortho_height) return framingHeight(low, high, aspect);
     const double radius = boundingRadius(low, high);
-    if (!(*request.ortho_height >= kLeastHeightRadii * radius && *request.ortho_height <= kFarthestRadii * radius))
+    if (!(*request.ortho_height >= kMinHeightRadii * radius && *request.ortho_height <= kFarthestRadii * radius))
         throw Error{ExitCode::kBadUsage, "--ortho: must be from 0.00001 to 10000 scene radii"};
     return *request.ortho_height;
 }

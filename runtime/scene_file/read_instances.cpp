@@ -10,7 +10,7 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>; // rows
 
-constexpr std::size_t kMostInstances = 254;
+constexpr std::size_t kMaxInstances = 254;
 
 Vec3 times(const Matrix& matrix, Vec3 v) { return {dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)}; }
 
@@ -118,7 +118,7 @@ std::array<Vec3, 3> rotationOf(const SceneValue& value) {
 
 void readInstances(const SceneValue& file, SceneReading& reading) {
     for (const SceneValue& table : findTables(file, "instance")) {
-        if (reading.scene.instances.size() == kMostInstances) refuse(table, "there are at most 254 instances");
+        if (reading.scene.instances.size() == kMaxInstances) refuse(table, "there are at most 254 instances");
         reading.scene.instances.push_back(instanceOf(table, reading));
     }
 }

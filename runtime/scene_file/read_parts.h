@@ -10,7 +10,7 @@
 
 namespace pointrt {
 
-constexpr std::size_t kMostMaterials = 256;
+constexpr std::size_t kMaxMaterials = 256;
 
 struct SceneReading {
     SceneDescription scene; ///< path and up come before the sections, materials and lights before what asks for them

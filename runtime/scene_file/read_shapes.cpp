@@ -110,7 +110,7 @@ const std::vector<Kind>& kinds() {
 std::uint32_t plainMaterial(const SceneValue& table, SceneReading& reading) {
     auto& materials = reading.scene.materials;
     const auto [found, is_new] = reading.material_of_name.try_emplace("", static_cast<std::uint32_t>(materials.size()));
-    if (is_new && materials.size() == kMostMaterials)
+    if (is_new && materials.size() == kMaxMaterials)
         refuse(table, "\"material\" is missing, and there are 256 already");
     if (is_new) materials.emplace_back();
     return found->second;

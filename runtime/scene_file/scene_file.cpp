@@ -17,10 +17,10 @@ namespace {
 std::string readText(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
-    std::string text(kMostSceneBytes + 1, '\0');
+    std::string text(kMaxSceneBytes + 1, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file.get()));
     if (std::ferror(file.get())) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
-    if (text.size() > kMostSceneBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
+    if (text.size() > kMaxSceneBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
     return text;
 }
 

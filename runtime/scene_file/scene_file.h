@@ -11,7 +11,7 @@
 namespace pointrt {
 
 /// Of a scene file.
-constexpr std::size_t kMostSceneBytes = std::size_t{1} << 20;
+constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 
 /// True where path ends in .toml.
 bool isSceneFile(const std::string& path);

@@ -59,7 +59,7 @@ struct BandSample {
     std::uint32_t width = 0, rows = 0; ///< of the band, pixels
     std::uint32_t number = 0;          ///< 0: clears the film
     bool at_centers = false;           ///< rays go through the pixels' centres
-    bool steady = false;               ///< hard shadows of the first lamp alone: without noise, and soon
+    bool preview = false;              ///< hard shadows of the first lamp alone: without noise, and soon
     bool first_hits = false;           ///< also depth, normal and ids of the centre rays
     bool only_first_hits = false;      ///< nothing else
     std::uint32_t pass = 0;            ///< the next one; 0: nothing is traced yet

@@ -35,9 +35,10 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
         buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
         buffers.surfaces =
             texels("surface buffer", lanes * sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
-        buffers.lit = texels("lit point buffer", lanes * sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
+        buffers.light_queries =
+            texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
         buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
-        buffers.deferred = storage("deferred ray buffer", lanes * DEFERRED_MOST * sizeof(gpu::PathState));
+        buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
         createFilm(device, buffers, film_pixels);
     } catch (...) {
         destroyFrameBuffers(device, buffers);
@@ -59,19 +60,20 @@ void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels
 }
 
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
-    for (Buffer* buffer :
-         {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits, &buffers.surfaces,
-          &buffers.lit, &buffers.light_masks, &buffers.deferred, &buffers.film, &buffers.first_hits, &buffers.beams})
+    for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
+                           &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
+                           &buffers.film, &buffers.first_hits, &buffers.beams})
         destroyBuffer(device, *buffer);
     buffers = {};
 }
 
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
-    return {{6, &buffers.params},    {7, &buffers.control},      {8, &buffers.queues},    {9, &buffers.paths},
-            {10, &buffers.hits},     {11, &buffers.lit},         {12, &buffers.film},     {13, &buffers.first_hits},
-            {17, &buffers.paths},    {18, &buffers.queues},      {19, &buffers.beams},    {20, &buffers.beams},
-            {25, &buffers.surfaces}, {26, &buffers.light_masks}, {27, &buffers.deferred}, {34, &buffers.surfaces},
-            {35, &buffers.lit}};
+    return {{6, &buffers.params},    {7, &buffers.control},       {8, &buffers.queues},
+            {9, &buffers.paths},     {10, &buffers.hits},         {11, &buffers.light_queries},
+            {12, &buffers.film},     {13, &buffers.first_hits},   {17, &buffers.paths},
+            {18, &buffers.queues},   {19, &buffers.beams},        {20, &buffers.beams},
+            {25, &buffers.surfaces}, {26, &buffers.light_masks},  {27, &buffers.deferred},
+            {34, &buffers.surfaces}, {35, &buffers.light_queries}};
 }
 
 } // namespace pointrt

@@ -11,7 +11,8 @@
 namespace pointrt {
 
 struct FrameBuffers {
-    Buffer params, control, queues, paths, hits, surfaces, lit, light_masks, deferred, film, first_hits, beams;
+    Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
+        beams;
     std::uint64_t device_bytes = 0;
 };
 

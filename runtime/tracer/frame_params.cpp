@@ -21,7 +21,7 @@ std::uint32_t optionBits(const RenderSettings& settings) {
     return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u);
 }
 
-/// A picture lights the scene as a light does, with shadows: nothing of it is taken as ambient.
+/// A sky image lights the scene as a light does, with shadows: nothing of it is taken as ambient.
 void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
     params.sky_zenith = pack(sky.zenith, sky.strength, sky.image.empty() ? sky.ambient : 0.0f);
     params.sky_horizon = pack(sky.horizon, sky.strength);

@@ -15,7 +15,8 @@ namespace pointrt {
 struct PhotonTarget {
     Vec3 center;
     double radius = 0;
-    std::uint32_t code = 0; ///< as shaders/integrator/photon.comp.glsl compares it: owner, and a shape's number above it
+    std::uint32_t code =
+        0; ///< as shaders/integrator/photon.comp.glsl compares it: owner, and a shape's number above it
 };
 
 /// Around everything; photons of suns start outside of it.
@@ -24,7 +25,7 @@ struct RenderSphere {
     double radius = 0;
 };
 
-/// About count paths, each with its flux, from all lights with a place or direction (no sky pictures) to all targets,
+/// About count paths, each with its flux, from all lights with a place or direction (no sky images) to all targets,
 /// in proportion to the light that each light sends to each target. Directions are quasi-random: the same for the same
 /// arguments. Of a pair of light and target all of what the light sends into the target's sphere is sent; what meets
 /// something else on the way does not count (shaders/integrator/photon.comp.glsl).

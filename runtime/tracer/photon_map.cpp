@@ -21,7 +21,7 @@ constexpr std::size_t kProbes = 64;
 /// Photons that neighbours are looked for among, about.
 constexpr std::size_t kSearched = 1u << 16;
 /// The finest kernel's radius in scene radii, at most.
-constexpr double kMostRadius = 0.01;
+constexpr double kMaxRadius = 0.01;
 
 double squaredDistance(const gpu::Photon& a, const gpu::Photon& b) {
     const double x = a.position.x - b.position.x, y = a.position.y - b.position.y, z = a.position.z - b.position.z;
@@ -182,7 +182,7 @@ PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius) {
     setRadii(map.frame, 1);
     if (photons.empty()) return map;
     // no narrower than what floats of that size tell apart
-    setRadii(map.frame, std::clamp(finestRadius(photons), 1e-5 * scene_radius, kMostRadius * scene_radius));
+    setRadii(map.frame, std::clamp(finestRadius(photons), 1e-5 * scene_radius, kMaxRadius * scene_radius));
     map.frame.count = {static_cast<std::uint32_t>(photons.size()), 0, 0, 0};
     const Levels levels(map.frame.levels);
     chooseLevels(photons, levels);

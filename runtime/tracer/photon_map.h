@@ -16,7 +16,7 @@ struct PhotonMap {
 };
 
 /// Gives each photon a level, sorts and lists them. The finest discs are as wide as where
-/// light is bundled tightly kKernelPhotons lie around a photon, at most kMostRadius of scene_radius. No photons: an
+/// light is bundled tightly kKernelPhotons lie around a photon, at most kMaxRadius of scene_radius. No photons: an
 /// empty map.
 PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius);
 

@@ -33,11 +33,11 @@ namespace {
 /// Values of the shaders' specialization constants, by number.
 struct Constants {
     InstanceTraits instance;
-    std::uint32_t sky_picture = 0, integrator = 0, features = 0, camera_pass = 0;
+    std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0;
 };
 
 std::vector<std::uint32_t> listed(const Constants& c) {
-    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_picture,
+    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_image,
                                       c.integrator,      c.features,          c.camera_pass};
     const PageCounts& pages = c.instance.pages;
     if (!isPaged(pages)) return values;

@@ -5,7 +5,7 @@ namespace pointrt {
 
 SampleRecorder::SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
-      center_(sample.at_centers ? STEP_CENTER : 0u), steady_(sample.steady ? STEP_STEADY : 0u) {}
+      center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u) {}
 
 void SampleRecorder::firstHits() {
     const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
@@ -76,7 +76,7 @@ void SampleRecorder::overRays(const Program& program, std::uint32_t bits) {
 }
 
 void SampleRecorder::overLit(const Program& program, std::uint32_t bits) {
-    recordIndirect(program, tracer_.sets, bits, offsetof(gpu::Control, lit_groups));
+    recordIndirect(program, tracer_.sets, bits, offsetof(gpu::Control, light_groups));
 }
 
 void SampleRecorder::overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t bits) {
@@ -87,14 +87,14 @@ void SampleRecorder::prepare(std::uint32_t bits) { record(tracer_.programs.prepa
 
 void SampleRecorder::record(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
                             std::uint32_t groups) {
-    const gpu::PushParams params{{sample_, first_turn_, 0, bits | steady_}};
+    const gpu::PushParams params{{sample_, first_turn_, 0, bits | preview_}};
     recordDispatch(commands_, program, sets, pushBytes(params), {groups, 1, 1});
     recordBarrier(commands_);
 }
 
 void SampleRecorder::recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
                                     std::size_t offset) {
-    const gpu::PushParams params{{sample_, first_turn_, 0, bits | steady_}};
+    const gpu::PushParams params{{sample_, first_turn_, 0, bits | preview_}};
     recordDispatchIndirect(commands_, program, sets, pushBytes(params), tracer_.buffers.control, offset);
     recordBarrier(commands_);
 }

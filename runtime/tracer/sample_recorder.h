@@ -35,7 +35,7 @@ private:
 
     VkCommandBuffer commands_;
     const BandTracer& tracer_;
-    std::uint32_t tiles_, sample_, center_, steady_;
+    std::uint32_t tiles_, sample_, center_, preview_;
     std::uint32_t first_turn_ = 0; ///< of those that shadows asks
 };
 

@@ -3,10 +3,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/math/color.glsl"
-#include "shaders/shared/develop_layout.h"
+#include "shaders/shared/display_layout.h"
 #include "shaders/shared/params.h"
 
-layout(local_size_x = DEVELOP_GROUP) in;
+layout(local_size_x = DISPLAY_GROUP) in;
 layout(constant_id = 0) const uint HAS_FIRST_HITS = 1;
 layout(push_constant) uniform Push { ResolveParams push; };
 

@@ -4,19 +4,19 @@
 #define POINTRT_SHADERS_APPEND_GLSL
 
 #define APPEND_RAY 0u // to the queue that the step does not read
-#define APPEND_LIT 1u
+#define APPEND_LIGHT_QUERY 1u
 #define APPEND_ASKED 2u
 #define APPEND_HIT 3u
 
 uint addToCount(uint list, uint more) {
-    if (list == APPEND_LIT) return atomicAdd(control.queued.z, more);
+    if (list == APPEND_LIGHT_QUERY) return atomicAdd(control.queued.z, more);
     if (list == APPEND_ASKED) return atomicAdd(control.appended.x, more);
     if (list == APPEND_HIT) return atomicAdd(control.appended.y, more);
     return atomicAdd(control.queued[hasStep(STEP_QUEUE_ONE) ? 0 : 1], more);
 }
 
 uint listStart(uint list) {
-    if (list == APPEND_LIT) return litQueueStart();
+    if (list == APPEND_LIGHT_QUERY) return lightQueueStart();
     if (list == APPEND_ASKED) return askedListStart();
     if (list == APPEND_HIT) return hitListStart();
     return rayQueueStart(!hasStep(STEP_QUEUE_ONE));

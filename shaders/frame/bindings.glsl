@@ -17,7 +17,7 @@ layout(set = 0, binding = 2, rgba32ui) uniform readonly uimageBuffer list_words;
 layout(set = 0, binding = 3, rgba32ui) uniform readonly uimageBuffer splat_words;
 layout(set = 0, binding = 4, r32ui) uniform readonly uimageBuffer grid_words;
 layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
-layout(set = 0, binding = 15, rgba32ui) uniform readonly uimageBuffer near_words;
+layout(set = 0, binding = 15, rgba32ui) uniform readonly uimageBuffer disc_words;
 layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
 layout(set = 0, binding = 21, r32ui) uniform readonly uimageBuffer slab_words;
 layout(std140, set = 0, binding = 22) uniform InstanceBuffer { InstanceParams instance; };
@@ -35,12 +35,12 @@ layout(set = 0, binding = 32) uniform usamplerBuffer photon_buckets;
 // The frame's.
 layout(std140, set = 0, binding = 6) uniform ParamsBuffer { FrameParams params; };
 layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
-// two of rays (the first one holds tiles at first), one of lit points, one of hits, one of rays for instances
+// two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances
 layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; };
 layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
-// TraceHit: t as bits, cell, near splat and its place in the lists, owner; of shapes: t, 0, shape, OWNER_SHAPES
+// TraceHit: t as bits, cell, disc, which is its place in the lists too, owner; of shapes: t, 0, shape, OWNER_SHAPES
 layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
-layout(std430, set = 0, binding = 11) buffer LitBuffer { LitPoint lit_points[]; };
+layout(std430, set = 0, binding = 11) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
 layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
 layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel
 layout(set = 0, binding = 17) uniform usamplerBuffer path_texels; // of paths
@@ -49,10 +49,10 @@ layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // o
 layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
 layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
 layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it
-layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // DEFERRED_MOST a pixel
+layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
 layout(std430, set = 0, binding = 33) buffer PhotonBuffer { Photon photons[]; }; // being traced
 layout(set = 0, binding = 34) uniform usamplerBuffer surface_texels; // of surfaces
-layout(set = 0, binding = 35) uniform usamplerBuffer lit_texels; // of lit_points
+layout(set = 0, binding = 35) uniform usamplerBuffer light_query_texels; // of light_queries
 layout(push_constant) uniform Push { PushParams push; };
 
 #ifdef PAGED // the same loads
@@ -61,7 +61,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadBrickWord(i) imageLoad(brick_words, int(i)).x
 #define loadCell(i) texelFetch(cell_words, int(i)).xy
 #define loadSlab(i) imageLoad(slab_words, int(i)).x
-#define loadNear(i) imageLoad(near_words, int(i))
+#define loadDiscs(i) imageLoad(disc_words, int(i))
 #define loadBlendRange(i) texelFetch(blend_range_words, int(i)).xy
 // four to a texel: drivers count texels, often no more than 2^27
 #define loadListedTexel(i) imageLoad(list_words, int(i))
@@ -83,7 +83,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
 #define loadSurfaceTexel(path, member) uintBitsToFloat(texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member)))
-#define loadLitTexel(path, member) uintBitsToFloat(texelFetch(lit_texels, int(path) * LIT_VECTORS + (member)))
+#define loadLightQueryTexel(path, member) \
+    uintBitsToFloat(texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member)))
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
 // Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.
@@ -118,7 +119,7 @@ uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }
 uint bandTiles() { return tilesAcross() * ((params.image.w + TILE_SIDE - 1u) / TILE_SIDE); }
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
-uint litQueueStart() { return 2u * bandLanes(); }
+uint lightQueueStart() { return 2u * bandLanes(); }
 uint hitListStart() { return 3u * bandLanes(); }
 uint askedListStart() { return 4u * bandLanes(); }
 

@@ -6,23 +6,23 @@
 #define POINTRT_SHADERS_PAGES_GLSL
 #include "shaders/shared/pages.h"
 
-// Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to PAGES_MOST.
+// Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to MAX_PAGES.
 layout(constant_id = 6) const uint kPageBits = 27u;
 layout(constant_id = 7) const uint kBrickPages = 1u;
 layout(constant_id = 8) const uint kCellPages = 1u;
 layout(constant_id = 9) const uint kSlabPages = 1u;
-layout(constant_id = 10) const uint kNearPages = 1u;
+layout(constant_id = 10) const uint kDiscPages = 1u;
 layout(constant_id = 11) const uint kListPages = 1u;
 layout(constant_id = 12) const uint kBlendRangePages = 1u;
 layout(constant_id = 13) const uint kSplatPages = 1u;
 
-layout(set = 1, binding = 0) uniform usamplerBuffer brick_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 1) uniform usamplerBuffer cell_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 2) uniform usamplerBuffer slab_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 3) uniform usamplerBuffer near_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 4) uniform usamplerBuffer list_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 5) uniform usamplerBuffer blend_range_pages[PAGES_MOST - 1];
-layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[PAGES_MOST - 1];
+layout(set = 1, binding = 0) uniform usamplerBuffer brick_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 1) uniform usamplerBuffer cell_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 2) uniform usamplerBuffer slab_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 3) uniform usamplerBuffer disc_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 4) uniform usamplerBuffer list_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 5) uniform usamplerBuffer blend_range_pages[MAX_PAGES - 1];
+layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[MAX_PAGES - 1];
 
 #define FETCH_PAGE(texels, k) \
     if (count > k) { \
@@ -51,7 +51,7 @@ layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[PAGES_MOST - 1];
 DEFINE_FETCH(fetchBrickWord, imageLoad, brick_words, brick_pages, kBrickPages)
 DEFINE_FETCH(fetchCell, texelFetch, cell_words, cell_pages, kCellPages)
 DEFINE_FETCH(fetchSlab, imageLoad, slab_words, slab_pages, kSlabPages)
-DEFINE_FETCH(fetchNear, imageLoad, near_words, near_pages, kNearPages)
+DEFINE_FETCH(fetchDiscs, imageLoad, disc_words, disc_pages, kDiscPages)
 DEFINE_FETCH(fetchListed, imageLoad, list_words, list_pages, kListPages)
 DEFINE_FETCH(fetchBlendRange, texelFetch, blend_range_words, blend_range_pages, kBlendRangePages)
 DEFINE_FETCH(fetchSplat, imageLoad, splat_words, splat_pages, kSplatPages)
@@ -59,7 +59,7 @@ DEFINE_FETCH(fetchSplat, imageLoad, splat_words, splat_pages, kSplatPages)
 #define loadBrickWord(i) fetchBrickWord(i).x
 #define loadCell(i) fetchCell(i).xy
 #define loadSlab(i) fetchSlab(i).x
-#define loadNear(i) fetchNear(i)
+#define loadDiscs(i) fetchDiscs(i)
 #define loadBlendRange(i) fetchBlendRange(i).xy
 #define loadListedTexel(i) fetchListed(i)
 #define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]

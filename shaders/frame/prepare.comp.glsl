@@ -14,7 +14,7 @@ void main() {
         control.queued = uvec4(0u);
         control.ray_groups = groupsFor(bandLanes());
         control.tile_groups = uvec4(0u, 1u, 1u, 0u);
-        control.lit_groups = groupsFor(0u);
+        control.light_groups = groupsFor(0u);
         control.asked_groups = groupsFor(0u);
         control.hit_groups = groupsFor(0u);
         control.appended = uvec4(0u);
@@ -38,5 +38,5 @@ void main() {
     control.traced.z += next;
     control.queued = uvec4(second ? next : 0u, second ? 0u : next, 0u, lit);
     control.ray_groups = groupsFor(next);
-    control.lit_groups = groupsFor(lit);
+    control.light_groups = groupsFor(lit);
 }

@@ -2,13 +2,13 @@
 // From a hit to the path that goes on from there.
 #ifndef POINTRT_SHADERS_NEXT_PATH_GLSL
 #define POINTRT_SHADERS_NEXT_PATH_GLSL
-#include "shaders/surface/point.glsl"
+#include "shaders/surface/surface_interaction.glsl"
 #include "shaders/material/matter.glsl"
 #include "shaders/trace/offset.glsl"
 #include "shaders/integrator/shading.glsl"
 
 // With waiting rays of the pixel behind it.
-PathState pathAfter(Point point, PathState path, NextRay ray, uint waiting) {
+PathState pathAfter(SurfaceInteraction point, PathState path, NextRay ray, uint waiting) {
     // light that crosses the surface leaves it on its other side
     bool crosses = dot(point.normal, ray.direction) < 0.0;
     float own_t;

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/surface/point.glsl"
+#include "shaders/surface/surface_interaction.glsl"
 #include "shaders/material/matter.glsl"
 #include "shaders/math/sampler.glsl"
 #include "shaders/math/color.glsl"
@@ -15,7 +15,7 @@
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 // Photons are sent to one thing each. What else they meet on the way they are sent to as well, apart.
-bool meetsTarget(PathState path, Point point) {
+bool meetsTarget(PathState path, SurfaceInteraction point) {
     uint target = point.owner | (point.owner == OWNER_SHAPES ? point.splat << PHOTON_SHAPE_SHIFT : 0u);
     return floatBitsToUint(path.direction.w) == target;
 }
@@ -26,7 +26,7 @@ void main() {
     bool live = index != NO_INDEX;
     index = live ? index : 0u;
     uvec4 hit = live ? loadHit(index) : kNoHit;
-    Point point = findPoint(index, path, hit);
+    SurfaceInteraction point = findInteraction(index, path, hit);
     uint bits = pathBits(path), bounce = bounceOf(bits);
     point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
     Material row = loadMaterial(point.material);

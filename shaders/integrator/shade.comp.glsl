@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/surface/point.glsl"
+#include "shaders/surface/surface_interaction.glsl"
 #include "shaders/material/matter.glsl"
 #include "shaders/film/film.glsl"
 #include "shaders/light/sky.glsl"
@@ -19,13 +19,13 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 // Glass alone sends on two rays at once, and path follows one of them.
 const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && kIntegrator != INTEGRATOR_PATH;
 
-void appendLit(bool wants, uint index, Point point, vec3 view, vec3 weight, uint bounce) {
-    appendEntry(APPEND_LIT, wants, index);
+void appendLightQuery(bool wants, uint index, SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
+    appendEntry(APPEND_LIGHT_QUERY, wants, index);
     if (!wants) return;
-    lit_points[index] =
-        LitPoint(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
-                 vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
-                 vec4(view, point.back ? -1.0 : 1.0));
+    light_queries[index] =
+        DirectLightQuery(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
+                         vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
+                         vec4(view, point.back ? -1.0 : 1.0));
 }
 
 // Of two rays one is followed and the other waits; where no more can wait, chance takes one of them for both.
@@ -33,7 +33,7 @@ NextRay followed(Shading shading, uint bounce, uint index, uint waiting, out boo
     float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
     float first = luminance(shading.first.weight), second = luminance(shading.second.weight);
     bool both = first > 0.0 && second > 0.0;
-    defers = both && waiting < DEFERRED_MOST;
+    defers = both && waiting < MAX_DEFERRED;
     if (!both || defers) {
         if (first > 0.0) return shading.first;
         return shading.second;
@@ -46,12 +46,12 @@ NextRay followed(Shading shading, uint bounce, uint index, uint waiting, out boo
 }
 
 // The scene itself is what covers a pixel.
-bool covers(Point point) {
+bool covers(SurfaceInteraction point) {
     bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.splat).kind.z & SHAPE_BACKDROP) != 0u;
     return point.t >= 0.0 && !backdrop;
 }
 
-Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matter, uint index) {
+Shading shadeAny(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint index) {
     if (kIntegrator == INTEGRATOR_NORMAL || kIntegrator == INTEGRATOR_DEPTH) return shadeView(point);
     if (kIntegrator == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
     uint pair = dimensionPair(bounceOf(pathBits(path)), PAIR_DIRECTION);
@@ -59,14 +59,14 @@ Shading shadeAny(PathState path, Point point, Material row, SurfaceMaterial matt
 }
 
 // Queues the path's next ray: of two the other one waits, and where there is none, the last that waited is taken up.
-void goOn(PathState path, Point point, Shading shading, uint index, bool live) {
+void goOn(PathState path, SurfaceInteraction point, Shading shading, uint index, bool live) {
     uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
     bool defers = false;
     NextRay next = kMayDefer ? followed(shading, bounce, index, waiting, defers) : shading.first;
     bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
-    if (kMayDefer && live && defers) deferred[index * DEFERRED_MOST + waiting] = pathAfter(point, path, shading.second, waiting);
+    if (kMayDefer && live && defers) deferred[index * MAX_DEFERRED + waiting] = pathAfter(point, path, shading.second, waiting);
     PathState after = pathAfter(point, path, next, waiting + (defers ? 1u : 0u));
-    if (kMayDefer && resumes) after = deferred[index * DEFERRED_MOST + waiting - 1u];
+    if (kMayDefer && resumes) after = deferred[index * MAX_DEFERRED + waiting - 1u];
     appendRay(goes_on || resumes, index, after);
 }
 
@@ -76,7 +76,7 @@ void main() {
     bool live = index != NO_INDEX;
     index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
-    Point point = findPoint(index, path, hit);
+    SurfaceInteraction point = findInteraction(index, path, hit);
     uint bits = pathBits(path), bounce = bounceOf(bits);
     bool covered = covers(point);
     vec3 albedo = covered ? point.albedo : vec3(0.0);
@@ -88,8 +88,8 @@ void main() {
     Shading shading = shadeAny(path, point, row, matter, index);
     if (live && kCameraPass) beginSample(index, push.step.x == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
     if (live && !kCameraPass) addLight(index, shading.added, bounce);
-    appendLit(live && largest(shading.lit_weight) > 0.0 && params.scene.x > 0u, index, point, -path.direction.xyz,
-              shading.lit_weight, bounce);
+    appendLightQuery(live && largest(shading.direct_weight) > 0.0 && params.scene.x > 0u, index, point,
+                     -path.direction.xyz, shading.direct_weight, bounce);
 
     if (mayGoOn()) goOn(path, point, shading, index, live);
 }

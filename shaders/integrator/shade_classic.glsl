@@ -5,17 +5,17 @@
 #define POINTRT_SHADERS_SHADE_CLASSIC_GLSL
 
 // Of rays weaker than half a display's last step only some are followed, with this weight: chance keeps their sum.
-const float kLeastWeight = 1.0 / 512.0;
+const float kMinWeight = 1.0 / 512.0;
 
 // Nothing goes on past the last bounce: the sky's ambient light is shown in place of black.
 NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 added) {
     if (last) added += weight * ambientLight(direction);
-    float chance = min(largest(weight) / kLeastWeight, 1.0);
+    float chance = min(largest(weight) / kMinWeight, 1.0);
     return NextRay(direction, !last && u < chance ? weight / chance : vec3(0.0), 0.0);
 }
 
 // u: two numbers in [0, 1).
-Shading shadeClassic(PathState path, Point point, Material row, SurfaceMaterial matter, vec2 u) {
+Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, vec2 u) {
     vec3 throughput = path.throughput.rgb, view = -path.direction.xyz;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     SpecularPair pair = specularPair(matter, point.normal, view);

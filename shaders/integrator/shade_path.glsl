@@ -25,7 +25,7 @@ vec3 roulette(vec3 throughput, uint bounce, float u) {
     return u < survival ? throughput / survival : vec3(0.0);
 }
 
-Shading shadePath(PathState path, Point point, Material row, SurfaceMaterial matter, uint pixel) {
+Shading shadePath(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
     vec3 throughput = path.throughput.rgb, view = -path.direction.xyz;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     uint bounce = bounceOf(pathBits(path));

@@ -11,7 +11,7 @@ struct NextRay {
 
 struct Shading {
     vec3 added;      // radiance that needs no further ray
-    vec3 lit_weight; // of the light that shadow rays may bring; 0: none is asked for
+    vec3 direct_weight; // of the light that shadow rays may bring; 0: none is asked for
     NextRay first;
     NextRay second;
 };
@@ -21,7 +21,7 @@ NextRay noRay() { return NextRay(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0); }
 Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay()); }
 
 // The normal and depth views.
-Shading shadeView(Point point) {
+Shading shadeView(SurfaceInteraction point) {
     vec3 color = vec3(0.0);
     if (point.t >= 0.0)
         color = kIntegrator == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)

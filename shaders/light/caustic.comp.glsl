@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Caustics on the lit points.
+// Caustics on the points that ask for light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/light/direct_light.glsl"
@@ -11,15 +11,15 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint path;
-    LitPoint point = litPoint(path);
+    DirectLightQuery query = currentLightQuery(path);
     if (path == NO_INDEX) return;
-    vec3 normal = point.normal.xyz;
-    Material row = loadMaterial(floatBitsToUint(point.normal.w));
-    SurfaceMaterial matter = matterOf(row, point.albedo.rgb, false, dot(normal, point.view.xyz));
+    vec3 normal = query.normal.xyz;
+    Material row = loadMaterial(floatBitsToUint(query.normal.w));
+    SurfaceMaterial matter = matterOf(row, query.albedo.rgb, false, dot(normal, query.view.xyz));
     if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
-    vec3 irradiance = causticIrradiance(point.position.xyz, normal);
+    vec3 irradiance = causticIrradiance(query.position.xyz, normal);
     vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
-    vec3 light = point.throughput.rgb * albedo * irradiance * (1.0 / kPi);
+    vec3 light = query.throughput.rgb * albedo * irradiance * (1.0 / kPi);
     film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which light a lit point asks for in each of its turns. Three programs need the same answer: it comes from the lit
-// point and the sample's numbers alone.
+// Which light a query asks for in each of its turns. Three programs need the same answer: it comes from the query and
+// the sample's numbers alone.
 #ifndef POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #define POINTRT_SHADERS_DIRECT_LIGHT_GLSL
 #include "shaders/frame/path.glsl"
 #include "shaders/math/sampler.glsl"
 #include "shaders/light/sky.glsl"
 
-LitPoint loadLitPoint(uint path) {
-    return LitPoint(loadLitTexel(path, 0), loadLitTexel(path, 1), loadLitTexel(path, 2), loadLitTexel(path, 3),
-                    loadLitTexel(path, 4));
+DirectLightQuery loadLightQuery(uint path) {
+    return DirectLightQuery(loadLightQueryTexel(path, 0), loadLightQueryTexel(path, 1), loadLightQueryTexel(path, 2),
+                            loadLightQueryTexel(path, 3), loadLightQueryTexel(path, 4));
 }
 
-// The lit point of this lane; path: its pixel, NO_INDEX where it has none.
-LitPoint litPoint(out uint path) {
+// The query of this lane; path: its pixel, NO_INDEX where it has none.
+DirectLightQuery currentLightQuery(out uint path) {
     uint lane = balancedLane();
     bool live = lane < control.queued.w;
-    path = live ? loadQueue(litQueueStart() + lane) : NO_INDEX;
-    return loadLitPoint(live ? path : 0u);
+    path = live ? loadQueue(lightQueueStart() + lane) : NO_INDEX;
+    return loadLightQuery(live ? path : 0u);
 }
 
 // path asks one light by chance, the others each in turn.
@@ -37,8 +37,8 @@ uint lightOfTurn(uint turn, uint path, uint bounce) {
 // Beyond the pairs of any bounce.
 #define FIRST_LIGHT_PAIR 2048u
 
-LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
-    uint bounce = floatBitsToUint(point.throughput.w);
+LightSample sampleTurn(DirectLightQuery query, uint path, uint turn, out Light light) {
+    uint bounce = floatBitsToUint(query.throughput.w);
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
     // each light has its own numbers
     if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
@@ -46,9 +46,9 @@ LightSample sampleTurn(LitPoint point, uint path, uint turn, out Light light) {
     vec2 u = sample2(imagePixel(path), push.step.x, pair, params.mode.w);
     // a sun's or a ball's middle is its cone's axis
     vec2 middle = vec2(lightKind(light) == LIGHT_QUAD ? 0.5 : 0.0, 0.5);
-    u = hasStep(STEP_STEADY) && lightKind(light) != LIGHT_SKY ? middle : u;
-    if (kSkyPicture && lightKind(light) == LIGHT_SKY) return sampleSky(u);
-    return sampleLight(light, point.position.xyz, u);
+    u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? middle : u;
+    if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
+    return sampleLight(light, query.position.xyz, u);
 }
 
 // The shape of a lamp with an area, NO_INDEX of other lights.
@@ -58,7 +58,7 @@ uint lampOf(Light light) {
     return has_area ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
 }
 
-bool facesLight(LitPoint point, LightSample to) { return dot(point.normal.xyz, to.direction) > 0.0; }
+bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal.xyz, to.direction) > 0.0; }
 
 // Shadow rays end before the lamp that they ask: a share of the way that no float's rounding exceeds.
 const float kBeforeLamp = 0.99999;

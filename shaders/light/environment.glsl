@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance of an environment picture, and directions drawn in proportion to it (Pharr, Jakob and Humphreys, Physically
+// Radiance of an environment image, and directions drawn in proportion to it (Pharr, Jakob and Humphreys, Physically
 // Based Rendering, "Piecewise-Constant 2D Distributions"). runtime/device_scene/environment.h makes the data; the program defines
-//   loadEnvironmentTexel(i)  rgb of texel i of the picture, row by row
+//   loadEnvironmentTexel(i)  rgb of texel i of the image, row by row
 //   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 in each
 //   row
 #ifndef POINTRT_SHADERS_ENVIRONMENT_GLSL
@@ -10,7 +10,7 @@
 #include "shaders/shared/environment_layout.h"
 #include "shaders/math/math.glsl"
 
-// Unit direction in the world to u, v in the picture and the sine of the angle to the zenith.
+// Unit direction in the world to u, v in the image and the sine of the angle to the zenith.
 vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
     const vec3 d =
         vec3(dot(frame.row_x.xyz, direction), dot(frame.row_y.xyz, direction), dot(frame.row_z.xyz, direction));

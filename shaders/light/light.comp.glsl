@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light from the lights that reach the lit points.
+// Light from the lights that reach the points that ask for it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/light/direct_light.glsl"
@@ -20,18 +20,18 @@ vec3 scatteredLight(SurfaceMaterial matter, vec3 normal, vec3 view, LightSample 
 
 void main() {
     uint path;
-    LitPoint point = litPoint(path);
+    DirectLightQuery query = currentLightQuery(path);
     if (path == NO_INDEX) return;
     uint turns = lightTurns(), mask = light_masks[path];
-    vec3 normal = point.normal.xyz, view = point.view.xyz;
-    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(point.normal.w)), point.albedo.rgb, false, dot(normal, view));
+    vec3 normal = query.normal.xyz, view = query.view.xyz;
+    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(query.normal.w)), query.albedo.rgb, false, dot(normal, view));
     float chance = lightChance();
     vec3 light_sum = vec3(0.0);
     for (uint turn = 0u; turn < turns; turn++) {
         Light light;
-        LightSample to = sampleTurn(point, path, turn, light);
+        LightSample to = sampleTurn(query, path, turn, light);
         vec3 scattered = scatteredLight(matter, normal, view, to, lightKind(light), chance);
         light_sum += (mask >> turn & 1u) == 0u ? scattered * to.radiance_over_pdf : vec3(0.0);
     }
-    addLight(path, point.throughput.rgb * light_sum, floatBitsToUint(point.throughput.w) + 1u);
+    addLight(path, query.throughput.rgb * light_sum, floatBitsToUint(query.throughput.w) + 1u);
 }

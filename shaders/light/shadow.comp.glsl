@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lights do not reach the lit points because an instance stands between.
+// Which lights do not reach the points that ask for them because an instance stands between.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define ANY_HIT
@@ -10,24 +10,24 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-bool isShadowed(LitPoint point, LightSample to, bool asks) {
+bool isShadowed(DirectLightQuery query, LightSample to, bool asks) {
     float own_t;
-    vec3 origin = leaveSurface(point.position.xyz, point.normal.xyz, point.position.w, to.direction, own_t);
-    bool own = floatBitsToUint(point.albedo.w) == instance.materials.x;
+    vec3 origin = leaveSurface(query.position.xyz, query.normal.xyz, query.position.w, to.direction, own_t);
+    bool own = floatBitsToUint(query.albedo.w) == instance.materials.x;
     float t_max = asks ? to.distance * kBeforeLamp * cubeScale() : -1.0;
-    vec3 stored_normal = point.normal.xyz * point.view.w;
+    vec3 stored_normal = query.normal.xyz * query.view.w;
     return trace(TraceRay(cubePoint(origin), cubeDirection(to.direction), 0.0, t_max, cubeDirection(stored_normal),
-                          own ? own_t * cubeScale() : 0.0)).near != NO_INDEX;
+                          own ? own_t * cubeScale() : 0.0)).disc != NO_INDEX;
 }
 
 void main() {
     uint entry = askedEntry(balancedLane());
     if (entry == NO_INDEX) return;
     uint turn = entry >> ASKED_TURN_SHIFT, path = entry & (1u << ASKED_TURN_SHIFT) - 1u;
-    LitPoint point = loadLitPoint(path);
+    DirectLightQuery query = loadLightQuery(path);
     Light light;
-    LightSample to = sampleTurn(point, path, turn, light);
+    LightSample to = sampleTurn(query, path, turn, light);
     // another instance may have answered already
     bool asks = (light_masks[path] >> turn & 1u) == 0u;
-    if (isShadowed(point, to, asks)) atomicOr(light_masks[path], 1u << turn);
+    if (isShadowed(query, to, asks)) atomicOr(light_masks[path], 1u << turn);
 }

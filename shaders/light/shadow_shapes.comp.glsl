@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lights reach the lit points, as far as the surfaces' own facing and shapes say. Lists the shadow rays that may
-// meet instances.
+// Which lights reach the points that ask for them, as far as the surfaces' own facing and shapes say. Lists the shadow
+// rays that may meet instances.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
@@ -22,19 +22,19 @@ bool shapesHide(vec3 origin, bool on_shape, LightSample to, uint lamp) {
 
 void main() {
     uint path;
-    LitPoint point = litPoint(path);
+    DirectLightQuery query = currentLightQuery(path);
     bool live = path != NO_INDEX;
-    bool on_shape = floatBitsToUint(point.albedo.w) == OWNER_SHAPES;
+    bool on_shape = floatBitsToUint(query.albedo.w) == OWNER_SHAPES;
     uint first = push.step.y, end = min(lightTurns(), first + ASKED_TURNS), asked = 0u;
     uint mask = live && first > 0u ? light_masks[path] : 0u;
     for (uint turn = first; turn < end; turn++) {
         // while things move, the key light's shadows alone: they say where things stand
-        bool shadows = hasOption(OPTION_SHADOWS) && (!hasStep(STEP_STEADY) || turn == 0u);
+        bool shadows = hasOption(OPTION_SHADOWS) && (!hasStep(STEP_PREVIEW) || turn == 0u);
         Light light;
-        LightSample to = sampleTurn(point, live ? path : 0u, turn, light);
-        bool faces = live && facesLight(point, to);
+        LightSample to = sampleTurn(query, live ? path : 0u, turn, light);
+        bool faces = live && facesLight(query, to);
         float own_t;
-        vec3 origin = leaveSurface(point.position.xyz, point.normal.xyz, point.position.w, to.direction, own_t);
+        vec3 origin = leaveSurface(query.position.xyz, query.normal.xyz, query.position.w, to.direction, own_t);
         bool dark = !faces || (shadows && shapesHide(origin, on_shape, to, lampOf(light)));
         mask |= dark ? 1u << turn : 0u;
         asked += faces && shadows ? 1u : 0u;

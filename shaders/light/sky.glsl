@@ -5,12 +5,12 @@
 #include "shaders/light/lights.glsl"
 #include "shaders/light/environment.glsl"
 
-// Whether the sky is a picture in place of a gradient.
-layout(constant_id = 2) const bool kSkyPicture = false;
+// Whether the sky is an image in place of a gradient.
+layout(constant_id = 2) const bool kSkyImage = false;
 
-// What a ray that leaves the scene sees: a picture, or a gradient by the square root of the height over the horizon.
+// What a ray that leaves the scene sees: an image, or a gradient by the square root of the height over the horizon.
 vec3 skyColor(vec3 direction) {
-    if (kSkyPicture) return environmentRadiance(params.environment, direction);
+    if (kSkyImage) return environmentRadiance(params.environment, direction);
     float height = dot(direction, params.sky_up.xyz);
     return mix(params.sky_horizon.rgb, height > 0.0 ? params.sky_zenith.rgb : params.sky_ground.rgb, sqrt(abs(height)));
 }
@@ -38,14 +38,14 @@ LightSample sampleSky(vec2 u) {
     return LightSample(direction, kLightAfar, pdf > 0.0 ? radiance / pdf : vec3(0.0), pdf);
 }
 
-// What a path sees that has left the scene; a picture's light was asked for beside the scattered ray.
+// What a path sees that has left the scene; an image's light was asked for beside the scattered ray.
 vec3 skySeen(PathState path) {
     vec3 direction = path.direction.xyz;
     float scatter_pdf = path.direction.w, share = 1.0;
     bool sees_suns = scatter_pdf == 0.0 && (pathBits(path) & PATH_CAUSTIC) == 0u;
     if (sees_suns) return skyColor(direction) + sunsSeen(direction);
     if (scatter_pdf == 0.0) return skyColor(direction);
-    if (kSkyPicture) {
+    if (kSkyImage) {
         float light_pdf = environmentPdf(params.environment, direction) / float(params.scene.x);
         share = scatter_pdf / (scatter_pdf + light_pdf);
     }

@@ -10,7 +10,7 @@
 
 // Where a surface of that roughness reads the table. alpha is the square of the roughness here too.
 float ggxRow(float roughness) {
-    return clamp((roughness - GGX_LEAST_ROUGHNESS) / (1.0 - GGX_LEAST_ROUGHNESS), 0.0, 1.0) * (GGX_TABLE_SIDE - 1);
+    return clamp((roughness - GGX_MIN_ROUGHNESS) / (1.0 - GGX_MIN_ROUGHNESS), 0.0, 1.0) * (GGX_TABLE_SIDE - 1);
 }
 
 // Table entry (lost, grazing) for light that leaves in a direction of that cosine.

@@ -69,7 +69,7 @@ vec3 metalUnderside(vec3 facing, float lost) {
 // The lobes of rough kinds, none for others; share is the part of light that is not reflected as by a mirror.
 void setRoughLobes(inout SurfaceMaterial s, int kind, float roughness, float index, float share, float cosine) {
     bool metal = isKind(kind, MATERIAL_METAL), plastic = isKind(kind, MATERIAL_PLASTIC);
-    float rough = max(roughness, GGX_LEAST_ROUGHNESS), dielectric = facingReflectance(index);
+    float rough = max(roughness, GGX_MIN_ROUGHNESS), dielectric = facingReflectance(index);
     s.alpha = rough * rough;
     s.table_row = ggxRow(rough);
     s.facing = metal ? s.albedo : vec3(plastic ? dielectric : 0.0);

@@ -9,6 +9,6 @@
 
 // The smoothest that GGX gets, the table's first row: alpha is 0.0009 there, a lobe a twentieth of a degree wide.
 // Below that single precision no longer tells its directions apart.
-#define GGX_LEAST_ROUGHNESS 0.03f
+#define GGX_MIN_ROUGHNESS 0.03f
 
 #endif

@@ -52,7 +52,7 @@ struct FrameParams {
     vec4 sky_ground;
     vec4 sky_up;    // xyz: unit vector upwards, w: distance at which the depth view is black
     uvec4 image;    // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 scene;    // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no picture
+    uvec4 scene;    // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no image
     uvec4 film;     // x: pixels of the film, y: the first of the band in it
     uvec4 mode;     // x: INTEGRATOR_*, y: bounces, w: seed
     vec4 reach_low; // corners of a box around all that instances may be hit in; without any, low is above high
@@ -64,11 +64,11 @@ struct FrameParams {
 // Counters and the group counts of indirect dispatches.
 struct Control {
     uvec4 ray_groups;   // indirect arguments of trace and shade
-    uvec4 lit_groups;   // indirect arguments of shadow_shapes and light
+    uvec4 light_groups; // indirect arguments of shadow_shapes and light
     uvec4 asked_groups; // indirect arguments of trace and shadow; w: rays in their list
     uvec4 hit_groups;   // indirect arguments of surface; w: hits in its list
     uvec4 tile_groups;  // indirect arguments of trace_primary; w: tiles in queue 0
-    uvec4 queued;       // x, y: rays in queue 0 and 1, z: lit points being appended, w: lit points being shaded
+    uvec4 queued;       // x, y: rays in queue 0 and 1, z: light queries being appended, w: those being answered
     uvec4 appended;     // x: rays to the list that trace and shadow read next, y: hits to that of surface
     uvec4 traced;       // x: primary, y: shadow, z: secondary rays of this sample
 };
@@ -81,7 +81,7 @@ struct PathState {
     vec4 left_normal; // of the surface the ray left; w: as bits, PATH_*
 };
 #define PATH_BOUNCE_MASK 0xFFu
-#define PATH_DEFERRED_SHIFT 8u // rays of the pixel that wait in deferred, 0 to DEFERRED_MOST
+#define PATH_DEFERRED_SHIFT 8u // rays of the pixel that wait in deferred, 0 to MAX_DEFERRED
 #define PATH_DEFERRED_MASK 0xFu
 #define PATH_DIFFUSED 0x1000u // but for mirrors and glass, what scattered it last gathers photons
 #define PATH_INSIDE 0x2000u   // in glass whose normals tell no sides
@@ -90,7 +90,7 @@ struct PathState {
 #define NO_OWNER 254u
 
 // Rays of a pixel that wait while another one is followed.
-#define DEFERRED_MOST 2u
+#define MAX_DEFERRED 2u
 
 // What a ray has hit, as shading sees it.
 struct SurfacePoint {
@@ -105,14 +105,14 @@ struct SurfacePoint {
 #define SURFACE_BACK 0x80000000u  // seen from the inside
 
 // A surface point that wants light.
-struct LitPoint {
+struct DirectLightQuery {
     vec4 position;   // w: radius of the splats around
     vec4 normal;     // towards the viewer; w: as bits, material
     vec4 albedo;     // w: as bits, owner
     vec4 throughput; // w: as bits, the path's bounce
     vec4 view;       // towards the viewer; w: -1 where normal is the stored one turned round, else 1
 };
-#define LIT_VECTORS 5
+#define LIGHT_QUERY_VECTORS 5
 
 // What is known of a pixel, in vectors of film, layer after layer: sums over the samples.
 #define LAYER_DIRECT 0u   // light scattered once, and what is seen itself; w: share covered by the scene
@@ -136,7 +136,7 @@ struct PushParams {
 #define STEP_RESET 4u     // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u // rays are read from queue 1 and appended to queue 0
 #define STEP_FRESH 16u    // trace: all rays of the queue, for which nothing was traced before; hits are not listed
-#define STEP_STEADY 32u   // lamps are asked in the middle, and the first alone for shadows: pictures at once
+#define STEP_PREVIEW 32u  // lamps are asked in the middle, and the first alone for shadows: pictures at once
 #define STEP_ASKED 64u    // prepare: the list of rays for instances is complete
 #define STEP_HITS 128u    // prepare: the list of an instance's hits is complete
 

@@ -40,7 +40,7 @@ struct Material {
 
 // A surface without splats, in the unit form of its kind.
 struct Shape {
-    vec4 row_x; // rows of local_from_stage: xyz linear part, w translation
+    vec4 row_x; // rows of local_from_render: xyz linear part, w translation
     vec4 row_y;
     vec4 row_z;
     uvec4 kind; // x: SHAPE_*, y: material, z: bits, see below
@@ -75,7 +75,7 @@ struct Light {
 
 // One .pro in the scene: how its cube lies in render space, its encoding and its materials.
 struct InstanceParams {
-    vec4 row_x; // rows of cube_from_stage, a similarity: xyz linear part, w translation
+    vec4 row_x; // rows of cube_from_render, a similarity: xyz linear part, w translation
     vec4 row_y;
     vec4 row_z;
     vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units in a render unit

@@ -159,10 +159,10 @@ Surface flatSurface(SplatHit hit, vec3 direction) {
 
 // At rims the blended normal may lean away from the viewer, who sees the surface all the same: it is brought back to
 // this cosine, nearly at right angles.
-const float kLeastFacing = 0.01;
+const float kMinFacing = 0.01;
 
 vec3 bentToViewer(vec3 normal, vec3 direction) {
-    float away = dot(normal, direction) + kLeastFacing;
+    float away = dot(normal, direction) + kMinFacing;
     return away > 0.0 ? normalize(normal - away * direction) : normal;
 }
 

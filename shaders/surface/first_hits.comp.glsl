@@ -2,7 +2,7 @@
 // Keeps what the rays through pixel centres have hit.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/surface/point.glsl"
+#include "shaders/surface/surface_interaction.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
@@ -10,7 +10,7 @@ void main() {
     uint index;
     PathState path = currentPath(index);
     if (index == NO_INDEX) return;
-    Point point = findPoint(index, path, loadHit(index));
+    SurfaceInteraction point = findInteraction(index, path, loadHit(index));
     bool hit = point.t >= 0.0;
     uint at = FIRST_HIT_VECTORS * (params.film.y + bandPixel(index));
     first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);

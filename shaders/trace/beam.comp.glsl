@@ -37,9 +37,9 @@ float freeAround(vec3 point, Grid grid, vec3 highest) {
 }
 
 // Cells below which a further step is not worth its cost.
-const float kLeastStep = 0.25;
+const float kMinStep = 0.25;
 // Beyond, beams that creep along a surface are not worth more steps: what they have come to is safe.
-const int kStepsMost = 96;
+const int kMaxSteps = 96;
 
 // Rays around one, in cube units: they start within width of it, and their directions differ by up to spread.
 struct Beam {
@@ -70,16 +70,16 @@ float marchBeam(Beam beam) {
     float width = beam.width * scale;
     // beyond its far corner no ray can be in the grid
     float t_far = length(max(abs(start), abs(highest - start)));
-    float t = 0.0, advance = kLeastStep;
-    int left = kStepsMost;
+    float t = 0.0, advance = kMinStep;
+    int left = kMaxSteps;
     do { // lanes that are done take part until all are: see trace.glsl
-        bool going = advance >= kLeastStep && t < t_far && left > 0;
+        bool going = advance >= kMinStep && t < t_far && left > 0;
         float free = freeAround(start + direction * t, grid, highest);
         float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
         advance = going ? further : advance;
         t = going ? t + max(further, 0.0) : t;
         left--;
-    } while (advance >= kLeastStep && t < t_far && left > 0);
+    } while (advance >= kMinStep && t < t_far && left > 0);
     // less what rounding may have added
     return t < t_far ? max(0.0, t * (1.0 - 1e-6) / scale - 2.0 * PRO_POSITION_STEP) : BEAM_MISSES;
 }

@@ -55,7 +55,7 @@ struct SplatHit {
     float t;
 };
 
-// hit: a TraceHit's words as stored. Its distance is rounded with its near splat (pointrt/pro_index_layout.h), by less than
+// hit: a TraceHit's words as stored. Its distance is rounded with its cell disc (pointrt/pro_index_layout.h), by less than
 // a hundredth of a radius unless the ray grazes the disc. The exact one is measured from there, because from a distant
 // origin too few bits would be left.
 SplatHit exactHit(uvec4 hit, vec3 origin, vec3 direction) {

@@ -10,10 +10,10 @@ float reachOf(uint path) {
 
 // t is stored in render units. What was hit before, and nearer, stays. Other hits are listed for surface.
 void storeHit(bool live, uint path, TraceHit hit) {
-    bool fresh = hasStep(STEP_FRESH), hits = hit.near != NO_INDEX;
+    bool fresh = hasStep(STEP_FRESH), hits = hit.disc != NO_INDEX;
     if (live && (hits || fresh))
         imageStore(hit_texels, int(path),
-                   uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.near, instance.materials.x));
+                   uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x));
     appendEntry(APPEND_HIT, live && hits && !fresh, path);
 }
 

@@ -12,9 +12,9 @@
 // conditions of the lane's own (values that merely were computed in a do-while are wrong for such lanes).
 
 struct TraceHit {
-    float t;   // along the ray to the near splat: rounded, exactHit knows better; t_max when nothing is hit
+    float t;   // along the ray to the cell disc: rounded, exactHit knows better; t_max when nothing is hit
     uint cell; // whose list the hit's surroundings are in
-    uint near; // the near splat, NO_INDEX when nothing is hit
+    uint disc; // the cell disc, NO_INDEX when nothing is hit
 };
 
 // A ray in cube units and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored,
@@ -122,8 +122,8 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
     return Visit(meets ? cell : NO_INDEX, middle, spot.edge);
 }
 
-// Distance to a near splat's disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
-float hitNear(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
+// Distance to a cell disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
+float hitDisc(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     const ivec3 axes = ivec3(0, 1, 2);
     vec3 center = vec3(ivec3(int(words.x)) << (PRO_NEAR_POSITION_BITS * axes) >> (32 - PRO_NEAR_POSITION_BITS));
     vec3 normal = vec3(ivec3(int(words.y)) << (PRO_NEAR_NORMAL_BITS * axes) >> (32 - PRO_NEAR_NORMAL_BITS));
@@ -157,13 +157,13 @@ Visit nextVisit(inout Walk walk, Grid grid, float t_end) {
     return visit;
 }
 
-// The near splats k and k + 1; going: whether this lane has such.
+// The cell discs k and k + 1; going: whether this lane has such.
 void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start, inout TraceHit hit) {
-    uvec4 pair = loadNear((going ? k : 0u) >> 1);
-    float first = hitNear(pair.xy, cell_ray, ray, t_start, hit.t);
-    float second = hitNear(pair.zw, cell_ray, ray, t_start, first);
+    uvec4 pair = loadDiscs((going ? k : 0u) >> 1);
+    float first = hitDisc(pair.xy, cell_ray, ray, t_start, hit.t);
+    float second = hitDisc(pair.zw, cell_ray, ray, t_start, first);
     bool nearer = going && second < hit.t;
-    hit.near = nearer ? (second < first ? k + 1u : k) : hit.near;
+    hit.disc = nearer ? (second < first ? k + 1u : k) : hit.disc;
     hit.t = nearer ? second : hit.t;
 }
 
@@ -181,7 +181,7 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
         testPair(k, going, cell_ray, ray, t_start, hit);
         k = going ? k + 2u : k;
 #ifdef ANY_HIT
-        end = hit.near != NO_INDEX ? 0u : end;
+        end = hit.disc != NO_INDEX ? 0u : end;
 #endif
     } while (k < end);
     hit.cell = hit.t < t_before ? visit.cell : hit.cell;
@@ -198,7 +198,7 @@ TraceHit trace(TraceRay ray) {
         testCell(walk, visit, ray, t_start, hit);
         t_end = hit.t < t_end ? hit.t : t_end;
 #ifdef ANY_HIT
-        t_end = hit.near != NO_INDEX ? -1.0 : t_end;
+        t_end = hit.disc != NO_INDEX ? -1.0 : t_end;
 #endif
     } while (walk.t < t_end);
     hit.t += t_start;

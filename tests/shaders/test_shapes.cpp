@@ -26,7 +26,7 @@ struct Answer {
 };
 
 constexpr double kNoHit = 1e30;
-constexpr double kLeast = 1e-4; // t_min
+constexpr double kMin = 1e-4; // t_min
 
 std::vector<Answer> ask(const std::vector<gpu::Shape>& shapes, const std::vector<Query>& queries,
                         std::uint32_t shape_count) {
@@ -37,7 +37,7 @@ std::vector<Answer> ask(const std::vector<gpu::Shape>& shapes, const std::vector
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 /// The query in the doubles that its floats are; direction need not have unit length.
-Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kLeast) {
+Query query(Vec3 origin, Vec3 direction, std::uint32_t shape = 0, double t_min = kMin) {
     const auto packed = [](Vec3 v, double w) {
         return gpu::vec4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
                          static_cast<float>(w)};
@@ -84,7 +84,7 @@ Expected hitFlat(ShapeKind kind, Vec3 center, Vec3 u, Vec3 v, Vec3 origin, Vec3 
     const double reach = kind == ShapeKind::kPlane  ? 0
                          : kind == ShapeKind::kDisc ? std::hypot(x, y)
                                                     : std::max(std::abs(x), std::abs(y));
-    return {t >= kLeast && reach <= 1 ? t : kNoHit, normalize(n), std::abs(1 - reach)};
+    return {t >= kMin && reach <= 1 ? t : kNoHit, normalize(n), std::abs(1 - reach)};
 }
 
 void keepNearer(Expected& best, const Expected& other) {
@@ -114,7 +114,7 @@ Expected hitSphere(const ShapeDescription& s, Vec3 origin, Vec3 direction) {
     best.margin = std::abs(root) / (a * r * r);
     if (root < 0) return best;
     for (const double t : {(-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a})
-        if (t >= kLeast && t < best.t) best.t = t;
+        if (t >= kMin && t < best.t) best.t = t;
     best.normal = normalize(from + best.t * direction);
     return best;
 }
@@ -138,7 +138,7 @@ std::size_t compare(const ShapeDescription& shape, std::span<const Query> querie
         const Expected expected = expectedHit(shape, queries[i]);
         const Vec3 direction = vecOf(queries[i].direction);
         const double t = answers[i].normal.w;
-        const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kLeast) < 1e-5;
+        const bool doubtful = expected.margin < 20 * tolerance || std::abs(expected.t - kMin) < 1e-5;
         if (doubtful) continue;
         if ((expected.t < kNoHit) != (t < kNoHit)) wrong++;
         if (expected.t >= kNoHit || t >= kNoHit) continue;
@@ -301,7 +301,7 @@ TEST(NearestShape, IsTheFirstOfThem) {
         for (std::uint32_t s = 0; s < count; ++s) {
             const Expected hit = expectedHit(descriptions[s], ray);
             doubtful |=
-                hit.margin < 1e-4 || std::abs(hit.t - kLeast) < 1e-5 || (hit.t < kNoHit && std::abs(hit.t - t) < 1e-5);
+                hit.margin < 1e-4 || std::abs(hit.t - kMin) < 1e-5 || (hit.t < kNoHit && std::abs(hit.t - t) < 1e-5);
             if ((all || descriptions[s].seen_by_camera) && hit.t < t) t = hit.t, first = s;
         }
         return first;

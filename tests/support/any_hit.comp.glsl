@@ -11,5 +11,5 @@ void main() {
     uint path;
     bool live;
     TraceHit hit = traceQueued(path, live);
-    if (live && hit.near != NO_INDEX) atomicOr(light_masks[path], 1u);
+    if (live && hit.disc != NO_INDEX) atomicOr(light_masks[path], 1u);
 }

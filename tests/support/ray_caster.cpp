@@ -82,7 +82,8 @@ struct RayCaster::State {
         buffers.film = storage("film buffer", rays * sizeof(gpu::vec4));
         buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
         buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT);
-        buffers.lit = texels("lit point buffer", sizeof(gpu::LitPoint), VK_FORMAT_R32G32B32A32_UINT);
+        buffers.light_queries =
+            texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
         no_caustics = emptyCaustics(device);

@@ -94,7 +94,7 @@ FlatComparison compareFlat(const std::string& path, const Rendered& rendered, do
 
 /// Flat hits are brute force's for all but this share of pixels, the most that random discs of all sizes were seen to
 /// lose to rims and ties.
-constexpr double kLeastSame = 0.99;
+constexpr double kMinSame = 0.99;
 
 class RandomClouds : public testing::TestWithParam<unsigned> {};
 
@@ -114,7 +114,7 @@ TEST_P(RandomClouds, FlatDiscsMatchBruteForce) {
     const FlatComparison result = compareFlat(path, renderFile(path, settings), seed % 5 == 4 ? 1e-4 : 3e-6);
     EXPECT_GT(result.hits, 500u);
     EXPECT_EQ(result.unexplained, 0u);
-    EXPECT_GT(static_cast<double>(result.same), kLeastSame * static_cast<double>(result.pixels));
+    EXPECT_GT(static_cast<double>(result.same), kMinSame * static_cast<double>(result.pixels));
     EXPECT_LE(result.wrong_normal, 4u); // two discs that meet at the hit
 }
 

@@ -24,7 +24,7 @@ namespace pointrt::test {
 namespace {
 
 constexpr std::size_t kRays = 1000000; ///< secondary rays a body
-constexpr double kMostErrors = 1e-5;   ///< share of them
+constexpr double kMaxErrors = 1e-5;    ///< share of them
 constexpr double kIndex = 1.5;
 
 /// Signed distance in input units, negative inside.
@@ -258,7 +258,7 @@ void checkBody(const Body& body) {
     std::printf("%s: %.1e on their own patch, %.1e through\n", body.name.c_str(),
                 static_cast<double>(acne) / static_cast<double>(rays),
                 static_cast<double>(leaks) / static_cast<double>(rays));
-    EXPECT_LE(static_cast<double>(acne + leaks), kMostErrors * static_cast<double>(rays));
+    EXPECT_LE(static_cast<double>(acne + leaks), kMaxErrors * static_cast<double>(rays));
 }
 
 TEST(Leaks, Sphere) { checkBody(sphereBody()); }

@@ -44,10 +44,10 @@ TEST(Pruning, HitsStayWhereTheyWere) {
     EXPECT_EQ(change.lost + change.gained, 0u);
     // three times the bound of 1 in 10,000, because so few rays are subject to chance; along the normal, because cells
     // with other discs are rounded otherwise, and grazing rays slide from one of two discs in a plane to the other
-    constexpr double kMost = 3e-4 * 2 * kRays;
-    EXPECT_LE(static_cast<double>(change.flat.moved_along_normal), kMost);
-    EXPECT_LE(static_cast<double>(change.blended.moved_along_normal), kMost / 3);
-    EXPECT_LE(static_cast<double>(change.blended.moved_along_ray), 2 * kMost);
+    constexpr double kMax = 3e-4 * 2 * kRays;
+    EXPECT_LE(static_cast<double>(change.flat.moved_along_normal), kMax);
+    EXPECT_LE(static_cast<double>(change.blended.moved_along_normal), kMax / 3);
+    EXPECT_LE(static_cast<double>(change.blended.moved_along_ray), 2 * kMax);
     EXPECT_LT(change.blended.angle_p999, 0.36);
 }
 

@@ -17,18 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostNumber = 9999;
+constexpr int kMaxNumber = 9999;
 
 /// "statue-1", the first number for which there is no file with one of the endings in the working directory.
 std::string freeName(const std::string& stem, const std::vector<std::string>& endings) {
-    for (int number = 1; number <= kMostNumber; ++number) {
+    for (int number = 1; number <= kMaxNumber; ++number) {
         const std::string name = stem + "-" + std::to_string(number);
         bool taken = false;
         std::error_code ignored; // what cannot even be looked for will not be written, which says why
         for (const std::string& ending : endings) taken |= fs::exists(name + ending, ignored);
         if (!taken) return name;
     }
-    throw Error{ExitCode::kCannotWrite, stem + "-1 to " + stem + "-" + std::to_string(kMostNumber) + " are all taken"};
+    throw Error{ExitCode::kCannotWrite, stem + "-1 to " + stem + "-" + std::to_string(kMaxNumber) + " are all taken"};
 }
 
 std::string stemOf(const std::string& path) {

@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 constexpr double kDegree = pi / 180;
 /// The most that scene files take.
-constexpr double kMostLight = 1e12;
+constexpr double kMaxLight = 1e12;
 
 Color& emission(PointLight& light) { return light.intensity; }
 Color& emission(SpotLight& light) { return light.intensity; }
@@ -39,7 +39,7 @@ Color scaled(const Color& color, double factor) {
     if (!std::isfinite(factor)) return color;
     Color result;
     for (std::size_t c = 0; c < color.size(); ++c)
-        result[c] = static_cast<float>(std::clamp(factor * color[c], 0.0, kMostLight));
+        result[c] = static_cast<float>(std::clamp(factor * color[c], 0.0, kMaxLight));
     return result;
 }
 
@@ -97,7 +97,7 @@ double brightnessOf(const LightDescription& light, double reach) {
 
 void setBrightness(LightDescription& light, double brightness, double reach) {
     const double most = brightness / brightnessOfOne(light, reach);
-    if (std::isfinite(most)) emissionOf(light) = scaled(tintOf(light), std::min(most, kMostLight));
+    if (std::isfinite(most)) emissionOf(light) = scaled(tintOf(light), std::min(most, kMaxLight));
 }
 
 void setRadius(SphereLight& light, double radius) {

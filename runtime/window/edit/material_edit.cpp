@@ -8,7 +8,7 @@ namespace pointrt {
 namespace {
 
 /// The most that a scene file holds.
-constexpr std::size_t kMostMaterials = 256;
+constexpr std::size_t kMaxMaterials = 256;
 /// Materials made here are called so, and a number.
 constexpr const char* kScanName = "scan";
 
@@ -27,7 +27,7 @@ std::string freeName(const SceneDescription& scene) {
 std::optional<std::uint32_t> spareMaterial(SceneDescription& scene, InstanceRange range) {
     for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
         if (scene.materials[m].name.starts_with(kScanName) && !usedBeside(scene, range, m)) return m;
-    if (scene.materials.size() >= kMostMaterials) return std::nullopt;
+    if (scene.materials.size() >= kMaxMaterials) return std::nullopt;
     scene.materials.push_back({});
     scene.materials.back().name = freeName(scene);
     return static_cast<std::uint32_t>(scene.materials.size() - 1);

@@ -11,7 +11,7 @@
 
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
-#include "runtime/window/live/darkroom.h"
+#include "runtime/window/live/display_pipeline.h"
 #include "runtime/window/view/view_camera.h"
 
 namespace pointrt {

@@ -123,7 +123,7 @@ struct Interpreter {
     void operator()(const WheelEvent& event) const {
         const bool turns = std::isfinite(event.y) && event.y != 0;
         if (!turns || state.ui_wants_mouse || findControl(Gesture::kWheel) == nullptr) return;
-        const double steps = std::clamp(event.y, -kMostWheelSteps, kMostWheelSteps);
+        const double steps = std::clamp(event.y, -kMaxWheelSteps, kMaxWheelSteps);
         commands.emplace_back(ZoomCommand{steps, state.x, state.y});
     }
     void operator()(const ResizeEvent& event) const { commands.emplace_back(event); }

@@ -46,7 +46,7 @@ using Command = std::variant<OrbitCommand, LookCommand, PanCommand, ZoomCommand,
 constexpr double kDoubleClick_s = 0.4;     // between the two presses
 constexpr double kDoubleClickDistance = 4; // window units between them
 constexpr double kDragThreshold = 3;       // window units from the press: a hand is not that still
-constexpr double kMostWheelSteps = 100;    // in one event; some drivers send the turns of a second at once
+constexpr double kMaxWheelSteps = 100;     // in one event; some drivers send the turns of a second at once
 constexpr std::size_t kKeys = 512;         // more than Key names
 
 /// Where a button went down, and what it does until it goes up.

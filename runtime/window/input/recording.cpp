@@ -59,9 +59,9 @@ bool takeDown(Arguments& arguments) {
 ResizeEvent takeSize(Arguments& arguments) {
     const std::string word = arguments.word();
     ResizeEvent size;
-    if (word != "0x0") std::tie(size.width, size.height) = parseSize(word, kMostWindowSide);
+    if (word != "0x0") std::tie(size.width, size.height) = parseSize(word, kMaxWindowSide);
     arguments.requireWord("scale");
-    size.scale = takeReal(arguments, kLeastWindowScale, kMostWindowScale);
+    size.scale = takeReal(arguments, kMinWindowScale, kMaxWindowScale);
     return size;
 }
 
@@ -85,8 +85,8 @@ DropEvent takeDrop(Arguments& arguments) {
     DropEvent drop;
     do {
         drop.paths.push_back(arguments.string());
-        if (drop.paths.back().size() > kMostPathBytes) refuse("a path is too long");
-        if (drop.paths.size() > kMostDropped) refuse("too many paths");
+        if (drop.paths.back().size() > kMaxPathBytes) refuse("a path is too long");
+        if (drop.paths.size() > kMaxDropped) refuse("too many paths");
     } while (!arguments.isDone());
     return drop;
 }
@@ -95,7 +95,7 @@ ScreenshotStep takeScreenshot(Arguments& arguments) {
     const std::string name = arguments.word();
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
                        std::string::npos;
-    if (!plain || name[0] == '.' || name.size() > kMostNameBytes)
+    if (!plain || name[0] == '.' || name.size() > kMaxNameBytes)
         refuse(shown(name) + " is no name of letters, digits, . _ - for a picture");
     return {name};
 }
@@ -117,13 +117,13 @@ void takeText(Arguments& arguments, Steps& steps) {
 }
 
 CursorEvent takeCursor(Arguments& arguments) {
-    const double x = takeReal(arguments, -kMostCursor, kMostCursor);
-    return {x, takeReal(arguments, -kMostCursor, kMostCursor)};
+    const double x = takeReal(arguments, -kMaxCursor, kMaxCursor);
+    return {x, takeReal(arguments, -kMaxCursor, kMaxCursor)};
 }
 
 WheelEvent takeWheel(Arguments& arguments) {
-    const double x = takeReal(arguments, -kMostWheel, kMostWheel);
-    return {x, takeReal(arguments, -kMostWheel, kMostWheel)};
+    const double x = takeReal(arguments, -kMaxWheel, kMaxWheel);
+    return {x, takeReal(arguments, -kMaxWheel, kMaxWheel)};
 }
 
 struct Kind {
@@ -142,7 +142,7 @@ const Kind kKinds[] = {
     {"close", "FRAME close", [](Arguments&, Steps& s) { add(s, CloseEvent{}); }},
     {"screenshot", "FRAME screenshot NAME", [](Arguments& a, Steps& s) { s.emplace_back(takeScreenshot(a)); }},
     {"wait", "FRAME wait SAMPLES",
-     [](Arguments& a, Steps& s) { s.emplace_back(WaitStep{parseCount(a.word(), 1, kMostWait)}); }},
+     [](Arguments& a, Steps& s) { s.emplace_back(WaitStep{parseCount(a.word(), 1, kMaxWait)}); }},
     {"quit", "FRAME quit", [](Arguments&, Steps& s) { s.emplace_back(QuitStep{}); }},
 };
 
@@ -169,7 +169,7 @@ ResizeEvent headerOf(const Words& words) {
 
 void addEvents(const Words& words, Recording& recording) {
     Arguments arguments{words, 0, "FRAME KIND ..."};
-    const std::uint32_t frame = parseCount(arguments.word(), 0, kMostRecordedFrame);
+    const std::uint32_t frame = parseCount(arguments.word(), 0, kMaxRecordedFrame);
     if (!recording.events.empty() && frame < recording.events.back().frame)
         refuse("frame " + std::to_string(frame) + " comes after " + std::to_string(recording.events.back().frame));
     const std::string name = arguments.word();
@@ -178,8 +178,8 @@ void addEvents(const Words& words, Recording& recording) {
     Steps steps;
     kind.take(arguments, steps);
     arguments.requireDone();
-    if (recording.events.size() + steps.size() > kMostRecordedEvents)
-        refuse("more than " + std::to_string(kMostRecordedEvents) + " events");
+    if (recording.events.size() + steps.size() > kMaxRecordedEvents)
+        refuse("more than " + std::to_string(kMaxRecordedEvents) + " events");
     for (RecordedStep& step : steps) recording.events.push_back({frame, std::move(step)});
 }
 
@@ -194,7 +194,7 @@ std::string_view takeLine(std::string_view& text) {
 } // namespace
 
 Recording parseRecording(std::string_view text, const std::string& path) {
-    if (text.size() > kMostRecordingBytes) throw Error{ExitCode::kBadInput, path + ": more than 64 MiB"};
+    if (text.size() > kMaxRecordingBytes) throw Error{ExitCode::kBadInput, path + ": more than 64 MiB"};
     Recording recording;
     bool has_header = false;
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -219,7 +219,7 @@ Recording readRecording(const std::string& path) {
     std::string text;
     char block[65536];
     // A pipe or a device has no size to ask for.
-    while (file && text.size() <= kMostRecordingBytes) {
+    while (file && text.size() <= kMaxRecordingBytes) {
         const std::size_t count = std::fread(block, 1, sizeof block, file.get());
         text.append(block, count);
         if (count < sizeof block) break;

@@ -54,15 +54,15 @@ struct Recording {
 };
 
 // What a reader takes; writers keep within it.
-constexpr std::uint32_t kMostRecordedFrame = 10'000'000; // four days of 30 a second
-constexpr std::size_t kMostRecordedEvents = 1'000'000;
-constexpr std::size_t kMostRecordingBytes = std::size_t(64) << 20;
-constexpr std::uint32_t kMostWindowSide = 16384;
-constexpr double kLeastWindowScale = 0.1, kMostWindowScale = 16;
-constexpr double kMostCursor = 1e6; // window units
-constexpr double kMostWheel = 1000;
-constexpr std::uint32_t kMostWait = 65536; // as many samples as a picture may have
-constexpr std::size_t kMostDropped = 1024, kMostPathBytes = 4096, kMostNameBytes = 100;
+constexpr std::uint32_t kMaxRecordedFrame = 10'000'000; // four days of 30 a second
+constexpr std::size_t kMaxRecordedEvents = 1'000'000;
+constexpr std::size_t kMaxRecordingBytes = std::size_t(64) << 20;
+constexpr std::uint32_t kMaxWindowSide = 16384;
+constexpr double kMinWindowScale = 0.1, kMaxWindowScale = 16;
+constexpr double kMaxCursor = 1e6; // window units
+constexpr double kMaxWheel = 1000;
+constexpr std::uint32_t kMaxWait = 65536; // as many samples as a picture may have
+constexpr std::size_t kMaxDropped = 1024, kMaxPathBytes = 4096, kMaxNameBytes = 100;
 
 /// Throws Error kBadInput "PATH:LINE: reason", without the line where the file cannot be read.
 Recording readRecording(const std::string& path);

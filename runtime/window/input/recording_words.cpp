@@ -129,8 +129,8 @@ std::optional<std::uint32_t> takeCodePoint(std::string_view& bytes) {
         if (byte >> 6 != 2) return {};
         code_point = code_point << 6 | (byte & 0x3Fu);
     }
-    constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000}; // with as many bytes
-    if (!isCharacter(code_point) || code_point < kLeast[count]) return {};
+    constexpr std::uint32_t kMin[] = {0, 0, 0x80, 0x800, 0x10000}; // with as many bytes
+    if (!isCharacter(code_point) || code_point < kMin[count]) return {};
     bytes.remove_prefix(count);
     return code_point;
 }

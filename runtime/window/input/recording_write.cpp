@@ -23,11 +23,11 @@ const char* downOrUp(bool down) { return down ? " down " : " up "; }
 
 /// "WxH scale S"; a window without area is minimised, unless it must have some.
 std::string sizeText(const ResizeEvent& size, std::uint32_t least) {
-    std::uint32_t width = std::clamp(size.width, least, kMostWindowSide);
-    std::uint32_t height = std::clamp(size.height, least, kMostWindowSide);
+    std::uint32_t width = std::clamp(size.width, least, kMaxWindowSide);
+    std::uint32_t height = std::clamp(size.height, least, kMaxWindowSide);
     if (width == 0 || height == 0) width = height = 0;
     return std::to_string(width) + "x" + std::to_string(height) + " scale " +
-           plain(size.scale, kLeastWindowScale, kMostWindowScale);
+           plain(size.scale, kMinWindowScale, kMaxWindowScale);
 }
 
 struct EventText {
@@ -37,10 +37,10 @@ struct EventText {
         return std::string("button") + downOrUp(event.down) + buttonName(event.button);
     }
     std::string operator()(const CursorEvent& event) const {
-        return "cursor " + plain(event.x, -kMostCursor, kMostCursor) + " " + plain(event.y, -kMostCursor, kMostCursor);
+        return "cursor " + plain(event.x, -kMaxCursor, kMaxCursor) + " " + plain(event.y, -kMaxCursor, kMaxCursor);
     }
     std::string operator()(const WheelEvent& event) const {
-        return "wheel " + plain(event.x, -kMostWheel, kMostWheel) + " " + plain(event.y, -kMostWheel, kMostWheel);
+        return "wheel " + plain(event.x, -kMaxWheel, kMaxWheel) + " " + plain(event.y, -kMaxWheel, kMaxWheel);
     }
     std::string operator()(const ResizeEvent& event) const { return "resize " + sizeText(event, 0); }
     /// "" where nothing that can be opened was dropped.
@@ -48,7 +48,7 @@ struct EventText {
         std::string text;
         std::size_t count = 0;
         for (const std::string& path : event.paths)
-            if (path.size() <= kMostPathBytes && count++ < kMostDropped) text += " " + quotedText(path);
+            if (path.size() <= kMaxPathBytes && count++ < kMaxDropped) text += " " + quotedText(path);
         return text.empty() ? "" : "drop" + text;
     }
     std::string operator()(const CloseEvent&) const { return "close"; }
@@ -56,7 +56,7 @@ struct EventText {
     std::string operator()(const InputEvent& event) const { return std::visit(EventText{}, event); }
     std::string operator()(const ScreenshotStep& step) const { return "screenshot " + step.name; }
     std::string operator()(const WaitStep& step) const {
-        return "wait " + std::to_string(std::clamp<std::uint32_t>(step.samples, 1, kMostWait));
+        return "wait " + std::to_string(std::clamp<std::uint32_t>(step.samples, 1, kMaxWait));
     }
     std::string operator()(const QuitStep&) const { return "quit"; }
 };
@@ -75,7 +75,7 @@ std::string recordingHeader(const ResizeEvent& window) {
 
 std::string recordingLine(const RecordedEvent& event) {
     const std::string text = std::visit(EventText{}, event.step);
-    return text.empty() ? "" : std::to_string(std::min(event.frame, kMostRecordedFrame)) + " " + text + "\n";
+    return text.empty() ? "" : std::to_string(std::min(event.frame, kMaxRecordedFrame)) + " " + text + "\n";
 }
 
 RecordingWriter openRecording(const std::string& path, const ResizeEvent& window) {

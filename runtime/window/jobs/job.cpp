@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 // Before that starting up is most of what was seen of the work.
-constexpr double kLeastSeconds = 0.5, kLeastShare = 0.02;
+constexpr double kMinSeconds = 0.5, kMinShare = 0.02;
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -93,7 +93,7 @@ JobFigures Job::figures() const {
 }
 
 std::optional<double> secondsLeft(double share, double said_s, double now_s) {
-    if (now_s < kLeastSeconds || share < kLeastShare || !(said_s > 0)) return std::nullopt;
+    if (now_s < kMinSeconds || share < kMinShare || !(said_s > 0)) return std::nullopt;
     return std::max(0.0, said_s * (1 - share) / share - (now_s - said_s));
 }
 

@@ -17,7 +17,7 @@ namespace pointrt {
 struct ProgramKinds {
     std::uint32_t features = 0;
     Integrator integrator = Integrator::kPhong;
-    bool sky_picture = false, caustics = false;
+    bool sky_image = false, caustics = false;
     bool operator==(const ProgramKinds&) const = default;
 };
 

@@ -19,7 +19,7 @@ void save(Device& device, const std::string& name, SavedFilm& saved, SaveLook lo
     control.setShare(kExrShare);
     control.say(name + ".png");
     if (look.denoise) denoisePicture(device, saved.film);
-    writePng(name + ".png", developFilm(saved.film, look.exposure));
+    writePng(name + ".png", tonemapFilm(saved.film, look.exposure));
 }
 
 } // namespace

@@ -15,7 +15,7 @@ constexpr double kShareOfSlower = 0.6, kShareOfFaster = 0.3;
 /// Edges are divided by powers of this, the fourth root of 2: two steps halve or double the area.
 constexpr double kSizeStep = 1.189207115002721;
 /// Below this the picture says nothing any more, however slow the tracer is.
-constexpr double kMostDivisor = 16;
+constexpr double kMaxDivisor = 16;
 /// Share of the time that the next finer size may take at most to be chosen again.
 constexpr double kComfort = 0.75;
 
@@ -39,7 +39,7 @@ PictureSize Pace::movingSize(double seconds, PictureSize full, PictureSize last)
     const auto costs = [&](PictureSize size) { return secondsFor(std::uint64_t{size.width} * size.height); };
     double divisor = 1;
     PictureSize chosen = full;
-    while (divisor < kMostDivisor && costs(chosen) > seconds) {
+    while (divisor < kMaxDivisor && costs(chosen) > seconds) {
         divisor *= kSizeStep;
         chosen = reduced(full, divisor);
     }

@@ -19,7 +19,7 @@ constexpr double kCoarseDivisor = 2;
 /// So long nothing must move before finer pictures begin: longer than between two turns of a wheel.
 constexpr double kRest_s = 0.12;
 /// A slice is begun only where this much time is left: handing it to the device costs about a millisecond.
-constexpr double kLeast_s = 0.002;
+constexpr double kMin_s = 0.002;
 /// Of the time left, a slice is planned to take this share, so that a wrong guess is no late frame.
 constexpr double kPlanned = 0.8;
 double since(std::chrono::steady_clock::time_point start) {
@@ -39,7 +39,7 @@ PictureSize withinFilm(PictureSize size, std::uint64_t most_pixels) {
 ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s)
     : device_(device), tracer_(tracer), moving_budget_s_(moving_budget_s) {}
 
-ViewportRenderer::~ViewportRenderer() { destroyDarkroom(device_, darkroom_); }
+ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_); }
 
 void ViewportRenderer::fitFilm() {
     const PictureSize wanted{view_.settings.width, view_.settings.height};
@@ -49,11 +49,11 @@ void ViewportRenderer::fitFilm() {
     view_.settings.height = full_.height;
     const std::uint64_t pixels = std::uint64_t{full_.width} * full_.height;
     if (pixels <= film_pixels_) return;
-    destroyDarkroom(device_, darkroom_);
-    darkroom_ = {};
+    destroyDisplayPipeline(device_, display_);
+    display_ = {};
     film_pixels_ = 0;
     resizeFilm(device_, tracer_, pixels);
-    darkroom_ = createDarkroom(device_, tracer_.buffers, pixels);
+    display_ = createDisplayPipeline(device_, tracer_.buffers, pixels);
     film_pixels_ = pixels;
 }
 
@@ -104,7 +104,7 @@ void ViewportRenderer::showFilm() {
 void ViewportRenderer::begin(Stage stage) {
     stage_ = stage;
     if (stage == Stage::kDenoising) {
-        prepareDenoiser(device_, darkroom_, full_);
+        prepareDenoiser(device_, display_, full_);
         denoise_step_ = 0;
         return;
     }
@@ -140,7 +140,7 @@ bool ViewportRenderer::work(double seconds) {
         begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kFine);
     }
     double left = seconds;
-    while (stage_ != Stage::kResting && (left > kLeast_s || stage_ == Stage::kMoving)) {
+    while (stage_ != Stage::kResting && (left > kMin_s || stage_ == Stage::kMoving)) {
         if (mustShow()) return true;
         advance(left);
         if (stage_ == Stage::kMoving && samples_ > 0) return true;
@@ -177,7 +177,7 @@ void ViewportRenderer::openSlice(double seconds_left) {
     openBand(device_, tracer_, settings, view_.camera, {row_, rows}, {size_.width * size_.height, size_.width * row_});
     BandSample sample{size_.width, rows, samples_};
     sample.at_centers = stage_ != Stage::kFine || view_.settings.spp == 1;
-    sample.steady = stage_ != Stage::kFine;
+    sample.preview = stage_ != Stage::kFine;
     sample.first_hits = samples_ == 0 && hasHits();
     sample_ = sample;
     slice_seconds_ = 0;
@@ -215,8 +215,8 @@ FilmRange ViewportRenderer::rangeOf(std::uint32_t first_row, std::uint32_t rows,
 void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) {
     const FilmRange range = rangeOf(first_row, rows, samples);
     const VkCommandBuffer commands = beginCommands(device_);
-    recordResolve(commands, darkroom_, range, view_.look, false);
-    recordDevelop(commands, darkroom_, range, view_.look, false);
+    recordResolve(commands, display_, range, view_.look, false);
+    recordTonemap(commands, display_, range, view_.look, false);
     submitAndWait(device_, commands);
     updates_.push_back({size_, first_row, rows});
 }
@@ -226,8 +226,8 @@ void ViewportRenderer::denoiseOn() {
     const FilmRange all = rangeOf(0, full_.height, samples_);
     Look light = view_.look;
     light.shown = SHOWN_BEAUTY;
-    if (denoise_step_ == 0) recordResolve(commands, darkroom_, all, light, true);
-    recordDenoiseStep(commands, *darkroom_.denoiser, denoise_step_++);
+    if (denoise_step_ == 0) recordResolve(commands, display_, all, light, true);
+    recordDenoiseStep(commands, *display_.denoiser, denoise_step_++);
     submitAndWait(device_, commands);
     if (denoise_step_ < kDenoiseSteps) return;
     denoised_samples_ = samples_;
@@ -239,7 +239,7 @@ void ViewportRenderer::denoiseOn() {
 
 void ViewportRenderer::showDenoised() {
     const VkCommandBuffer commands = beginCommands(device_);
-    recordDevelop(commands, darkroom_, rangeOf(0, full_.height, samples_), view_.look, true);
+    recordTonemap(commands, display_, rangeOf(0, full_.height, samples_), view_.look, true);
     submitAndWait(device_, commands);
     updates_.push_back({full_, 0, full_.height});
 }
@@ -296,7 +296,7 @@ Film ViewportRenderer::readFilm() {
 }
 
 std::uint64_t ViewportRenderer::deviceBytes() const {
-    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(darkroom_);
+    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_);
 }
 
 } // namespace pointrt

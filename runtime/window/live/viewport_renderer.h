@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/tracer/band_tracer.h"
-#include "runtime/window/live/darkroom.h"
+#include "runtime/window/live/display_pipeline.h"
 #include "runtime/window/live/pace.h"
 
 namespace pointrt {
@@ -22,7 +22,7 @@ struct Viewport {
     bool denoise = false;
 };
 
-/// Rows of Darkroom::pixels that are new.
+/// Rows of DisplayPipeline::pixels that are new.
 struct PictureUpdate {
     PictureSize size; ///< of the picture they are rows of; smaller than the window's while things move
     std::uint32_t first_row = 0, rows = 0;
@@ -72,7 +72,7 @@ public:
     void clearUpdates() { updates_.clear(); }
     /// True where what is new must be shown before the work goes on: what follows has another size.
     bool mustShow() const;
-    const Buffer& pixels() const { return darkroom_.pixels; }
+    const Buffer& pixels() const { return display_.pixels; }
 
     ViewportProgress progress() const;
     /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
@@ -107,7 +107,7 @@ private:
     Device& device_;
     BandTracer& tracer_;
     double moving_budget_s_;
-    Darkroom darkroom_;
+    DisplayPipeline display_;
     Viewport view_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kResting;

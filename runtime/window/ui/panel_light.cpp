@@ -15,7 +15,7 @@ namespace pointrt {
 namespace {
 
 /// Rows of the list before it scrolls.
-constexpr int kMostRows = 5;
+constexpr int kMaxRows = 5;
 
 bool hasSurface(const LightDescription& light) {
     return std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light);
@@ -64,7 +64,7 @@ void drawList(Workspace& w) {
     const int count = static_cast<int>(w.scene.lights.size());
     if (count == 0) return noteText("No lights: only the sky shines.");
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    const float height = row * static_cast<float>(std::min(count, kMostRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
+    const float height = row * static_cast<float>(std::min(count, kMaxRows)) + 2 * ImGui::GetStyle().WindowPadding.y -
                          ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("lights", ImVec2(0, height), true);
     ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));

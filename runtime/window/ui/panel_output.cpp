@@ -12,7 +12,7 @@ namespace pointrt {
 namespace {
 
 constexpr int kPictures = 36; // one every 10 degrees
-constexpr std::uint32_t kMostPictures = 3600;
+constexpr std::uint32_t kMaxPictures = 3600;
 
 } // namespace
 
@@ -21,7 +21,7 @@ void drawOutput(Workspace& w) {
         w.requests.save_scene = true;
     ImGui::TextDisabled("Turntable");
     auto pictures = static_cast<std::uint32_t>(std::max(1, keptInt("turntable pictures", kPictures)));
-    if (slideRow("Pictures", pictures, {1, kMostPictures, true}, "for one turn about the upright axis"))
+    if (slideRow("Pictures", pictures, {1, kMaxPictures, true}, "for one turn about the upright axis"))
         keptInt("turntable pictures", kPictures) = static_cast<int>(pictures);
     textRow("Files", w.turntable_path, "turntable/%04d.png", "%04d stands for the picture's number");
     ImGui::BeginDisabled(w.job.has_value() || w.turntable_path.empty());

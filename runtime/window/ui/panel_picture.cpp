@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// In the order of SHOWN_* (shaders/shared/develop_layout.h).
+/// In the order of SHOWN_* (shaders/shared/display_layout.h).
 constexpr const char* kShown[] = {"Picture",      "Colours only",   "Normals",  "Depth",
                                   "Direct light", "Indirect light", "Caustics", "Noise"};
 

@@ -16,7 +16,7 @@ constexpr const char* kIntegrators[] = {"Direct light (phong)", "With mirrors (w
                                         "Normals", "Depth"};
 
 /// More than this is finer than 8 bits show.
-constexpr double kMostSamples = 65536;
+constexpr double kMaxSamples = 65536;
 
 } // namespace
 
@@ -36,7 +36,7 @@ void drawRender(Workspace& w) {
     note(switchRow("Shadows", settings.shadows));
     note(switchRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
     noteEdit(w.requests, Edit::kLook,
-             slideRow("Samples", w.samples_wanted, {1, kMostSamples, true}, "a pixel, until the picture is done"));
+             slideRow("Samples", w.samples_wanted, {1, kMaxSamples, true}, "a pixel, until the picture is done"));
     noteEdit(w.requests, Edit::kLook, switchRow("Pause", w.paused, "Space"));
 }
 

@@ -10,7 +10,7 @@ namespace pointrt {
 namespace {
 
 /// Lamps that a room has where nothing is said of them.
-constexpr std::uint32_t kRingLights = 3, kMostRingLights = 16;
+constexpr std::uint32_t kRingLights = 3, kMaxRingLights = 16;
 
 void wish(Workspace& w, std::optional<Room> room) {
     w.settings.room = room;
@@ -51,7 +51,7 @@ void drawRoom(Workspace& w) {
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
     if (noteEdit(w.requests, Edit::kSettings,
-                 slideRow("Lamps", lamps, {0, kMostRingLights},
+                 slideRow("Lamps", lamps, {0, kMaxRingLights},
                           "on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }

@@ -17,7 +17,7 @@ namespace {
 /// Of the design.
 constexpr float kPanelWidth = 300;
 /// A narrow window keeps some picture.
-constexpr float kMostOfWindow = 0.6f;
+constexpr float kMaxWindowShare = 0.6f;
 
 struct Section {
     const char* name;
@@ -31,7 +31,7 @@ constexpr Section kSections[] = {
     {"Output", drawOutput, false}, {"About", drawAbout, false},
 };
 
-float panelWidth() { return std::min(kPanelWidth * uiScale(), kMostOfWindow * ImGui::GetIO().DisplaySize.x); }
+float panelWidth() { return std::min(kPanelWidth * uiScale(), kMaxWindowShare * ImGui::GetIO().DisplaySize.x); }
 
 void drawPanel(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;

@@ -15,7 +15,7 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kMostText = 4096; // ten numbers of at most 24 characters, and much white space
+constexpr std::size_t kMaxText = 4096; // ten numbers of at most 24 characters, and much white space
 
 using Words = std::map<std::string, std::string>;
 
@@ -55,7 +55,7 @@ std::string shown(const std::string& word) {
 }
 
 Words optionsOf(const std::string& text) {
-    if (text.size() > kMostText) refuse("too long");
+    if (text.size() > kMaxText) refuse("too long");
     Words options;
     const std::vector<std::string> words = wordsOf(text);
     for (std::size_t i = 0; i < words.size(); i += 2) {

@@ -19,11 +19,11 @@ const double kPoleSine = std::cos(kSteepest) / 2;
 /// Far above rounding, far below what is visible.
 constexpr double kTiltSine = 1e-6;
 
-constexpr double kLeastRadii = 1e-4, kMostRadii = 1e3; // distance from the pivot
+constexpr double kMinRadii = 1e-4, kMaxRadii = 1e3; // distance from the pivot
 /// From the scene's centre. An orthographic eye is a radius more than as far again, within frameCamera's 1e4.
 constexpr double kReachRadii = 4e3;
 /// In coordinates this many times as large, a hundred thousand doubles lie between eye and pivot: an angle of 1e-5.
-constexpr double kLeastOfCoordinate = 2e-11;
+constexpr double kMinOfCoordinate = 2e-11;
 
 constexpr double kStepsToHalve = 4;
 constexpr double kRadiiPerSecond = 0.5;
@@ -31,7 +31,7 @@ constexpr double kFlyStepsPerSecond = 4; // orthographic
 constexpr double kStandingShare = 1e-9;  // more than rounding: a view that does not move stays as it is, to the bit
 
 double leastDistance(const ViewCamera& view) {
-    return std::max(kLeastRadii * view.scene_radius, kLeastOfCoordinate * length(view.scene_centre));
+    return std::max(kMinRadii * view.scene_radius, kMinOfCoordinate * length(view.scene_centre));
 }
 
 double tangent(const ViewCamera& view) { return std::tan(verticalHalfAngle(view.fov_deg)); }
@@ -180,7 +180,7 @@ ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x,
     const double distance = perspectiveDistance(view);
     // Who comes from outside of the limits stays there, but goes no farther.
     const double least = std::min(distance, leastDistance(view));
-    const double most = std::max(distance, kMostRadii * view.scene_radius);
+    const double most = std::max(distance, kMaxRadii * view.scene_radius);
     const double scale = std::clamp(distance * std::exp2(-steps / kStepsToHalve), least, most) / distance;
     const Vec3 fixed = pointAtPivotDepth(view, size, x, y);
     ViewCamera after = view;

@@ -19,7 +19,7 @@ constexpr double kHalf = 0.5;
 const Cube kCube{{-kHalf, -kHalf, -kHalf}, 2 * kHalf};
 
 /// As format/index/disc_section.cpp: what it must decide exactly has no smaller component, and no larger radius.
-constexpr double kLeastComponent = 1.0 / 64, kLargestRadius = 16;
+constexpr double kMinComponent = 1.0 / 64, kLargestRadius = 16;
 
 Vector toVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 Vec3 toVec3(const Vector& v) { return {v[0], v[1], v[2]}; }
@@ -64,7 +64,7 @@ TEST(DiscSection, MeetsCubesAsPolygonsDo) {
         const bool near = distance<disc.radius*(1 - 1e-3), far = distance> disc.radius * (1 + 1e-3);
         met += near, missed += far;
         ASSERT_TRUE(meets || !near) << round;
-        ASSERT_TRUE(!meets || !far || leastComponent(disc.normal) < kLeastComponent) << round;
+        ASSERT_TRUE(!meets || !far || leastComponent(disc.normal) < kMinComponent) << round;
     }
     EXPECT_GT(met, 5'000);
     EXPECT_GT(missed, 5'000);
@@ -83,7 +83,7 @@ TEST(DiscSection, ReachesAsFarAsDiscAndPolygon) {
         if (reach == -INFINITY) continue; // the plane only just meets the cube
         const double expected = std::min(reach, disc.radius), found = reachInCube(placed(disc), toVector(along), kHalf);
         ASSERT_GE(found, expected - 1e-4) << round;
-        if (leastComponent(disc.normal) < kLeastComponent) continue;
+        if (leastComponent(disc.normal) < kMinComponent) continue;
         ASSERT_LE(found, expected + 1e-4) << round;
         inside += reach < disc.radius;
     }

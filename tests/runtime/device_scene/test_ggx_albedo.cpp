@@ -51,7 +51,7 @@ TEST(GgxAlbedo, TableHoldsEntriesAndTheirMeans) {
     const std::vector<GgxAlbedo> table = ggxAlbedoTable();
     ASSERT_EQ(table.size(), static_cast<std::size_t>(GGX_TABLE_ENTRIES));
     constexpr std::size_t kSide = GGX_TABLE_SIDE;
-    const GgxAlbedo corner = ggxAlbedoAt(1, 1), smoothest = ggxAlbedoAt(1, GGX_LEAST_ROUGHNESS);
+    const GgxAlbedo corner = ggxAlbedoAt(1, 1), smoothest = ggxAlbedoAt(1, GGX_MIN_ROUGHNESS);
     EXPECT_EQ(table[kSide * kSide - 1].lost, corner.lost);
     EXPECT_NEAR(corner.lost, std::log(2.0), 1e-4); // alpha 1, seen straight: the integral of c / (1 + c) is left
     EXPECT_EQ(table[kSide - 1].lost, smoothest.lost);

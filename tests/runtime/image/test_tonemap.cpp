@@ -52,22 +52,22 @@ TEST(Srgb, KnownValues) {
 }
 
 TEST(Develop, WritesOpaquePicturesAsRgb) {
-    const Image8 image = developFilm({2, 1, {0, 0.5f, 1, 1, 0.25f, 0, 0, 1}, {}, {}, {}});
+    const Image8 image = tonemapFilm({2, 1, {0, 0.5f, 1, 1, 0.25f, 0, 0, 1}, {}, {}, {}});
     EXPECT_EQ(image.channels, 3u);
     EXPECT_EQ(image.pixels.size(), 6u);
     EXPECT_EQ(image.pixels[3], encodeSrgb(0.25f));
 }
 
 TEST(Develop, KeepsTheBackground) {
-    const Image8 image = developFilm({1, 1, {0.25f, 0, 0, 0}, {}, {}, {}});
+    const Image8 image = tonemapFilm({1, 1, {0.25f, 0, 0, 0}, {}, {}, {}});
     EXPECT_EQ(image.pixels, (std::vector<std::uint8_t>{encodeSrgb(0.25f), 0, 0}));
 }
 
 TEST(Develop, ExposesInStops) {
     Film film{1, 1, {0.25f, 0.125f, 0, 1}, {}, {}, {}};
-    EXPECT_EQ(developFilm(film, 1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.5f), encodeSrgb(0.25f), 0}));
-    EXPECT_EQ(developFilm(film, -1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.125f), encodeSrgb(0.0625f), 0}));
-    EXPECT_EQ(developFilm(film, 0).pixels, developFilm(film).pixels);
+    EXPECT_EQ(tonemapFilm(film, 1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.5f), encodeSrgb(0.25f), 0}));
+    EXPECT_EQ(tonemapFilm(film, -1).pixels, (std::vector<std::uint8_t>{encodeSrgb(0.125f), encodeSrgb(0.0625f), 0}));
+    EXPECT_EQ(tonemapFilm(film, 0).pixels, tonemapFilm(film).pixels);
 }
 
 } // namespace

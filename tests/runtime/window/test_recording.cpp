@@ -115,9 +115,9 @@ TEST(Recording, RefusesWhatWouldHurt) {
     std::string many = "1 drop";
     for (int i = 0; i < 1025; ++i) many += " \"a\"";
     EXPECT_EQ(refusalOfLine(many), "a.rec:2: too many paths");
-    EXPECT_EQ(refusalOf(kHeader + "1 text \"" + std::string(kMostRecordedEvents + 1, 'a') + "\""),
+    EXPECT_EQ(refusalOf(kHeader + "1 text \"" + std::string(kMaxRecordedEvents + 1, 'a') + "\""),
               "a.rec:2: more than 1000000 events");
-    EXPECT_EQ(refusalOf(std::string(kMostRecordingBytes + 1, '\n')), "a.rec: more than 64 MiB");
+    EXPECT_EQ(refusalOf(std::string(kMaxRecordingBytes + 1, '\n')), "a.rec: more than 64 MiB");
 }
 
 TEST(Recording, EveryNamedKeyComesBack) {

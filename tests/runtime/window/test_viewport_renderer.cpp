@@ -101,7 +101,7 @@ TEST_P(ViewportRendererTest, IsTheHeadlessPicture) {
     const Film film = live->readFilm(), whole = headless();
     EXPECT_EQ(film.rgba, whole.rgba);
     EXPECT_EQ(film.variance, whole.variance);
-    const Image8 developed = developFilm(whole);
+    const Image8 developed = tonemapFilm(whole);
     const std::vector<std::uint32_t> words = shownPixels();
     int worst = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -213,7 +213,7 @@ TEST_P(ViewportRendererTest, AnotherLookIsNoOtherLight) {
     live->setLook(look, false);
     finish();
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
-    const Image8 developed = developFilm(headless(), 1);
+    const Image8 developed = tonemapFilm(headless(), 1);
     const std::vector<std::uint32_t> words = shownPixels();
     for (std::size_t i = 0; i < words.size(); i += 7)
         ASSERT_NEAR(static_cast<int>(words[i] >> 16 & 255), developed.pixels[3 * i], 1) << i;

@@ -2,11 +2,11 @@
 // From linear light to the 8 bits of a screen: the same as runtime/image/tonemap.cpp does for files.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/shared/develop_layout.h"
+#include "shaders/shared/display_layout.h"
 #include "shaders/math/math.glsl"
 
-layout(local_size_x = DEVELOP_GROUP) in;
-layout(push_constant) uniform Push { DevelopParams push; };
+layout(local_size_x = DISPLAY_GROUP) in;
+layout(push_constant) uniform Push { TonemapParams push; };
 
 layout(set = 0, binding = 0) uniform samplerBuffer colors;
 layout(std430, set = 0, binding = 1) writeonly buffer PixelBuffer { uint pixels[]; }; // 0xAARRGGBB, as windows take them

@@ -8,11 +8,11 @@
 #include "runtime/film/denoiser.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/window/live/pace.h"
-#include "shaders/shared/develop_layout.h"
+#include "shaders/shared/display_layout.h"
 
 namespace pointrt {
 
-/// What of the film is shown: SHOWN_* of shaders/shared/develop_layout.h, and how.
+/// What of the film is shown: SHOWN_* of shaders/shared/display_layout.h, and how.
 struct Look {
     std::uint32_t shown = SHOWN_BEAUTY;
     float exposure = 0;     ///< stops
@@ -26,10 +26,10 @@ struct Look {
 bool needsFirstHits(const Look& look);
 
 /// For films of up to a number of pixels.
-struct Darkroom {
-    Program resolve, resolve_guides, develop;
+struct DisplayPipeline {
+    Program resolve, resolve_guides, tonemap;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    VkDescriptorSet resolve_set{}, resolve_guides_set{}, develop_set{}, develop_denoised_set{};
+    VkDescriptorSet resolve_set{}, resolve_guides_set{}, tonemap_set{}, tonemap_denoised_set{};
     Buffer color, surface, albedo;
     Buffer pixels; ///< a word 0xAARRGGBB a pixel, sRGB
     VkDescriptorPool denoised_pool = VK_NULL_HANDLE;
@@ -37,11 +37,11 @@ struct Darkroom {
 };
 
 /// film and first_hits (of frame): must live as long as it is used.
-Darkroom createDarkroom(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels);
-void destroyDarkroom(Device& device, Darkroom& darkroom);
+DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels);
+void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline);
 /// For pictures of this size; replaces the one there is, where it has another size.
-void prepareDenoiser(Device& device, Darkroom& darkroom, PictureSize size);
-std::uint64_t deviceBytes(const Darkroom& darkroom);
+void prepareDenoiser(Device& device, DisplayPipeline& pipeline, PictureSize size);
+std::uint64_t deviceBytes(const DisplayPipeline& pipeline);
 
 /// Pixels first to first + count of a film.
 struct FilmRange {
@@ -50,10 +50,10 @@ struct FilmRange {
 };
 
 /// Records the way from film to color. guides: also what the denoiser wants; the film has first hits then.
-void recordResolve(VkCommandBuffer commands, const Darkroom& darkroom, const FilmRange& range, const Look& look,
+void recordResolve(VkCommandBuffer commands, const DisplayPipeline& pipeline, const FilmRange& range, const Look& look,
                    bool guides);
 /// Records the way from color, or from the denoiser's result, to pixels.
-void recordDevelop(VkCommandBuffer commands, const Darkroom& darkroom, const FilmRange& range, const Look& look,
+void recordTonemap(VkCommandBuffer commands, const DisplayPipeline& pipeline, const FilmRange& range, const Look& look,
                    bool denoised);
 
 } // namespace pointrt

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/live/darkroom.h"
+#include "runtime/window/live/display_pipeline.h"
 
 #include <cmath>
 
-#include "shaders/develop.spv.h"
 #include "shaders/resolve.spv.h"
 #include "shaders/shared/params.h"
+#include "shaders/tonemap.spv.h"
 
 namespace pointrt {
 namespace {
@@ -17,13 +17,14 @@ Buffer createTexels(Device& device, const char* what, std::uint64_t pixels) {
     return buffer;
 }
 
-VkDescriptorSet createResolveSet(Device& device, const Darkroom& d, const Program& program, const FrameBuffers& frame) {
+VkDescriptorSet createResolveSet(Device& device, const DisplayPipeline& d, const Program& program,
+                                 const FrameBuffers& frame) {
     return createDescriptorSet(
         device, d.pool, program,
         {{0, &frame.film}, {1, &frame.first_hits}, {2, &d.color}, {3, &d.surface}, {4, &d.albedo}});
 }
 
-void createAll(Device& device, Darkroom& d, const FrameBuffers& frame, std::uint64_t film_pixels) {
+void createAll(Device& device, DisplayPipeline& d, const FrameBuffers& frame, std::uint64_t film_pixels) {
     d.color = createTexels(device, "picture buffer", film_pixels);
     d.surface = createTexels(device, "surface guides", film_pixels);
     d.albedo = createTexels(device, "albedo guides", film_pixels);
@@ -31,20 +32,20 @@ void createAll(Device& device, Darkroom& d, const FrameBuffers& frame, std::uint
         createBuffer(device, "pixel buffer", film_pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     d.resolve = createProgram(device, "resolve", resolve_spv, {0});
     d.resolve_guides = createProgram(device, "resolve", resolve_spv, {1});
-    d.develop = createProgram(device, "develop", develop_spv);
+    d.tonemap = createProgram(device, "tonemap", tonemap_spv);
     d.pool = createDescriptorPool(device, 4);
     d.resolve_set = createResolveSet(device, d, d.resolve, frame);
     d.resolve_guides_set = createResolveSet(device, d, d.resolve_guides, frame);
-    d.develop_set = createDescriptorSet(device, d.pool, d.develop, {{0, &d.color}, {1, &d.pixels}});
+    d.tonemap_set = createDescriptorSet(device, d.pool, d.tonemap, {{0, &d.color}, {1, &d.pixels}});
 }
 
-void dropDenoiser(Device& device, Darkroom& darkroom) {
-    if (darkroom.denoiser) destroyDenoiser(device, *darkroom.denoiser);
-    darkroom.denoiser.reset();
-    destroyDescriptorPool(device, darkroom.denoised_pool);
+void dropDenoiser(Device& device, DisplayPipeline& pipeline) {
+    if (pipeline.denoiser) destroyDenoiser(device, *pipeline.denoiser);
+    pipeline.denoiser.reset();
+    destroyDescriptorPool(device, pipeline.denoised_pool);
 }
 
-GroupCount groupsOf(const FilmRange& range) { return {(range.count + DEVELOP_GROUP - 1) / DEVELOP_GROUP, 1, 1}; }
+GroupCount groupsOf(const FilmRange& range) { return {(range.count + DISPLAY_GROUP - 1) / DISPLAY_GROUP, 1, 1}; }
 
 /// A share of something, not light that the screen's curve is for.
 bool isNumber(std::uint32_t shown) { return shown == SHOWN_NORMAL || shown == SHOWN_DEPTH || shown == SHOWN_NOISE; }
@@ -53,36 +54,36 @@ bool isNumber(std::uint32_t shown) { return shown == SHOWN_NORMAL || shown == SH
 
 bool needsFirstHits(const Look& look) { return look.shown == SHOWN_NORMAL || look.shown == SHOWN_DEPTH; }
 
-Darkroom createDarkroom(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels) {
-    Darkroom darkroom;
+DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels) {
+    DisplayPipeline pipeline;
     try {
-        createAll(device, darkroom, frame, film_pixels);
+        createAll(device, pipeline, frame, film_pixels);
     } catch (...) {
-        destroyDarkroom(device, darkroom);
+        destroyDisplayPipeline(device, pipeline);
         throw;
     }
-    return darkroom;
+    return pipeline;
 }
 
-void destroyDarkroom(Device& device, Darkroom& darkroom) {
-    dropDenoiser(device, darkroom);
-    destroyDescriptorPool(device, darkroom.pool);
-    for (Program* program : {&darkroom.resolve, &darkroom.resolve_guides, &darkroom.develop})
+void destroyDisplayPipeline(Device& device, DisplayPipeline& pipeline) {
+    dropDenoiser(device, pipeline);
+    destroyDescriptorPool(device, pipeline.pool);
+    for (Program* program : {&pipeline.resolve, &pipeline.resolve_guides, &pipeline.tonemap})
         destroyProgram(device, *program);
-    for (Buffer* buffer : {&darkroom.color, &darkroom.surface, &darkroom.albedo, &darkroom.pixels})
+    for (Buffer* buffer : {&pipeline.color, &pipeline.surface, &pipeline.albedo, &pipeline.pixels})
         destroyBuffer(device, *buffer);
 }
 
-void prepareDenoiser(Device& device, Darkroom& d, PictureSize size) {
+void prepareDenoiser(Device& device, DisplayPipeline& d, PictureSize size) {
     if (d.denoiser && PictureSize{d.denoiser->width, d.denoiser->height} == size) return;
     dropDenoiser(device, d);
     d.denoiser = createDenoiser(device, size.width, size.height, {&d.color, &d.surface, &d.albedo, true});
     d.denoised_pool = createDescriptorPool(device, 1);
-    d.develop_denoised_set =
-        createDescriptorSet(device, d.denoised_pool, d.develop, {{0, &d.denoiser->result}, {1, &d.pixels}});
+    d.tonemap_denoised_set =
+        createDescriptorSet(device, d.denoised_pool, d.tonemap, {{0, &d.denoiser->result}, {1, &d.pixels}});
 }
 
-std::uint64_t deviceBytes(const Darkroom& d) {
+std::uint64_t deviceBytes(const DisplayPipeline& d) {
     std::uint64_t bytes = d.color.bytes + d.surface.bytes + d.albedo.bytes + d.pixels.bytes;
     if (!d.denoiser) return bytes;
     for (const Buffer* buffer : {&d.denoiser->surface, &d.denoiser->slope, &d.denoiser->factor, &d.denoiser->light[0],
@@ -91,7 +92,8 @@ std::uint64_t deviceBytes(const Darkroom& d) {
     return bytes;
 }
 
-void recordResolve(VkCommandBuffer commands, const Darkroom& d, const FilmRange& range, const Look& look, bool guides) {
+void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
+                   bool guides) {
     const auto samples = static_cast<float>(range.samples);
     const gpu::ResolveParams params{
         {range.first, range.count, range.film_pixels, look.shown},
@@ -102,12 +104,12 @@ void recordResolve(VkCommandBuffer commands, const Darkroom& d, const FilmRange&
     recordBarrier(commands);
 }
 
-void recordDevelop(VkCommandBuffer commands, const Darkroom& d, const FilmRange& range, const Look& look,
+void recordTonemap(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool denoised) {
     const bool number = isNumber(look.shown), exposed = !number && look.shown != SHOWN_ALBEDO;
-    const gpu::DevelopParams params{{range.first, range.count, 0, 0},
+    const gpu::TonemapParams params{{range.first, range.count, 0, 0},
                                     {exposed ? std::exp2(look.exposure) : 1.0f, number ? 0.0f : 1.0f, 0, 0}};
-    recordDispatch(commands, d.develop, denoised ? d.develop_denoised_set : d.develop_set, pushBytes(params),
+    recordDispatch(commands, d.tonemap, denoised ? d.tonemap_denoised_set : d.tonemap_set, pushBytes(params),
                    groupsOf(range));
     recordBarrier(commands);
 }

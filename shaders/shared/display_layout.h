@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the programs between the film and the window are called with: one header for C++ and GLSL.
-#ifndef POINTRT_SHADERS_DEVELOP_LAYOUT_H
-#define POINTRT_SHADERS_DEVELOP_LAYOUT_H
+#ifndef POINTRT_SHADERS_DISPLAY_LAYOUT_H
+#define POINTRT_SHADERS_DISPLAY_LAYOUT_H
 
 #ifdef __cplusplus
 #include "shaders/shared/vectors.h"
 namespace pointrt::gpu {
 #endif
 
-#define DEVELOP_GROUP 128
+#define DISPLAY_GROUP 128
 
 // What is shown of the film.
 #define SHOWN_BEAUTY 0u
@@ -25,7 +25,7 @@ struct ResolveParams {
     vec4 scale;  // x: 1 / samples, y: samples, z: input units in a render unit, w: render units at which depth is black
 };
 
-struct DevelopParams {
+struct TonemapParams {
     uvec4 range; // x: first pixel, y: pixels
     vec4 look;   // x: gain; y: 1: bring light into the range of screens, 0: it is there
 };
