@@ -19,7 +19,7 @@
 #include "runtime/scene/turntable.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/interrupt.h"
-#include "runtime/util/progress.h"
+#include "runtime/util/render_progress.h"
 
 namespace pointrt {
 namespace {
@@ -53,7 +53,7 @@ FrameState renderTimed(RenderSession& session, const Options& options, const Fil
 }
 
 FrameState renderShown(RenderSession& session, const Options& options, const Film* start, Report& report) {
-    Progress progress(options.quiet, options.verbose, options.progress_lines);
+    RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
     const ShowProgress show = [&](const FrameState& state, double share) { progress.update(share, detailOf(state)); };
     const FrameState state = renderTimed(session, options, start, show, report);
     progress.finish();
@@ -105,7 +105,7 @@ std::string signatureFor(const RenderSession& session, const std::string& path) 
 }
 
 /// False where it was interrupted: nothing is written then.
-bool renderTurn(RenderSession& session, const Options& options, std::uint32_t turn, Progress& progress,
+bool renderTurn(RenderSession& session, const Options& options, std::uint32_t turn, RenderProgress& progress,
                 Report& report) {
     const std::string path = frameName(options.output, turn);
     const std::string place = "picture " + std::to_string(turn + 1) + " of " + std::to_string(options.turntable) + ", ";
@@ -147,7 +147,7 @@ void renderTurntable(RenderSession& session, const Options& options, Report& rep
                              sceneUp(scene.description, session.settings)};
     const Camera first = session.camera;
     noteInterrupts();
-    Progress progress(options.quiet, options.verbose, options.progress_lines);
+    RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
     std::uint32_t turn = 0;
     for (; turn < options.turntable; ++turn) {
         session.camera = turntableCamera(first, axis, turn, options.turntable);

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "pointrt/pro.hpp"
+#include "runtime/window/jobs/bake_sources.h"
 
 namespace pointrt {
 namespace {
@@ -19,33 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBaker = "pointrt-bake";
 
-/// As pointrt-bake writes text in a file's metadata.
-std::string jsonText(const std::string& text) {
-    constexpr const char* kHex = "0123456789abcdef";
-    const std::string special = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
-    std::string quoted(1, '"');
-    for (const char c : text) {
-        const std::size_t at = special.find(c);
-        if (at != std::string::npos)
-            quoted += std::string("\\") + letters[at];
-        else if (static_cast<unsigned char>(c) < 0x20)
-            quoted += std::string("\\u00") + kHex[c >> 4] + kHex[c & 15];
-        else
-            quoted += c;
-    }
-    return quoted + '"';
-}
-
-/// The part of a .pro's metadata that names the files it was baked from.
-std::string sourcesText(const std::vector<std::string>& inputs) {
-    std::string list = "\"sources\":";
-    char before = '[';
-    for (const std::string& input : inputs) {
-        list += before;
-        list += jsonText(fs::path(input).filename().string());
-        before = ',';
-    }
-    return list + "]";
+std::vector<std::string> fileNames(const std::vector<std::string>& paths) {
+    std::vector<std::string> names;
+    for (const std::string& path : paths) names.push_back(fs::path(path).filename().string());
+    return names;
 }
 
 fs::file_time_type changed(const std::string& path) {
@@ -61,7 +39,7 @@ bool isBakeOf(const std::vector<std::string>& inputs, fs::file_time_type newest,
     try {
         if (changed(path) < newest) return false;
         const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
-        return file.metadata().find(sourcesText(inputs)) != std::string_view::npos;
+        return bakeSources(file.metadata()) == fileNames(inputs);
     } catch (const Error&) {
         return false;
     }

@@ -14,6 +14,7 @@
 
 #include "pointrt/tool.hpp"
 #include "runtime/window/jobs/bake_job.h"
+#include "runtime/window/jobs/bake_sources.h"
 #include "runtime/window/jobs/child_process.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/temporary_folder.h"
@@ -286,6 +287,25 @@ TEST_F(Plan, KnowsNamesAsJsonHasThem) {
     addScan(name, 60s);
     addPro("a \"b\"\\\n\x01\xc3\xa4.pro", "[\"a \\\"b\\\"\\\\\\n\\u0001\xc3\xa4.ply\"]", 30s);
     EXPECT_EQ(plan({name}), "a \"b\"\\\n\x01\xc3\xa4.pro is there");
+}
+
+TEST_F(Plan, ReadsTheMetadataAsJson) {
+    addScan("statue.ply", 60s);
+    addPro("statue.pro", "[ \"st\\u0061tue.ply\" ]", 30s);
+    EXPECT_EQ(plan({"statue.ply"}), "statue.pro is there") << "spaces and escapes are the writer's choice";
+    addPro("statue.pro", R"([],"note":"\"sources\":[\"statue.ply\"]")", 30s);
+    EXPECT_EQ(plan({"statue.ply"}), "statue.1.pro") << "a text that looks like it";
+}
+
+TEST(BakeSources, TakesAnyBytes) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(bakeSources(R"({"sources":["a.ply","b.ply"]})"), (Names{"a.ply", "b.ply"}));
+    EXPECT_EQ(bakeSources(R"({"sources":[]})"), Names());
+    for (const std::string text :
+         {"", "{", "[1]", "7", "{}", R"({"sources":"a.ply"})", R"({"sources":["a.ply",1]})",
+          R"({"more":{"sources":["a.ply"]}})", R"({"sources":["a.ply"]} more)", "{\"\xff\":1}"})
+        EXPECT_EQ(bakeSources(text), std::nullopt) << text;
+    EXPECT_EQ(bakeSources(std::string(100000, '[')), std::nullopt);
 }
 
 TEST_F(Plan, RefusesWhatIsNoFile) {

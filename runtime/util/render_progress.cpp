@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/util/progress.h"
+#include "runtime/util/render_progress.h"
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ constexpr const char* kWipe = "\r\033[K";
 
 } // namespace
 
-Progress::Progress(bool quiet, bool verbose, bool for_programs)
+RenderProgress::RenderProgress(bool quiet, bool verbose, bool for_programs)
     : start_(std::chrono::steady_clock::now()), drawn_(start_) {
     if (for_programs) style_ = Style::kForPrograms;
     if (quiet || for_programs) return;
@@ -25,7 +25,7 @@ Progress::Progress(bool quiet, bool verbose, bool for_programs)
         style_ = Style::kTenths;
 }
 
-void Progress::update(double share, const std::string& detail) {
+void RenderProgress::update(double share, const std::string& detail) {
     if (style_ == Style::kNone || !(share > 0)) return;
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
@@ -47,7 +47,7 @@ void Progress::update(double share, const std::string& detail) {
     }
 }
 
-void Progress::finish() {
+void RenderProgress::finish() {
     if (on_screen_) std::fputs(kWipe, stderr);
     on_screen_ = false;
 }

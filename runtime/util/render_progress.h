@@ -9,9 +9,9 @@ namespace pointrt {
 
 /// One redrawn line on a terminal; elsewhere a line each ten percent when verbose, else nothing; nothing when quiet.
 /// for_programs: lines "progress SHARE DETAIL", ten a second at most, whatever the rest says.
-class Progress {
+class RenderProgress {
 public:
-    Progress(bool quiet, bool verbose, bool for_programs);
+    RenderProgress(bool quiet, bool verbose, bool for_programs);
     /// share in [0, 1]; detail follows the time left. Cheap enough for every dispatch.
     void update(double share, const std::string& detail = {});
     /// Wipes the redrawn line.

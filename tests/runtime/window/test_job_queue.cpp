@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which work goes on beside which, and what comes after it.
+#include "runtime/window/jobs/job_queue.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
+
+namespace pointrt {
+namespace {
+
+using namespace std::chrono_literals;
+
+enum class Gate { kClosed, kOpen, kBroken };
+
+/// Goes on until its gate opens.
+class GatedWork {
+public:
+    GatedWork(std::string name, std::atomic<Gate>& gate, bool can_cancel = true)
+        : job_(
+              std::move(name), [&gate](JobControl& control) { wait(gate, control); }, can_cancel) {}
+    Job& job() { return job_; }
+
+private:
+    static void wait(const std::atomic<Gate>& gate, const JobControl& control) {
+        while (gate == Gate::kClosed) {
+            control.leaveIfCancelled();
+            std::this_thread::sleep_for(1ms);
+        }
+        if (gate == Gate::kBroken) throw Error(ExitCode::kBadInput, "broken");
+    }
+    Job job_;
+};
+
+class JobQueueTest : public testing::Test {
+protected:
+    /// Done, it says so.
+    JobStart work(const std::string& name, bool can_cancel = true) {
+        return [this, name, can_cancel] {
+            events.push_back("start " + name);
+            return startedJob<GatedWork>(
+                std::make_unique<GatedWork>(name, gate, can_cancel),
+                [this, name](GatedWork&) { events.push_back("done " + name); },
+                [this, name](const Job&) { events.push_back("end " + name); });
+        };
+    }
+    std::string shown() const { return queue.figures() ? queue.figures()->what : "nothing"; }
+
+    /// Polls until something has happened.
+    std::vector<std::string> next() {
+        events.clear();
+        const auto end = std::chrono::steady_clock::now() + 10s;
+        while (events.empty() && std::chrono::steady_clock::now() < end) {
+            queue.poll();
+            std::this_thread::sleep_for(1ms);
+        }
+        return events;
+    }
+
+    using Events = std::vector<std::string>;
+    Events events;
+    std::atomic<Gate> gate = Gate::kClosed;
+    JobQueue queue{[this](const std::string& text, bool error) { events.push_back((error ? "error " : "") + text); }};
+};
+
+TEST_F(JobQueueTest, CallsBackWhenWorkIsDone) {
+    EXPECT_FALSE(queue.any());
+    EXPECT_TRUE(queue.start(JobKind::kBake, work("bake")));
+    EXPECT_EQ(events, Events{"start bake"});
+    EXPECT_TRUE(queue.any());
+    EXPECT_EQ(shown(), "bake");
+    queue.poll();
+    EXPECT_EQ(events.size(), 1u) << "it is under way";
+    gate = Gate::kOpen;
+    EXPECT_EQ(next(), (Events{"end bake", "done bake"}));
+    EXPECT_FALSE(queue.any());
+    EXPECT_EQ(shown(), "nothing");
+}
+
+TEST_F(JobQueueTest, TellsOfErrors) {
+    queue.start(JobKind::kSave, work("save"));
+    gate = Gate::kBroken;
+    EXPECT_EQ(next(), (Events{"end save", "error broken"}));
+}
+
+TEST_F(JobQueueTest, AnEndMayThrowTheError) {
+    queue.start(JobKind::kLoad, [&] {
+        return startedJob<GatedWork>(std::make_unique<GatedWork>("load", gate), {},
+                                     [](const Job& job) { throw Error(job.errorCode(), job.error()); });
+    });
+    gate = Gate::kBroken;
+    EXPECT_THROW(next(), Error);
+    EXPECT_EQ(events, Events{}) << "it is not told besides";
+    EXPECT_FALSE(queue.any());
+}
+
+TEST_F(JobQueueTest, CancelsWhatIsShown) {
+    queue.start(JobKind::kBake, work("bake"));
+    queue.start(JobKind::kTurntable, work("turn"));
+    EXPECT_EQ(shown(), "bake");
+    queue.cancel();
+    EXPECT_FALSE(queue.figures()->can_cancel);
+    EXPECT_EQ(next(), (Events{"end bake", "bake: cancelled"}));
+    EXPECT_EQ(shown(), "turn");
+}
+
+TEST_F(JobQueueTest, LetsWorkThatCannotBeCancelledGoOn) {
+    queue.start(JobKind::kSave, work("save", false));
+    queue.cancel();
+    EXPECT_EQ(queue.figures()->detail, "") << "nor does it say that it is cancelling";
+    gate = Gate::kOpen;
+    EXPECT_EQ(next(), (Events{"end save", "done save"}));
+}
+
+TEST_F(JobQueueTest, StartsNoSecondOne) {
+    EXPECT_TRUE(queue.start(JobKind::kBake, work("bake")));
+    EXPECT_FALSE(queue.start(JobKind::kBake, work("another")));
+    EXPECT_TRUE(queue.start(JobKind::kSave, work("save")));
+    EXPECT_EQ(events, (Events{"start bake", "start save"}));
+    EXPECT_EQ(queue.figures(JobKind::kBake)->what, "bake");
+    EXPECT_FALSE(queue.figures(JobKind::kLoad));
+}
+
+TEST_F(JobQueueTest, TheLastLoadThatIsAskedForReplacesTheOthers) {
+    queue.startLater(JobKind::kLoad, work("a"));
+    EXPECT_TRUE(queue.has(JobKind::kLoad));
+    EXPECT_EQ(shown(), "nothing");
+    EXPECT_EQ(next(), Events{"start a"});
+    queue.startLater(JobKind::kLoad, work("b"));
+    queue.startLater(JobKind::kLoad, work("c"));
+    EXPECT_EQ(next(), (Events{"end a", "a: cancelled", "start c"}));
+    gate = Gate::kOpen;
+    EXPECT_EQ(next(), (Events{"end c", "done c"}));
+}
+
+TEST_F(JobQueueTest, LoadsAfterRelighting) {
+    queue.start(JobKind::kRelight, work("relight"));
+    queue.startLater(JobKind::kLoad, work("load"));
+    EXPECT_FALSE(queue.start(JobKind::kRelight, work("again"))) << "a load waits, which makes it needless";
+    queue.poll();
+    EXPECT_TRUE(queue.figures()->can_cancel) << "it is not given up";
+    gate = Gate::kOpen;
+    EXPECT_EQ(next(), (Events{"end relight", "done relight", "start load"}));
+    EXPECT_FALSE(queue.start(JobKind::kRelight, work("early")));
+}
+
+TEST_F(JobQueueTest, WhatABakeAsksForIsLoadedInTheSamePoll) {
+    queue.start(JobKind::kBake, [&] {
+        return startedJob<GatedWork>(std::make_unique<GatedWork>("bake", gate),
+                                     [this](GatedWork&) { queue.startLater(JobKind::kLoad, work("load")); });
+    });
+    gate = Gate::kOpen;
+    EXPECT_EQ(next(), Events{"start load"});
+}
+
+TEST_F(JobQueueTest, GoesAwayWithItsWork) {
+    JobQueue other([](const std::string&, bool) {});
+    other.start(JobKind::kLoad, work("load"));
+    other.start(JobKind::kBake, work("bake"));
+    other.startLater(JobKind::kLoad, work("next"));
+    EXPECT_EQ(events, (Events{"start load", "start bake"}));
+}
+
+TEST(JobTable, AgreesWhoeverComesFirst) {
+    for (std::size_t a = 0; a < kJobKinds; ++a) {
+        EXPECT_NE(kMeetings[a][a], Meeting::kBeside) << "one of a kind";
+        for (std::size_t b = 0; b < kJobKinds; ++b)
+            EXPECT_EQ(kMeetings[a][b] == Meeting::kBeside, kMeetings[b][a] == Meeting::kBeside);
+    }
+}
+
+} // namespace
+} // namespace pointrt
