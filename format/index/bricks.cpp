@@ -10,12 +10,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "format/base/error.h"
 #include "format/base/parallel.h"
 #include "format/index/cell_codec.h"
 #include "format/index/cell_meeting.h"
 #include "format/index/node_walk.h"
 #include "pointrt/pro_index_layout.h"
-#include "pointrt/tool.hpp"
 
 namespace pointrt {
 

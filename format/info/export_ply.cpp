@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "format/base/atomic_file.h"
+#include "format/base/error.h"
 
 namespace pointrt {
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "format/base/run_tool.h"
 #include "format/info/export_ply.h"
 #include "format/info/metadata.h"
 #include "format/info/print.h"

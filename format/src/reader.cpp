@@ -4,7 +4,7 @@
 #include <memory>
 #include <new>
 
-#include "format/src/mapped_file.h"
+#include "format/base/mapped_file.h"
 #include "format/src/validate.h"
 
 using namespace pointrt::format;
@@ -43,6 +43,12 @@ pro_result badArgument(pro_message* message, const char* text) {
     return PRO_BAD_ARGUMENT;
 }
 
+pro_result map(MappedFile& mapped, const char* path, pro_message* message) {
+    if (mapped.map(path)) return PRO_OK;
+    setMessage(message, 0, "%s", mapped.error().c_str());
+    return PRO_CANNOT_READ;
+}
+
 /// No exception passes the C interface; running out of memory is the only one there is.
 template <typename Body>
 pro_result guarded(pro_message* message, Body&& body) noexcept {
@@ -62,7 +68,7 @@ pro_result pro_open(const char* path, uint32_t open_flags, pro_file** file, pro_
         if (!path || !file) return badArgument(message, "pro_open: null path or file");
         *file = nullptr;
         auto opened = std::make_unique<pro_file>();
-        if (const pro_result result = opened->mapped.map(path, message)) return result;
+        if (const pro_result result = map(opened->mapped, path, message)) return result;
         opened->bytes = opened->mapped.bytes();
         if (const pro_result result = parse(*opened, open_flags, message)) return result;
         if (open_flags & PRO_OPEN_TRACE) opened->mapped.letGo(); // rays see half of a scan, a copy none of it again
@@ -115,7 +121,7 @@ pro_result pro_verify(const char* path, pro_report report, void* user, size_t* f
         if (!path || !findings) return badArgument(message, "pro_verify: null path or findings");
         *findings = 0;
         MappedFile mapped;
-        if (const pro_result result = mapped.map(path, message)) return result;
+        if (const pro_result result = map(mapped, path, message)) return result;
         Findings sink(report, user, false);
         validate(mapped.bytes(), Level::kVerify, true, sink);
         *findings = sink.count();

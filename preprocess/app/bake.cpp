@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <thread>
 
+#include "format/base/error.h"
 #include "format/index/build_index.h"
-#include "pointrt/tool.hpp"
 #include "preprocess/app/interrupt.h"
 #include "preprocess/app/progress.h"
 #include "preprocess/octree/write.h"

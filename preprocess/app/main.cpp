@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "preprocess/app/bake.h"
 #include "preprocess/app/interrupt.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 

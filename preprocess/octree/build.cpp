@@ -9,7 +9,7 @@
 #include <bit>
 #include <limits>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/octree/octree.h"
 #include "preprocess/octree/task_progress.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <new>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 

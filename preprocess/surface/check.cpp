@@ -8,7 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/cloud/bounds.h"
 
 namespace pointrt::surface {

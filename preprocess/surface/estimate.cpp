@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/neighbors/points.h"
 #include "preprocess/neighbors/stages.h"

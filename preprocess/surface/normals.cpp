@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/neighbors/plane_fit.h"
 
 namespace pointrt::surface {

@@ -5,7 +5,7 @@
 #include <string>
 #include <tbb/parallel_for.h>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/neighbors/components.h"
 #include "preprocess/surface/orient_tree.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"

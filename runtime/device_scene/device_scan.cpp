@@ -6,21 +6,17 @@
 #include <iterator>
 #include <span>
 
+#include "format/base/error.h"
 #include "pointrt/pro_index_layout.h"
-#include "pointrt/tool.hpp"
 
 namespace pointrt {
 
 namespace {
 
-ExitCode exitCodeFor(pro_result result) {
-    return result == PRO_OUT_OF_MEMORY ? ExitCode::kCannotRun : ExitCode::kBadInput;
-}
-
 void mapFile(DeviceScan& scan) {
     pro_message message{};
     const pro_result result = pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, &message);
-    if (result != PRO_OK) throw Error(exitCodeFor(result), scan.path + ": " + message.text);
+    if (result != PRO_OK) throw Error(exitCodeOf(result), scan.path + ": " + message.text);
     pro_get_info(scan.file, &scan.info);
     pro_get_view(scan.file, &scan.view);
 }

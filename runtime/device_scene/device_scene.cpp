@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/device_scene/environment.h"
 #include "runtime/device_scene/ggx_albedo.h"
 #include "runtime/device_scene/scene_rows.h"

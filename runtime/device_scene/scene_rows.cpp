@@ -5,7 +5,7 @@
 #include <bit>
 #include <optional>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/device_scene/render_space.h"
 
 namespace pointrt {

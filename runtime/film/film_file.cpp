@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <type_traits>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/image/exr_read.h"
 #include "runtime/image/film_parts.h"
 #include "runtime/image/image_exr.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/film/film_file.h"
 #include "runtime/film/film_signature.h"
 #include "runtime/film/frame_limits.h"

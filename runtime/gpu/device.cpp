@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/gpu/device_choice.h"
 
 namespace pointrt {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/image/exr_structure.h"
 #include "runtime/util/input_file.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/image/exr_read.h"
 #include "runtime/image/radiance_read.h"
 

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <span>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/image/exr_structure.h"
 #include "runtime/util/input_file.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

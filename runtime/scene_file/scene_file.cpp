@@ -8,7 +8,7 @@
 #include <memory>
 #include <set>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene_file/read_parts.h"
 
 namespace pointrt {

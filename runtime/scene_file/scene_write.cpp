@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/option_values.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/scene_file/write_parts.h"

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

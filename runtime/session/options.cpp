@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/option_values.h"
 #include "runtime/scene/turntable.h"
 

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/util/output_file.h"
 
 namespace pointrt {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene_file/scene_file.h"
 

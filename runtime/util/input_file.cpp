@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 

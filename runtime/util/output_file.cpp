@@ -2,7 +2,7 @@
 #include "runtime/util/output_file.h"
 
 #include "format/base/atomic_file.h"
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 
 namespace pointrt::test {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "tests/support/embree.h"
 
 namespace pointrt::test {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/program.h"
 #include "runtime/scene/camera.h"

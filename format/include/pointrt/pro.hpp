@@ -6,34 +6,32 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "pointrt/pro.h"
-#include "pointrt/tool.hpp"
 
 namespace pointrt {
 
-/// Throws Error with "FILE: text (finding NNNN)" and the tools' exit code unless result is PRO_OK.
+/// What a pro_result becomes here. what() is "FILE: reason".
+struct ProError : std::runtime_error {
+    pro_result result; ///< never PRO_OK
+    ProError(pro_result why, const std::string& text) : std::runtime_error(text), result(why) {}
+};
+
+/// Throws ProError with "FILE: text (finding NNNN)" unless result is PRO_OK.
 inline void checkPro(pro_result result, const std::string& path, const pro_message& message) {
     if (result == PRO_OK) return;
     std::string text = path + ": " + (message.text[0] ? message.text : pro_result_name(result));
     if (message.finding != 0) text += " (finding " + std::to_string(message.finding) + ")";
-    switch (result) {
-    case PRO_CANNOT_WRITE:
-        throw Error(ExitCode::kCannotWrite, text);
-    case PRO_OUT_OF_MEMORY:
-    case PRO_BAD_ARGUMENT:
-        throw Error(ExitCode::kCannotRun, text);
-    default:
-        throw Error(ExitCode::kBadInput, text);
-    }
+    throw ProError(result, text);
 }
 
 /// A mapped and validated .pro file. Moves, does not copy; spans live as long as it does.
 class ProFile {
 public:
-    /// Throws Error (kBadInput) when the file cannot be read or has a finding.
+    /// Throws ProError when the file cannot be read or has a finding.
     /// @param open_flags PRO_OPEN_*; with PRO_OPEN_TRACE spans of what was not read are empty
     explicit ProFile(const std::string& path, std::uint32_t open_flags = 0) {
         pro_file* file = nullptr;
@@ -93,7 +91,7 @@ private:
     bool has_index_ = false;
 };
 
-/// pro_write_indexed; throws Error (kCannotWrite) with "FILE: reason" when the file cannot be written.
+/// pro_write_indexed; throws ProError (PRO_CANNOT_WRITE) with "FILE: reason" when the file cannot be written.
 /// @param index may be null
 inline void writePro(const std::string& path, const pro_info& info, const pro_view& view,
                      const pro_index* index = nullptr) {

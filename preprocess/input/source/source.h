@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 

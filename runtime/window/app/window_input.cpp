@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/jobs/file_list.h"

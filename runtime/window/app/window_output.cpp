@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/film/film_signature.h"
 #include "runtime/image/image_png.h"
 #include "runtime/scene/default_lighting.h"

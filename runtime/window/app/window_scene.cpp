@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/session/settings.h"

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/option_values.h"
 #include "runtime/window/input/recording_words.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/input/recording.h"
 #include "runtime/window/input/recording_words.h"
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/jobs/tool_run.h"
 
 namespace pointrt {

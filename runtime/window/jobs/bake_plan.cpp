@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "format/base/error.h"
 #include "pointrt/pro.hpp"
 #include "runtime/window/jobs/bake_sources.h"
 
@@ -41,6 +42,8 @@ bool isBakeOf(const std::vector<std::string>& inputs, fs::file_time_type newest,
         const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
         return bakeSources(file.metadata()) == fileNames(inputs);
     } catch (const Error&) {
+        return false;
+    } catch (const ProError&) {
         return false;
     }
 }

@@ -13,7 +13,7 @@
 #include <cstring>
 #include <thread>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 extern char** environ;
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/edit/workspace.h"
 
 namespace pointrt {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/session/scene_cameras.h"
 #include "runtime/session/settings.h"

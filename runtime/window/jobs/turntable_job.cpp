@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene_file/scene_write.h"
 #include "runtime/window/jobs/tool_run.h"

@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/platform/glfw.h"
 #include "runtime/window/platform/key_names.h"
 

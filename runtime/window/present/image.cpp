@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/present/image.h"
 
 namespace pointrt {

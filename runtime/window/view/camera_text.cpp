@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/option_values.h"
 #include "runtime/window/view/turntable_turn.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt::quality {
 

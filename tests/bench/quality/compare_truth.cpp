@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "tests/bench/quality/report.h"
 
 namespace pointrt::quality {

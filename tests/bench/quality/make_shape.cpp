@@ -2,7 +2,7 @@
 // make_shape sphere|torus|plate|cube OUT.ply: the mesh of a known surface, and what its facets get wrong.
 #include <cstdio>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "tests/bench/quality/shapes.h"
 
 int main(int argc, char** argv) {

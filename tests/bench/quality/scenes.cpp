@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/quality/scenes.h"
 
+#include "format/base/error.h"
 #include "pointrt/pro.hpp"
 #include "preprocess/input/read.h"
 #include "tests/bench/quality/statistics.h"

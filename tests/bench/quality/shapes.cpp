@@ -9,7 +9,7 @@
 #include <map>
 #include <numbers>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "tests/bench/quality/angles.h"
 
 namespace pointrt::quality {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "tests/bench/quality/classify.h"
 #include "tests/bench/quality/normals.h"
 #include "tests/bench/quality/shapes.h"

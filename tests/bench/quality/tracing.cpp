@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt::quality {
 

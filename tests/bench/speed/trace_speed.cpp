@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "tests/bench/speed/speed.h"
 
 namespace pointrt::test {

@@ -3,7 +3,7 @@
 // dispatch that does next to nothing, on the best device or the one named.
 #include <cstdio>
 
-#include "pointrt/tool.hpp"
+#include "format/base/run_tool.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"

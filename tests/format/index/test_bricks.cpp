@@ -10,8 +10,8 @@
 #include <random>
 #include <set>
 
+#include "format/base/error.h"
 #include "format/index/cell_skips.h"
-#include "pointrt/tool.hpp"
 #include "runtime/util/vec.h"
 #include "tests/format/index/disc_polygon.h"
 #include "tests/format/scene_builder.h"

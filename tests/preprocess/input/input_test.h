@@ -10,7 +10,7 @@
 #include <string>
 #include <unistd.h>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "preprocess/input/read.h"
 
 namespace pointrt {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "shapes.h"
 
 namespace pointrt::test {

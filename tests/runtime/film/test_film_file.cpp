@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/film/film_file.h"
 #include "runtime/image/film_parts.h"
 #include "runtime/image/image_exr.h"

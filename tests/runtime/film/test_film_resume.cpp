@@ -10,7 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/film/film_file.h"
 #include "runtime/film/film_signature.h"
 #include "runtime/gpu/device.h"

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/device_choice.h"
 #include "runtime/gpu/program.h"

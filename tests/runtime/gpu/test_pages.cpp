@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/paged_buffer.h"

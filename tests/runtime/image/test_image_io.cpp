@@ -16,7 +16,7 @@
 #include <map>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/image/image_exr.h"
 #include "runtime/image/image_png.h"
 #include "runtime/util/output_file.h"

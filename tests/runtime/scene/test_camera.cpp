@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/camera.h"
 
 namespace pointrt {

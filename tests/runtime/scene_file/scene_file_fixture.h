@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene_file/scene_file.h"
 
 namespace pointrt {

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene_file/scene_file.h"
 #include "tests/runtime/scene_file/scene_file_fixture.h"
 

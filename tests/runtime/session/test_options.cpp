@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

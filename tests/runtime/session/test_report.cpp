@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 
 namespace pointrt {
 namespace {

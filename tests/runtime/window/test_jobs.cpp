@@ -12,7 +12,7 @@
 #include <memory>
 #include <thread>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/jobs/bake_job.h"
 #include "runtime/window/jobs/bake_sources.h"
 #include "runtime/window/jobs/child_process.h"

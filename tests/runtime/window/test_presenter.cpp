@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/platform/key_names.h"
 #include "runtime/window/platform/platform.h"
 #include "runtime/window/present/presenter.h"

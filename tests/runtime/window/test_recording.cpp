@@ -9,7 +9,7 @@
 #include <fstream>
 #include <random>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/window/input/recording_words.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene/camera.h"
 #include "runtime/session/options.h"
 #include "runtime/window/view/camera_text.h"

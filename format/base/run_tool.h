@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the three command-line tools share: exit codes and one way to fail.
+// The one place where a program's errors become a line and an exit code.
 #pragma once
 
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <stdexcept>
-#include <string>
+
+#include "format/base/error.h"
+#include "pointrt/pro.hpp"
 
 namespace pointrt {
-
-/// Exit codes of pointrt-bake, pointrt-view and pointrt-info.
-enum class ExitCode { kDone = 0, kBadInput = 1, kBadUsage = 2, kCannotRun = 3, kCannotWrite = 4 };
-
-/// Thrown anywhere, caught once in runTool. what() is "FILE[:PLACE]: reason", without the tool's name.
-struct Error : std::runtime_error {
-    ExitCode code;
-    Error(ExitCode exit_code, const std::string& message) : std::runtime_error(message), code(exit_code) {}
-};
 
 /// Runs body() -> int and turns exceptions into the one-line errors and exit codes of the contract.
 template <typename Body>
@@ -31,6 +23,8 @@ int runTool(const char* tool_name, Body&& body) {
         return body();
     } catch (const Error& error) {
         return fail(error.what(), error.code);
+    } catch (const ProError& error) {
+        return fail(error.what(), exitCodeOf(error.result));
     } catch (const std::bad_alloc&) {
         return fail("out of memory", ExitCode::kCannotRun);
     } catch (const std::exception& error) {

@@ -4,8 +4,7 @@
 
 #include <cstddef>
 #include <span>
-
-#include "pointrt/pro.h"
+#include <string>
 
 namespace pointrt::format {
 
@@ -18,8 +17,10 @@ public:
     MappedFile& operator=(const MappedFile&) = delete;
     ~MappedFile();
 
-    /// Maps path once. PRO_CANNOT_READ with a reason in message for what is no regular file or is empty.
-    pro_result map(const char* path, pro_message* message);
+    /// Maps path once. Returns false for what is no regular file or is empty, and error() then says why in a few words.
+    bool map(const char* path);
+
+    const std::string& error() const { return error_; }
 
     /// Takes the pages out of this process's memory, though not out of the file cache; they come back when touched.
     void letGo() const;
@@ -27,8 +28,12 @@ public:
     std::span<const std::byte> bytes() const { return {data_, size_}; }
 
 private:
+    bool fail(const std::string& reason);
+    bool fail(int error);
+
     const std::byte* data_ = nullptr;
     std::size_t size_ = 0;
+    std::string error_;
 };
 
 } // namespace pointrt::format

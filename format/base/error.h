@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// How our programs fail: one line and an exit code.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "pointrt/pro.h"
+
+namespace pointrt {
+
+/// Exit codes of pointrt-bake, pointrt-view and pointrt-info.
+enum class ExitCode { kDone = 0, kBadInput = 1, kBadUsage = 2, kCannotRun = 3, kCannotWrite = 4 };
+
+/// Thrown anywhere, caught once in runTool. what() is "FILE[:PLACE]: reason", without the tool's name.
+struct Error : std::runtime_error {
+    ExitCode code;
+    Error(ExitCode exit_code, const std::string& message) : std::runtime_error(message), code(exit_code) {}
+};
+
+/// The exit code of a program that ends because the format's library said no.
+inline ExitCode exitCodeOf(pro_result result) {
+    switch (result) {
+    case PRO_OK:
+        return ExitCode::kDone;
+    case PRO_CANNOT_READ:
+    case PRO_INVALID:
+    case PRO_UNSUPPORTED:
+        return ExitCode::kBadInput;
+    case PRO_CANNOT_WRITE:
+        return ExitCode::kCannotWrite;
+    case PRO_OUT_OF_MEMORY:
+    case PRO_BAD_ARGUMENT:
+        break;
+    }
+    return ExitCode::kCannotRun;
+}
+
+} // namespace pointrt
