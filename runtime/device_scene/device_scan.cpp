@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/device_scene/device_scan.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iterator>
@@ -21,28 +22,38 @@ void mapFile(DeviceScan& scan) {
     pro_get_view(scan.file, &scan.view);
 }
 
-void uploadSections(Device& device, DeviceScan& scan) {
-    const pro_info& info = scan.info;
-    const pro_view& view = scan.view;
-    const std::uint64_t bytes = std::uint64_t{info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
-    scan.splats = createPagedBuffer(device, "splat buffer", view.splats, bytes, VK_FORMAT_R32G32B32A32_UINT);
-    scan.device_bytes += bytes;
-}
-
-struct IndexBuffer {
+/// A section of the file on the device: where its first page is bound, and the others.
+struct ScanBuffer {
     PagedBuffer DeviceScan::*buffer;
     const char* what;
     VkFormat format;
+    gpu::Binding first, further;
 };
-constexpr IndexBuffer kIndexBuffers[] = {{&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT},
-                                         {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32_UINT},
-                                         {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT},
-                                         {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT},
-                                         {&DeviceScan::lists, "list buffer", VK_FORMAT_R32G32B32A32_UINT},
-                                         {&DeviceScan::blend_ranges, "blend range buffer", VK_FORMAT_R32G32_UINT}};
+constexpr ScanBuffer kScanBuffers[] = {
+    {&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT, BINDING_BRICK_WORDS, BINDING_BRICK_PAGES},
+    {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32_UINT, BINDING_CELLS, BINDING_CELL_PAGES},
+    {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT, BINDING_SLABS, BINDING_SLAB_PAGES},
+    {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_CELL_DISCS, BINDING_DISC_PAGES},
+    {&DeviceScan::lists, "list buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_LISTS, BINDING_LIST_PAGES},
+    {&DeviceScan::blend_ranges, "blend range buffer", VK_FORMAT_R32G32_UINT, BINDING_BLEND_RANGES,
+     BINDING_BLEND_RANGE_PAGES},
+    {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_PAGES}};
+constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats come last
+static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
+                         [](const ScanBuffer& a, const PagedPlace& b) { return a.further == b.further; }));
 
-/// In the order of kIndexBuffers.
-std::array<std::span<const std::uint32_t>, std::size(kIndexBuffers)> wordsOf(const pro_index& index) {
+void uploadSection(Device& device, DeviceScan& scan, const ScanBuffer& section, const void* data, std::uint64_t bytes) {
+    scan.*section.buffer = createPagedBuffer(device, section.what, data, bytes, section.format);
+    scan.device_bytes += bytes;
+}
+
+void uploadSplats(Device& device, DeviceScan& scan) {
+    const std::uint64_t bytes = std::uint64_t{scan.info.splat_count} * PRO_SPLAT_WORDS * sizeof(std::uint32_t);
+    uploadSection(device, scan, kScanBuffers[kIndexBuffers], scan.view.splats, bytes);
+}
+
+/// In the order of kScanBuffers.
+std::array<std::span<const std::uint32_t>, kIndexBuffers> wordsOf(const pro_index& index) {
     const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
         return std::span(data, static_cast<std::size_t>(count * each));
     };
@@ -62,11 +73,8 @@ void uploadIndex(Device& device, DeviceScan& scan) {
     scan.grid_words = createTexelBuffer(device, "grid buffer", index.grid, grid_bytes, VK_FORMAT_R32_UINT);
     scan.device_bytes += grid_bytes;
     const auto words = wordsOf(index);
-    for (std::size_t k = 0; k < words.size(); ++k) {
-        const IndexBuffer& each = kIndexBuffers[k];
-        scan.*each.buffer = createPagedBuffer(device, each.what, words[k].data(), words[k].size_bytes(), each.format);
-        scan.device_bytes += words[k].size_bytes();
-    }
+    for (std::size_t k = 0; k < words.size(); ++k)
+        uploadSection(device, scan, kScanBuffers[k], words[k].data(), words[k].size_bytes());
 }
 
 /// Of a file without an index; what was copied to the device is let go.
@@ -75,17 +83,17 @@ void buildAndUploadIndex(Device& device, DeviceScan& scan) {
     scan.index = indexView(scan.built);
     uploadIndex(device, scan);
     Bricks& bricks = scan.built.bricks;
-    Words* const words[] = {&bricks.words, &bricks.cells, &bricks.slabs,
-                            &bricks.near,  &bricks.lists, &bricks.blend_ranges};
-    for (std::size_t k = 0; k < std::size(words); ++k)
-        if (!isImported(scan.*kIndexBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
+    std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells, &bricks.slabs,
+                                            &bricks.near,  &bricks.lists, &bricks.blend_ranges};
+    for (std::size_t k = 0; k < words.size(); ++k)
+        if (!isImported(scan.*kScanBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);
 }
 
 /// All that the device reads. Errors name the file.
 void upload(Device& device, DeviceScan& scan) {
     try {
-        uploadSections(device, scan);
+        uploadSplats(device, scan);
         if (pro_get_index(scan.file, &scan.index))
             uploadIndex(device, scan);
         else
@@ -123,27 +131,24 @@ DeviceScan blankScan(Device& device) {
         return createTexelBuffer(device, "blank buffer", kZeros, sizeof kZeros, format);
     };
     scan.grid_words = blank(VK_FORMAT_R32_UINT);
-    for (PagedBuffer* buffer : {&scan.brick_words, &scan.slabs}) buffer->pages = {blank(VK_FORMAT_R32_UINT)};
-    for (PagedBuffer* buffer : {&scan.cells, &scan.blend_ranges}) buffer->pages = {blank(VK_FORMAT_R32G32_UINT)};
-    for (PagedBuffer* buffer : {&scan.splats, &scan.near, &scan.lists})
-        buffer->pages = {blank(VK_FORMAT_R32G32B32A32_UINT)};
+    for (const ScanBuffer& each : kScanBuffers) (scan.*each.buffer).pages = {blank(each.format)};
     return scan;
 }
 
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
-    return {{1, &scan.brick_words.pages[0]}, {2, &scan.lists.pages[0]},        {3, &scan.splats.pages[0]},
-            {4, &scan.grid_words},           {14, &scan.cells.pages[0]},       {15, &scan.near.pages[0]},
-            {21, &scan.slabs.pages[0]},      {16, &scan.blend_ranges.pages[0]}};
+    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &scan.grid_words}};
+    for (const ScanBuffer& each : kScanBuffers) bindings.push_back({each.first, &(scan.*each.buffer).pages[0]});
+    return bindings;
 }
 
 PagedBuffers pagedBuffers(const DeviceScan& scan) {
-    return {&scan.brick_words, &scan.cells, &scan.slabs, &scan.near, &scan.lists, &scan.blend_ranges, &scan.splats};
+    PagedBuffers buffers{};
+    for (std::size_t k = 0; k < buffers.size(); ++k) buffers[k] = &(scan.*kScanBuffers[k].buffer);
+    return buffers;
 }
 
 void destroyScan(Device& device, DeviceScan& scan) {
-    for (PagedBuffer* buffer :
-         {&scan.splats, &scan.brick_words, &scan.cells, &scan.slabs, &scan.near, &scan.lists, &scan.blend_ranges})
-        destroyPagedBuffer(device, *buffer);
+    for (const ScanBuffer& each : kScanBuffers) destroyPagedBuffer(device, scan.*each.buffer);
     destroyBuffer(device, scan.grid_words);
     scan.built = {};
     scan.index = {};

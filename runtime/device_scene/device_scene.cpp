@@ -206,13 +206,13 @@ bool castsCaustics(const DeviceScene& scene) {
 
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance) {
     std::vector<BufferBinding> bindings = scanBindings(scene.files[instance.file]);
-    bindings.insert(bindings.end(), {{22, &instance.params_buffer},
-                                     {5, &scene.materials},
-                                     {23, &scene.shapes},
-                                     {24, &scene.lights},
-                                     {28, &scene.ggx_albedo},
-                                     {29, &scene.environment_texels},
-                                     {30, &scene.environment_cdf}});
+    bindings.insert(bindings.end(), {{BINDING_INSTANCE, &instance.params_buffer},
+                                     {BINDING_MATERIALS, &scene.materials},
+                                     {BINDING_SHAPES, &scene.shapes},
+                                     {BINDING_LIGHTS, &scene.lights},
+                                     {BINDING_GGX_ALBEDO, &scene.ggx_albedo},
+                                     {BINDING_ENVIRONMENT_TEXELS, &scene.environment_texels},
+                                     {BINDING_ENVIRONMENT_CDF, &scene.environment_cdf}});
     return bindings;
 }
 

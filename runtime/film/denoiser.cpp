@@ -49,29 +49,45 @@ void createBuffers(Device& device, Denoiser& denoiser) {
 }
 
 void createPrograms(Device& device, Denoiser& denoiser, bool has_variance) {
-    denoiser.prepare = createProgram(device, "denoise_prepare", denoise_prepare_spv, {has_variance});
+    denoiser.prepare =
+        createProgram(device, "denoise_prepare", denoise_prepare_spv, {{SPEC_KNOWS_VARIANCE, has_variance}});
     denoiser.clean = createProgram(device, "denoise_clean", denoise_clean_spv);
-    denoiser.variance = createProgram(device, "denoise_variance", denoise_variance_spv, {has_variance});
-    denoiser.level = createProgram(device, "denoise", denoise_spv, {0});
-    denoiser.last_level = createProgram(device, "denoise", denoise_spv, {1});
+    denoiser.variance =
+        createProgram(device, "denoise_variance", denoise_variance_spv, {{SPEC_KNOWS_VARIANCE, has_variance}});
+    denoiser.level = createProgram(device, "denoise", denoise_spv, {{SPEC_IS_LAST_LEVEL, 0}});
+    denoiser.last_level = createProgram(device, "denoise", denoise_spv, {{SPEC_IS_LAST_LEVEL, 1}});
 }
 
 VkDescriptorSet createLevelSet(Device& device, const Denoiser& d, const Program& program, const Buffer& from,
                                const Buffer& to) {
     return createDescriptorSet(device, d.pool, program,
-                               {{0, &from}, {1, &d.surface}, {2, &d.slope}, {3, &d.factor}, {4, &to}});
+                               {{BINDING_DENOISE_LIGHT, &from},
+                                {BINDING_DENOISE_SURFACES, &d.surface},
+                                {BINDING_DENOISE_SLOPES, &d.slope},
+                                {BINDING_DENOISE_FACTORS, &d.factor},
+                                {BINDING_DENOISE_LIGHT_OUT, &to}});
 }
 
 void createSets(Device& device, Denoiser& d, const DenoiseInputs& inputs) {
     d.pool = createDescriptorPool(device, 6);
     const auto& light = d.light;
-    d.prepare_set = createDescriptorSet(
-        device, d.pool, d.prepare,
-        {{0, inputs.color}, {1, inputs.surface}, {2, inputs.albedo}, {3, &light[1]}, {4, &d.surface}, {5, &d.factor}});
-    d.clean_set =
-        createDescriptorSet(device, d.pool, d.clean, {{0, &light[1]}, {1, &d.surface}, {2, &light[0]}, {3, &d.slope}});
+    d.prepare_set = createDescriptorSet(device, d.pool, d.prepare,
+                                        {{BINDING_DENOISE_COLORS, inputs.color},
+                                         {BINDING_DENOISE_GUIDES, inputs.surface},
+                                         {BINDING_DENOISE_ALBEDOS, inputs.albedo},
+                                         {BINDING_DENOISE_LIGHT_OUT, &light[1]},
+                                         {BINDING_DENOISE_SURFACES_OUT, &d.surface},
+                                         {BINDING_DENOISE_FACTORS_OUT, &d.factor}});
+    d.clean_set = createDescriptorSet(device, d.pool, d.clean,
+                                      {{BINDING_DENOISE_LIGHT, &light[1]},
+                                       {BINDING_DENOISE_SURFACES, &d.surface},
+                                       {BINDING_DENOISE_LIGHT_OUT, &light[0]},
+                                       {BINDING_DENOISE_SLOPES_OUT, &d.slope}});
     d.variance_set = createDescriptorSet(device, d.pool, d.variance,
-                                         {{0, &light[0]}, {1, &d.surface}, {2, &d.slope}, {3, &light[1]}});
+                                         {{BINDING_DENOISE_LIGHT, &light[0]},
+                                          {BINDING_DENOISE_SURFACES, &d.surface},
+                                          {BINDING_DENOISE_SLOPES, &d.slope},
+                                          {BINDING_DENOISE_LIGHT_OUT, &light[1]}});
     for (std::size_t i = 0; i < 2; ++i) d.level_sets[i] = createLevelSet(device, d, d.level, light[i], light[1 - i]);
     d.last_set = createLevelSet(device, d, d.last_level, light[kLevels % 2], d.result);
 }

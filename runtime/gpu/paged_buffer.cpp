@@ -74,12 +74,18 @@ PageCounts pageCounts(const Device& device, const PagedBuffers& buffers) {
     return pages;
 }
 
+std::vector<SpecConstant> pageConstants(const PageCounts& pages) {
+    std::vector<SpecConstant> constants{{SPEC_PAGE_BITS, pages.bits}};
+    for (std::size_t k = 0; k < kPagedPlaces.size(); ++k) constants.push_back({kPagedPlaces[k].count, pages.counts[k]});
+    return constants;
+}
+
 std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers) {
     std::vector<BufferBinding> bindings;
-    for (std::uint32_t slot = 0; slot < buffers.size(); ++slot) {
-        const std::vector<Buffer>& pages = buffers[slot]->pages;
+    for (std::size_t k = 0; k < buffers.size(); ++k) {
+        const std::vector<Buffer>& pages = buffers[k]->pages;
         const std::size_t first = pages.size() > 1 ? 1 : 0; // there must be one, though it is not read
-        bindings.push_back({slot, &pages[first], static_cast<std::uint32_t>(pages.size() - first)});
+        bindings.push_back({kPagedPlaces[k].further, &pages[first], static_cast<std::uint32_t>(pages.size() - first)});
     }
     return bindings;
 }

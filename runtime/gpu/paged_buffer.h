@@ -11,7 +11,9 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/pages.h"
+#include "shaders/shared/spec_constants.h"
 
 namespace pointrt {
 
@@ -31,8 +33,21 @@ void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
 /// Whether any of the memory is the caller's.
 bool isImported(const PagedBuffer& buffer);
 
-/// The pages in use of an instance's buffers, as programs are specialized for them, in the order of
-/// shaders/frame/pages.glsl.
+/// Of a buffer that may have pages: where those after its first are bound, in set SET_PAGES, and the constant that says
+/// how many there are (shaders/frame/pages.glsl).
+struct PagedPlace {
+    gpu::Binding further{};
+    gpu::SpecId count{};
+};
+constexpr std::array<PagedPlace, PAGED_BUFFERS> kPagedPlaces{{{BINDING_BRICK_PAGES, SPEC_BRICK_PAGES},
+                                                              {BINDING_CELL_PAGES, SPEC_CELL_PAGES},
+                                                              {BINDING_SLAB_PAGES, SPEC_SLAB_PAGES},
+                                                              {BINDING_DISC_PAGES, SPEC_DISC_PAGES},
+                                                              {BINDING_LIST_PAGES, SPEC_LIST_PAGES},
+                                                              {BINDING_BLEND_RANGE_PAGES, SPEC_BLEND_RANGE_PAGES},
+                                                              {BINDING_SPLAT_PAGES, SPEC_SPLAT_PAGES}}};
+
+/// The pages in use of an instance's buffers, in the order of kPagedPlaces.
 struct PageCounts {
     std::uint32_t bits = 0; ///< log2 of a page's texels
     std::array<std::uint32_t, PAGED_BUFFERS> counts{};
@@ -42,10 +57,12 @@ struct PageCounts {
 /// Whether any buffer has more than one page, so that programs must be paged ones.
 bool isPaged(const PageCounts& pages);
 
-using PagedBuffers = std::array<const PagedBuffer*, PAGED_BUFFERS>; ///< in the order of shaders/frame/pages.glsl
+using PagedBuffers = std::array<const PagedBuffer*, PAGED_BUFFERS>; ///< in the order of kPagedPlaces
 
 PageCounts pageCounts(const Device& device, const PagedBuffers& buffers);
-/// The pages after each one's first, at their places in set 1 (shaders/frame/pages.glsl).
+/// What programs are specialized by for them.
+std::vector<SpecConstant> pageConstants(const PageCounts& pages);
+/// The pages after each one's first, at their places in set SET_PAGES.
 std::vector<BufferBinding> pageBindings(const PagedBuffers& buffers);
 
 } // namespace pointrt

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/gpu/program.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -18,6 +19,8 @@ constexpr VkDescriptorType kBufferTypes[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 
 // Of each type, for one set: more than any shader binds.
 constexpr std::uint32_t kDescriptorsPerSet = 64;
 
+std::uint32_t number(gpu::Binding slot) { return static_cast<std::uint32_t>(slot); }
+
 std::vector<ShaderBinding> bindingsOf(const Program& program, std::uint32_t set) {
     std::vector<ShaderBinding> bindings;
     for (const ShaderBinding& binding : program.shader.bindings)
@@ -28,7 +31,7 @@ std::vector<ShaderBinding> bindingsOf(const Program& program, std::uint32_t set)
 void createSetLayout(Device& device, const std::vector<ShaderBinding>& declared, VkDescriptorSetLayout& layout) {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
     for (const ShaderBinding& binding : declared)
-        bindings.push_back({binding.slot, binding.type, binding.count, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+        bindings.push_back({number(binding.slot), binding.type, binding.count, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
     VkDescriptorSetLayoutCreateInfo set{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     set.bindingCount = static_cast<std::uint32_t>(bindings.size());
     set.pBindings = bindings.data();
@@ -64,19 +67,31 @@ void createLayouts(Device& device, Program& program) {
     check(vkCreatePipelineLayout(device.handle, &layout, nullptr, &program.layout), "create a pipeline layout");
 }
 
-/// Constants 0, 1, 2, ... lie one after the other in the data.
-std::vector<VkSpecializationMapEntry> specializationMap(std::size_t count) {
+/// What the shader declares has its value in constants.
+void requireConstants(const Program& program, std::span<const SpecConstant> constants) {
+    for (const gpu::SpecId id : program.shader.constants)
+        if (std::none_of(constants.begin(), constants.end(), [&](const SpecConstant& each) { return each.id == id; }))
+            throw std::logic_error(program.name + ": specialization constant " +
+                                   std::to_string(static_cast<std::uint32_t>(id)) + " has no value");
+}
+
+/// Where each value lies in the list.
+std::vector<VkSpecializationMapEntry> specializationMap(std::span<const SpecConstant> constants) {
     std::vector<VkSpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < count; ++i) entries.push_back({i, i * 4u, 4u});
+    for (std::size_t i = 0; i < constants.size(); ++i)
+        entries.push_back({static_cast<std::uint32_t>(constants[i].id),
+                           static_cast<std::uint32_t>(i * sizeof(SpecConstant) + offsetof(SpecConstant, value)),
+                           sizeof(SpecConstant::value)});
     return entries;
 }
 
 void createPipeline(Device& device, Program& program, std::span<const std::uint32_t> spirv,
-                    std::span<const std::uint32_t> constants) {
+                    std::span<const SpecConstant> constants) {
+    requireConstants(program, constants);
     VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     module_info.codeSize = spirv.size_bytes();
     module_info.pCode = spirv.data();
-    const std::vector<VkSpecializationMapEntry> entries = specializationMap(constants.size());
+    const std::vector<VkSpecializationMapEntry> entries = specializationMap(constants);
     const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               constants.size_bytes(), constants.data()};
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
@@ -98,8 +113,8 @@ bool isTexelBuffer(VkDescriptorType type) {
     return type == VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER || type == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
 }
 
-[[noreturn]] void failBinding(const Program& program, std::uint32_t slot, const char* reason) {
-    throw std::logic_error(program.name + ": binding " + std::to_string(slot) + " " + reason);
+[[noreturn]] void failBinding(const Program& program, gpu::Binding slot, const char* reason) {
+    throw std::logic_error(program.name + ": binding " + std::to_string(number(slot)) + " " + reason);
 }
 
 /// Of texel buffers: what a descriptor names is the view.
@@ -154,7 +169,7 @@ void fillSet(Device& device, const Program& program, VkDescriptorSet set, std::s
     std::vector<VkWriteDescriptorSet> writes(wanted.size(), {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET});
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         writes[i].dstSet = set;
-        writes[i].dstBinding = wanted[i].slot;
+        writes[i].dstBinding = number(wanted[i].slot);
         writes[i].descriptorCount = wanted[i].count;
         writes[i].descriptorType = wanted[i].type;
         writes[i].pBufferInfo = named[i].infos.data();
@@ -182,12 +197,12 @@ void recordState(VkCommandBuffer commands, const Program& program, const Descrip
 } // namespace
 
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
-                      std::initializer_list<std::uint32_t> constants) {
+                      std::initializer_list<SpecConstant> constants) {
     return createProgram(device, name, spirv, std::span(constants.begin(), constants.size()));
 }
 
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
-                      std::span<const std::uint32_t> constants) {
+                      std::span<const SpecConstant> constants) {
     const auto start = std::chrono::steady_clock::now();
     Program program;
     program.name = name;

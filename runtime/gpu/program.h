@@ -23,20 +23,27 @@ struct Program {
     ShaderInterface shader;
 };
 
-/// One binding: its number in the shader and the buffer behind it (with a view for texel buffers), or the first of
+/// A specialization constant's value (floats by std::bit_cast).
+struct SpecConstant {
+    gpu::SpecId id{};
+    std::uint32_t value = 0;
+};
+
+/// One binding: its place in the shader and the buffer behind it (with a view for texel buffers), or the first of
 /// count buffers for an array; what elements the array has beyond get the first one again.
 struct BufferBinding {
-    std::uint32_t slot = 0;
+    gpu::Binding slot{};
     const Buffer* buffer = nullptr;
     std::uint32_t count = 1;
 };
 
-/// Builds the pipeline. constants are the values of specialization constants 0, 1, 2, ... (floats by std::bit_cast).
-/// Throws Error kCannotRun where the driver refuses.
+/// Builds the pipeline. constants have a value for each specialization constant that the shader declares, and may have
+/// more: programs of a family take what they know from one list. Throws std::logic_error where a value is missing,
+/// Error kCannotRun where the driver refuses.
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
-                      std::initializer_list<std::uint32_t> constants = {});
+                      std::initializer_list<SpecConstant> constants = {});
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
-                      std::span<const std::uint32_t> constants);
+                      std::span<const SpecConstant> constants);
 void destroyProgram(Device& device, Program& program);
 
 /// A pool for up to max_sets descriptor sets; they are freed with the pool.

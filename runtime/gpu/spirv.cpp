@@ -26,6 +26,7 @@ enum Opcode : std::uint32_t {
 };
 enum StorageClass : std::uint32_t { kUniformConstant = 0, kUniform = 2, kPushConstant = 9, kStorageBuffer = 12 };
 enum Decoration : std::uint32_t {
+    kSpecId = 1,
     kBufferBlock = 3,
     kArrayStride = 6,
     kBinding = 33,
@@ -42,7 +43,7 @@ constexpr std::uint32_t kUnset = ~0u;
 struct Id {
     std::uint32_t opcode = 0;
     std::span<const std::uint32_t> words; ///< the declaring instruction, its opcode word included
-    std::uint32_t binding = kUnset, set = 0, array_stride = 0;
+    std::uint32_t spec_id = kUnset, binding = kUnset, set = 0, array_stride = 0;
     bool buffer_block = false;
     std::vector<std::uint32_t> member_offsets;
 };
@@ -52,6 +53,9 @@ struct Id {
 void decorate(Id& id, std::span<const std::uint32_t> words) {
     const std::uint32_t value = words.size() > 3 ? words[3] : 0;
     switch (words[2]) {
+    case kSpecId:
+        id.spec_id = value;
+        break;
     case kBufferBlock:
         id.buffer_block = true;
         break;
@@ -152,7 +156,7 @@ ShaderBinding bindingOf(const std::vector<Id>& ids, const Id& variable) {
         count = ids.at(pointee->words[3]).words[3];
         pointee = &ids.at(pointee->words[2]);
     }
-    return {variable.binding, descriptorType(ids, variable, *pointee), variable.set, count};
+    return {gpu::Binding{variable.binding}, descriptorType(ids, variable, *pointee), variable.set, count};
 }
 
 } // namespace
@@ -162,12 +166,14 @@ ShaderInterface reflectShader(std::span<const std::uint32_t> spirv) {
     const std::vector<Id> ids = readIds(spirv);
     ShaderInterface shader;
     for (const Id& id : ids) {
+        if (id.spec_id != kUnset) shader.constants.push_back(gpu::SpecId{id.spec_id});
         if (id.opcode != kOpVariable) continue;
         const std::uint32_t storage_class = id.words[3];
         if (storage_class == kPushConstant) shader.push_bytes = typeBytes(ids, ids.at(id.words[1]).words[3]);
         if (id.binding == kUnset) continue;
         shader.bindings.push_back(bindingOf(ids, id));
     }
+    std::sort(shader.constants.begin(), shader.constants.end());
     std::sort(shader.bindings.begin(), shader.bindings.end(),
               [&](const ShaderBinding& a, const ShaderBinding& b) { return place(a) < place(b); });
     for (std::size_t i = 1; i < shader.bindings.size(); ++i)

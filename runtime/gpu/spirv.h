@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "runtime/gpu/vulkan.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/spec_constants.h"
 
 namespace pointrt {
 
 /// A buffer, or an array of them, that the shader declares in descriptor set 0 or 1.
 struct ShaderBinding {
-    std::uint32_t slot = 0;
+    gpu::Binding slot{};
     VkDescriptorType type =
         VK_DESCRIPTOR_TYPE_STORAGE_BUFFER; ///< storage, uniform, uniform texel or storage texel buffer
     std::uint32_t set = 0;
@@ -21,12 +23,13 @@ struct ShaderBinding {
 
 struct ShaderInterface {
     std::vector<ShaderBinding> bindings; ///< by set, then by slot, ascending
+    std::vector<gpu::SpecId> constants;  ///< specialization constants, ascending
     std::uint32_t push_bytes = 0;        ///< size of the push constant block, 0 without one
 };
 
-/// Reads the bindings and push constant size out of a module. Follows the SPIR-V specification 1.5, sections 2.3
-/// (physical layout) and 3.42 (instructions). Throws std::logic_error on descriptors other than buffers and their
-/// arrays in sets 0 and 1: embedded shaders are ours, so that is a bug.
+/// Reads bindings, specialization constants and push constant size out of a module. Follows the SPIR-V
+/// specification 1.5, sections 2.3 (physical layout) and 3.42 (instructions). Throws std::logic_error on descriptors
+/// other than buffers and their arrays in sets 0 and 1: embedded shaders are ours, so that is a bug.
 ShaderInterface reflectShader(std::span<const std::uint32_t> spirv);
 
 } // namespace pointrt

@@ -200,7 +200,8 @@ CausticMap buildCaustics(Device& device, const DeviceScene& scene, const Program
 }
 
 std::vector<BufferBinding> causticBindings(const CausticMap& map) {
-    return {{31, &map.photons}, {32, &map.buckets}, {33, &map.traced}};
+    return {
+        {BINDING_PHOTON_TEXELS, &map.photons}, {BINDING_PHOTON_BUCKETS, &map.buckets}, {BINDING_PHOTONS, &map.traced}};
 }
 
 void destroyCaustics(Device& device, CausticMap& map) {

@@ -68,12 +68,23 @@ void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
 }
 
 std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
-    return {{6, &buffers.params},    {7, &buffers.control},       {8, &buffers.queues},
-            {9, &buffers.paths},     {10, &buffers.hits},         {11, &buffers.light_queries},
-            {12, &buffers.film},     {13, &buffers.first_hits},   {17, &buffers.paths},
-            {18, &buffers.queues},   {19, &buffers.beams},        {20, &buffers.beams},
-            {25, &buffers.surfaces}, {26, &buffers.light_masks},  {27, &buffers.deferred},
-            {34, &buffers.surfaces}, {35, &buffers.light_queries}};
+    return {{BINDING_PARAMS, &buffers.params},
+            {BINDING_CONTROL, &buffers.control},
+            {BINDING_QUEUES, &buffers.queues},
+            {BINDING_QUEUES_TEXELS, &buffers.queues},
+            {BINDING_PATHS, &buffers.paths},
+            {BINDING_PATHS_TEXELS, &buffers.paths},
+            {BINDING_HITS, &buffers.hits},
+            {BINDING_LIGHT_QUERIES, &buffers.light_queries},
+            {BINDING_LIGHT_QUERIES_TEXELS, &buffers.light_queries},
+            {BINDING_FILM, &buffers.film},
+            {BINDING_FIRST_HITS, &buffers.first_hits},
+            {BINDING_BEAMS, &buffers.beams},
+            {BINDING_BEAMS_TEXELS, &buffers.beams},
+            {BINDING_SURFACES, &buffers.surfaces},
+            {BINDING_SURFACES_TEXELS, &buffers.surfaces},
+            {BINDING_LIGHT_MASKS, &buffers.light_masks},
+            {BINDING_DEFERRED, &buffers.deferred}};
 }
 
 } // namespace pointrt

@@ -30,19 +30,18 @@ namespace pointrt {
 
 namespace {
 
-/// Values of the shaders' specialization constants, by number.
+/// Values of the programs' specialization constants.
 struct Constants {
     InstanceTraits instance;
     std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0;
 };
 
-std::vector<std::uint32_t> listed(const Constants& c) {
-    std::vector<std::uint32_t> values{c.instance.uneven, c.instance.oriented, c.sky_image,
-                                      c.integrator,      c.features,          c.camera_pass};
-    const PageCounts& pages = c.instance.pages;
-    if (!isPaged(pages)) return values;
-    values.push_back(pages.bits);
-    values.insert(values.end(), pages.counts.begin(), pages.counts.end());
+std::vector<SpecConstant> listed(const Constants& c) {
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven}, {SPEC_ORIENTED, c.instance.oriented},
+                                     {SPEC_SKY_IMAGE, c.sky_image},    {SPEC_INTEGRATOR, c.integrator},
+                                     {SPEC_FEATURES, c.features},      {SPEC_CAMERA_PASS, c.camera_pass}};
+    if (!isPaged(c.instance.pages)) return values;
+    for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
     return values;
 }
 
@@ -56,7 +55,7 @@ struct Order {
 
 void build(Device& device, const Order& order) {
     *order.program =
-        createProgram(device, order.name, order.spirv, std::span<const std::uint32_t>(listed(order.constants)));
+        createProgram(device, order.name, order.spirv, std::span<const SpecConstant>(listed(order.constants)));
 }
 
 Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings) {
@@ -160,7 +159,7 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
     const Program& tracing = programsFor(programs, scene, instance).trace_primary;
-    return {common, createDescriptorSet(device, pool, tracing, pageBindings(pagedBuffers(file)), 1)};
+    return {common, createDescriptorSet(device, pool, tracing, pageBindings(pagedBuffers(file)), SET_PAGES)};
 }
 
 } // namespace pointrt

@@ -6,19 +6,21 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/denoise/denoise_grid.glsl"
 #include "shaders/denoise/denoise_surface.glsl"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/spec_constants.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(constant_id = 0) const uint IS_LAST = 0;
+layout(constant_id = SPEC_IS_LAST_LEVEL) const uint IS_LAST = 0;
 layout(push_constant) uniform Push { // x, y: size of the image, z: pixels between taps
     ivec4 push;
     vec4 angles; // x: of a pixel, radians
 };
 
-layout(set = 0, binding = 0) uniform samplerBuffer light_texels;   // light, variance
-layout(set = 0, binding = 1) uniform samplerBuffer surface_texels; // DenoiseSurface
-layout(set = 0, binding = 2) uniform samplerBuffer slope_texels;
-layout(set = 0, binding = 3) uniform samplerBuffer factor_texels; // albedo taken out, alpha
-layout(std430, set = 0, binding = 4) writeonly buffer LightBuffer { vec4 lights[]; };
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
+layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
+layout(binding = BINDING_DENOISE_FACTORS) uniform samplerBuffer factor_texels; // albedo taken out, alpha
+layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
 // Squared differences count in units of this many variances: the geometric mean of both pixels', so that weights are
 // symmetric and the mean is kept, and a pixel that is certain, as what mirrors show often is, neither gives nor takes.

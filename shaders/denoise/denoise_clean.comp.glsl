@@ -5,14 +5,15 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/denoise/denoise_grid.glsl"
 #include "shaders/denoise/denoise_surface.glsl"
+#include "shaders/shared/bindings.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(push_constant) uniform Push { ivec4 push; }; // x, y: size of the image
 
-layout(set = 0, binding = 0) uniform samplerBuffer light_texels;   // light, variance
-layout(set = 0, binding = 1) uniform samplerBuffer surface_texels; // DenoiseSurface
-layout(std430, set = 0, binding = 2) writeonly buffer LightBuffer { vec4 lights[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer SlopeBuffer { vec2 slopes[]; };
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
+layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
+layout(std430, binding = BINDING_DENOISE_SLOPES_OUT) writeonly buffer SlopeBuffer { vec2 slopes[]; };
 
 // A firefly is this many times as bright as its second brightest neighbour, which exponentially distributed noise is
 // in 1 pixel of 430 (the product of k/(k+6) for k from 2 to 8) ...

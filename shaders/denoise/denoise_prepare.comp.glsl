@@ -4,17 +4,20 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/denoise/denoise_grid.glsl"
 #include "shaders/denoise/denoise_surface.glsl"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/spec_constants.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(constant_id = 0) const uint KNOWS_VARIANCE = 1;
+layout(constant_id = SPEC_KNOWS_VARIANCE) const uint KNOWS_VARIANCE = 1;
 layout(push_constant) uniform Push { ivec4 push; }; // x, y: size of the image
 
-layout(set = 0, binding = 0) uniform samplerBuffer color_texels;   // rgb, alpha
-layout(set = 0, binding = 1) uniform samplerBuffer surface_texels; // normal, depth
-layout(set = 0, binding = 2) uniform samplerBuffer albedo_texels;  // albedo, variance of the mean luminance
-layout(std430, set = 0, binding = 3) writeonly buffer LightBuffer { vec4 lights[]; };
-layout(std430, set = 0, binding = 4) writeonly buffer SurfaceBuffer { vec4 surfaces[]; };
-layout(std430, set = 0, binding = 5) writeonly buffer AlbedoBuffer { vec4 factors[]; }; // what was taken out, alpha
+layout(binding = BINDING_DENOISE_COLORS) uniform samplerBuffer color_texels;   // rgb, alpha
+layout(binding = BINDING_DENOISE_GUIDES) uniform samplerBuffer surface_texels; // normal, depth
+layout(binding = BINDING_DENOISE_ALBEDOS) uniform samplerBuffer albedo_texels;  // albedo, variance of the mean luminance
+layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
+layout(std430, binding = BINDING_DENOISE_SURFACES_OUT) writeonly buffer SurfaceBuffer { vec4 surfaces[]; };
+// what was taken out, alpha
+layout(std430, binding = BINDING_DENOISE_FACTORS_OUT) writeonly buffer AlbedoBuffer { vec4 factors[]; };
 
 // Squares and products of four fit into a float up to here.
 const float kBrightest = 1e9;

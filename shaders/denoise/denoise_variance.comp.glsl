@@ -6,18 +6,20 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/denoise/denoise_grid.glsl"
 #include "shaders/denoise/denoise_surface.glsl"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/spec_constants.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(constant_id = 0) const uint KNOWS_VARIANCE = 1;
+layout(constant_id = SPEC_KNOWS_VARIANCE) const uint KNOWS_VARIANCE = 1;
 layout(push_constant) uniform Push { // x, y: size of the image
     ivec4 push;
     vec4 angles; // x: of a pixel, radians
 };
 
-layout(set = 0, binding = 0) uniform samplerBuffer light_texels;   // light, variance
-layout(set = 0, binding = 1) uniform samplerBuffer surface_texels; // DenoiseSurface
-layout(set = 0, binding = 2) uniform samplerBuffer slope_texels;
-layout(std430, set = 0, binding = 3) writeonly buffer LightBuffer { vec4 lights[]; };
+layout(binding = BINDING_DENOISE_LIGHT) uniform samplerBuffer light_texels;   // light, variance
+layout(binding = BINDING_DENOISE_SURFACES) uniform samplerBuffer surface_texels; // DenoiseSurface
+layout(binding = BINDING_DENOISE_SLOPES) uniform samplerBuffer slope_texels;
+layout(std430, binding = BINDING_DENOISE_LIGHT_OUT) writeonly buffer LightBuffer { vec4 lights[]; };
 
 // Of the window: 5x5 smooths given variances, 7x7 measures spreads (as Schied et al. 2017 do for new pixels). Every
 // second pixel of it stands for all: a third of the time, and pictures as good.

@@ -5,16 +5,18 @@
 #include "shaders/math/color.glsl"
 #include "shaders/shared/display_layout.h"
 #include "shaders/shared/params.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/spec_constants.h"
 
 layout(local_size_x = DISPLAY_GROUP) in;
-layout(constant_id = 0) const uint HAS_FIRST_HITS = 1;
+layout(constant_id = SPEC_HAS_FIRST_HITS) const uint HAS_FIRST_HITS = 1;
 layout(push_constant) uniform Push { ResolveParams push; };
 
-layout(std430, set = 0, binding = 0) readonly buffer FilmBuffer { vec4 film[]; };
-layout(std430, set = 0, binding = 1) readonly buffer FirstHitBuffer { vec4 first_hits[]; };
-layout(std430, set = 0, binding = 2) writeonly buffer ColorBuffer { vec4 colors[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer SurfaceBuffer { vec4 surfaces[]; }; // normal, depth
-layout(std430, set = 0, binding = 4) writeonly buffer AlbedoBuffer { vec4 albedos[]; };   // w: variance of the mean
+layout(std430, binding = BINDING_RESOLVE_FILM) readonly buffer FilmBuffer { vec4 film[]; };
+layout(std430, binding = BINDING_RESOLVE_FIRST_HITS) readonly buffer FirstHitBuffer { vec4 first_hits[]; };
+layout(std430, binding = BINDING_RESOLVE_COLORS) writeonly buffer ColorBuffer { vec4 colors[]; };
+layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffer { vec4 surfaces[]; }; // normal, depth
+layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; }; // w: variance of the mean
 
 vec4 layer(uint pixel, uint which) { return film[which * push.range.z + pixel]; }
 

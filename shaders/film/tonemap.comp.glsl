@@ -4,12 +4,14 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/display_layout.h"
 #include "shaders/math/math.glsl"
+#include "shaders/shared/bindings.h"
 
 layout(local_size_x = DISPLAY_GROUP) in;
 layout(push_constant) uniform Push { TonemapParams push; };
 
-layout(set = 0, binding = 0) uniform samplerBuffer colors;
-layout(std430, set = 0, binding = 1) writeonly buffer PixelBuffer { uint pixels[]; }; // 0xAARRGGBB, as windows take them
+layout(binding = BINDING_TONEMAP_COLORS) uniform samplerBuffer colors;
+// 0xAARRGGBB, as windows take them
+layout(std430, binding = BINDING_TONEMAP_PIXELS) writeonly buffer PixelBuffer { uint pixels[]; };
 
 // As in runtime/image/tonemap.cpp.
 const float kCompressionStart = 0.8, kDesaturation = 0.15, kGreatest = 3.402823466e38;

@@ -6,53 +6,57 @@
 // where fetches of texels are calls, for which all that is alive goes through memory.
 #ifndef POINTRT_SHADERS_BINDINGS_GLSL
 #define POINTRT_SHADERS_BINDINGS_GLSL
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/params.h"
 #include "shaders/frame/features.glsl"
 #include "pointrt/pro_index_layout.h"
 #include "pointrt/pro_layout.h"
 
 // One instance's.
-layout(set = 0, binding = 1, r32ui) uniform readonly uimageBuffer brick_words;
-layout(set = 0, binding = 2, rgba32ui) uniform readonly uimageBuffer list_words;
-layout(set = 0, binding = 3, rgba32ui) uniform readonly uimageBuffer splat_words;
-layout(set = 0, binding = 4, r32ui) uniform readonly uimageBuffer grid_words;
-layout(set = 0, binding = 14) uniform usamplerBuffer cell_words;
-layout(set = 0, binding = 15, rgba32ui) uniform readonly uimageBuffer disc_words;
-layout(set = 0, binding = 16) uniform usamplerBuffer blend_range_words;
-layout(set = 0, binding = 21, r32ui) uniform readonly uimageBuffer slab_words;
-layout(std140, set = 0, binding = 22) uniform InstanceBuffer { InstanceParams instance; };
+layout(binding = BINDING_BRICK_WORDS, r32ui) uniform readonly uimageBuffer brick_words;
+layout(binding = BINDING_LISTS, rgba32ui) uniform readonly uimageBuffer list_words;
+layout(binding = BINDING_SPLATS, rgba32ui) uniform readonly uimageBuffer splat_words;
+layout(binding = BINDING_GRID_WORDS, r32ui) uniform readonly uimageBuffer grid_words;
+layout(binding = BINDING_CELLS) uniform usamplerBuffer cell_words;
+layout(binding = BINDING_CELL_DISCS, rgba32ui) uniform readonly uimageBuffer disc_words;
+layout(binding = BINDING_BLEND_RANGES) uniform usamplerBuffer blend_range_words;
+layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
+layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
 
 // The scene's.
-layout(set = 0, binding = 5) uniform usamplerBuffer material_texels;
-layout(set = 0, binding = 23) uniform usamplerBuffer shape_texels;
-layout(set = 0, binding = 24) uniform usamplerBuffer light_texels;
-layout(set = 0, binding = 28) uniform samplerBuffer ggx_albedo; // runtime/device_scene/ggx_albedo.h
-layout(set = 0, binding = 29) uniform samplerBuffer environment_texels; // runtime/device_scene/environment.h
-layout(set = 0, binding = 30) uniform samplerBuffer environment_cdf;
-layout(set = 0, binding = 31) uniform usamplerBuffer photon_texels;
-layout(set = 0, binding = 32) uniform usamplerBuffer photon_buckets;
+layout(binding = BINDING_MATERIALS) uniform usamplerBuffer material_texels;
+layout(binding = BINDING_SHAPES) uniform usamplerBuffer shape_texels;
+layout(binding = BINDING_LIGHTS) uniform usamplerBuffer light_texels;
+layout(binding = BINDING_GGX_ALBEDO) uniform samplerBuffer ggx_albedo; // runtime/device_scene/ggx_albedo.h
+// runtime/device_scene/environment.h
+layout(binding = BINDING_ENVIRONMENT_TEXELS) uniform samplerBuffer environment_texels;
+layout(binding = BINDING_ENVIRONMENT_CDF) uniform samplerBuffer environment_cdf;
+layout(binding = BINDING_PHOTON_TEXELS) uniform usamplerBuffer photon_texels;
+layout(binding = BINDING_PHOTON_BUCKETS) uniform usamplerBuffer photon_buckets;
 
 // The frame's.
-layout(std140, set = 0, binding = 6) uniform ParamsBuffer { FrameParams params; };
-layout(std430, set = 0, binding = 7) buffer ControlBuffer { Control control; };
+layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams params; };
+layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
 // two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances
-layout(std430, set = 0, binding = 8) buffer QueueBuffer { uint queues[]; };
-layout(std430, set = 0, binding = 9) buffer PathBuffer { PathState paths[]; };
+layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
+layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
 // TraceHit: t as bits, cell, disc, which is its place in the lists too, owner; of shapes: t, 0, shape, OWNER_SHAPES
-layout(rgba32ui, set = 0, binding = 10) uniform uimageBuffer hit_texels;
-layout(std430, set = 0, binding = 11) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
-layout(std430, set = 0, binding = 12) buffer FilmBuffer { vec4 film[]; };
-layout(std430, set = 0, binding = 13) buffer FirstHitBuffer { vec4 first_hits[]; }; // FIRST_HIT_VECTORS a pixel
-layout(set = 0, binding = 17) uniform usamplerBuffer path_texels; // of paths
-layout(set = 0, binding = 18) uniform usamplerBuffer queue_words; // of queues
-layout(std430, set = 0, binding = 19) buffer BeamBuffer { float beams[]; }; // of each tile: its rays' free distance
-layout(set = 0, binding = 20) uniform samplerBuffer beam_texels; // of beams
-layout(std430, set = 0, binding = 25) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
-layout(std430, set = 0, binding = 26) buffer ShadowBuffer { uint light_masks[]; }; // bit l: light l does not reach it
-layout(std430, set = 0, binding = 27) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
-layout(std430, set = 0, binding = 33) buffer PhotonBuffer { Photon photons[]; }; // being traced
-layout(set = 0, binding = 34) uniform usamplerBuffer surface_texels; // of surfaces
-layout(set = 0, binding = 35) uniform usamplerBuffer light_query_texels; // of light_queries
+layout(rgba32ui, binding = BINDING_HITS) uniform uimageBuffer hit_texels;
+layout(std430, binding = BINDING_LIGHT_QUERIES) buffer LightQueryBuffer { DirectLightQuery light_queries[]; };
+layout(std430, binding = BINDING_FILM) buffer FilmBuffer { vec4 film[]; };
+layout(std430, binding = BINDING_FIRST_HITS) buffer FirstHitBuffer { vec4 first_hits[]; }; // of pixels
+layout(binding = BINDING_PATHS_TEXELS) uniform usamplerBuffer path_texels; // of paths
+layout(binding = BINDING_QUEUES_TEXELS) uniform usamplerBuffer queue_words; // of queues
+// of each tile: its rays' free distance
+layout(std430, binding = BINDING_BEAMS) buffer BeamBuffer { float beams[]; };
+layout(binding = BINDING_BEAMS_TEXELS) uniform samplerBuffer beam_texels; // of beams
+layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
+// bit l: light l does not reach it
+layout(std430, binding = BINDING_LIGHT_MASKS) buffer ShadowBuffer { uint light_masks[]; };
+layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
+layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // being traced
+layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // of surfaces
+layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // of light_queries
 layout(push_constant) uniform Push { PushParams push; };
 
 #ifdef PAGED // the same loads
@@ -82,7 +86,8 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadPathTexel(path, member) uintBitsToFloat(texelFetch(path_texels, int(path) * 4 + (member)))
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
-#define loadSurfaceTexel(path, member) uintBitsToFloat(texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member)))
+#define loadSurfaceTexel(path, member) \
+    uintBitsToFloat(texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member)))
 #define loadLightQueryTexel(path, member) \
     uintBitsToFloat(texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member)))
 #define loadHit(path) imageLoad(hit_texels, int(path))
@@ -110,8 +115,8 @@ Light loadLight(uint index) {
 }
 
 bool hasOption(uint option) { return (params.scene.y & option) != 0u; }
-// A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a constant
-// and makes the program anew, for milliseconds, at each dispatch.
+// A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a
+// constant and makes the program anew, for milliseconds, at each dispatch.
 uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
 bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
 // Lanes of a sample: the band in tiles, the last ones padded.

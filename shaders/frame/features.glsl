@@ -4,14 +4,15 @@
 #ifndef POINTRT_SHADERS_FEATURES_GLSL
 #define POINTRT_SHADERS_FEATURES_GLSL
 #include "shaders/shared/params.h"
+#include "shaders/shared/spec_constants.h"
 
-layout(constant_id = 3) const uint kIntegrator = INTEGRATOR_PHONG;
+layout(constant_id = SPEC_INTEGRATOR) const uint kIntegrator = INTEGRATOR_PHONG;
 // FEATURE_* bits
-layout(constant_id = 4) const uint kFeatures = 0xFFFFFFFFu;
+layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 
 // Whether the lanes are the pixels and their rays the camera's; else they are those of the queue. Each has programs of
 // its own.
-layout(constant_id = 5) const bool kCameraPass = false;
+layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)

@@ -4,25 +4,27 @@
 // constants alone, so each page in use is fetched from, those that do not have the texel at 0, and one is taken.
 #ifndef POINTRT_SHADERS_PAGES_GLSL
 #define POINTRT_SHADERS_PAGES_GLSL
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/pages.h"
+#include "shaders/shared/spec_constants.h"
 
 // Texels of a page are 2^kPageBits; then the pages in use of each buffer, 1 to MAX_PAGES.
-layout(constant_id = 6) const uint kPageBits = 27u;
-layout(constant_id = 7) const uint kBrickPages = 1u;
-layout(constant_id = 8) const uint kCellPages = 1u;
-layout(constant_id = 9) const uint kSlabPages = 1u;
-layout(constant_id = 10) const uint kDiscPages = 1u;
-layout(constant_id = 11) const uint kListPages = 1u;
-layout(constant_id = 12) const uint kBlendRangePages = 1u;
-layout(constant_id = 13) const uint kSplatPages = 1u;
+layout(constant_id = SPEC_PAGE_BITS) const uint kPageBits = 27u;
+layout(constant_id = SPEC_BRICK_PAGES) const uint kBrickPages = 1u;
+layout(constant_id = SPEC_CELL_PAGES) const uint kCellPages = 1u;
+layout(constant_id = SPEC_SLAB_PAGES) const uint kSlabPages = 1u;
+layout(constant_id = SPEC_DISC_PAGES) const uint kDiscPages = 1u;
+layout(constant_id = SPEC_LIST_PAGES) const uint kListPages = 1u;
+layout(constant_id = SPEC_BLEND_RANGE_PAGES) const uint kBlendRangePages = 1u;
+layout(constant_id = SPEC_SPLAT_PAGES) const uint kSplatPages = 1u;
 
-layout(set = 1, binding = 0) uniform usamplerBuffer brick_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 1) uniform usamplerBuffer cell_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 2) uniform usamplerBuffer slab_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 3) uniform usamplerBuffer disc_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 4) uniform usamplerBuffer list_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 5) uniform usamplerBuffer blend_range_pages[MAX_PAGES - 1];
-layout(set = 1, binding = 6) uniform usamplerBuffer splat_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_BRICK_PAGES) uniform usamplerBuffer brick_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_CELL_PAGES) uniform usamplerBuffer cell_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_SLAB_PAGES) uniform usamplerBuffer slab_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_DISC_PAGES) uniform usamplerBuffer disc_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_LIST_PAGES) uniform usamplerBuffer list_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_BLEND_RANGE_PAGES) uniform usamplerBuffer blend_range_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_SPLAT_PAGES) uniform usamplerBuffer splat_pages[MAX_PAGES - 1];
 
 #define FETCH_PAGE(texels, k) \
     if (count > k) { \

@@ -6,7 +6,7 @@
 #include "shaders/light/environment.glsl"
 
 // Whether the sky is an image in place of a gradient.
-layout(constant_id = 2) const bool kSkyImage = false;
+layout(constant_id = SPEC_SKY_IMAGE) const bool kSkyImage = false;
 
 // What a ray that leaves the scene sees: an image, or a gradient by the square root of the height over the horizon.
 vec3 skyColor(vec3 direction) {

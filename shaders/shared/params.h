@@ -135,10 +135,9 @@ struct PushParams {
 #define STEP_FIRST_HIT 2u // of them only what is hit first is kept
 #define STEP_RESET 4u     // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u // rays are read from queue 1 and appended to queue 0
-#define STEP_FRESH 16u    // trace: all rays of the queue, for which nothing was traced before; hits are not listed
-#define STEP_PREVIEW 32u  // lamps are asked in the middle, and the first alone for shadows: pictures at once
-#define STEP_ASKED 64u    // prepare: the list of rays for instances is complete
-#define STEP_HITS 128u    // prepare: the list of an instance's hits is complete
+#define STEP_PREVIEW 16u  // lamps are asked in the middle, and the first alone for shadows: pictures at once
+#define STEP_ASKED 32u    // prepare: the list of rays for instances is complete
+#define STEP_HITS 64u     // prepare: the list of an instance's hits is complete
 
 // A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
 #define ASKED_TURN_SHIFT 27u

@@ -3,11 +3,12 @@
 // a similarity, so discs stay discs.
 #ifndef POINTRT_SHADERS_INSTANCE_GLSL
 #define POINTRT_SHADERS_INSTANCE_GLSL
+#include "shaders/shared/spec_constants.h"
 
 // Whether any cell is cut further than a brick does. Even scans have none, and no ray has to ask.
-layout(constant_id = 0) const bool kUneven = false;
+layout(constant_id = SPEC_UNEVEN) const bool kUneven = false;
 // Whether normals point outwards: then the two sides of a thin sheet are told apart.
-layout(constant_id = 1) const bool kOriented = false;
+layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
 
 vec3 cubePoint(vec3 render_point) {
     vec4 p = vec4(render_point, 1.0);

@@ -4,17 +4,15 @@
 #define POINTRT_SHADERS_STORE_HIT_GLSL
 
 // How far a path's ray may go, in cube units: to what was hit before.
-float reachOf(uint path) {
-    return hasStep(STEP_FRESH) ? 1e30 : uintBitsToFloat(loadHit(path).x) * cubeScale();
-}
+float reachOf(uint path) { return uintBitsToFloat(loadHit(path).x) * cubeScale(); }
 
 // t is stored in render units. What was hit before, and nearer, stays. Other hits are listed for surface.
 void storeHit(bool live, uint path, TraceHit hit) {
-    bool fresh = hasStep(STEP_FRESH), hits = hit.disc != NO_INDEX;
-    if (live && (hits || fresh))
+    bool hits = live && hit.disc != NO_INDEX;
+    if (hits)
         imageStore(hit_texels, int(path),
                    uvec4(floatBitsToUint(hit.t / cubeScale()), hit.cell, hit.disc, instance.materials.x));
-    appendEntry(APPEND_HIT, live && hits && !fresh, path);
+    appendEntry(APPEND_HIT, hits, path);
 }
 
 #endif

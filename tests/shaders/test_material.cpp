@@ -19,6 +19,7 @@
 #include "runtime/util/vec.h"
 #include "shaders/material_probe.spv.h"
 #include "shaders/shared/scene_layout.h"
+#include "tests/runtime/gpu/probe.h"
 
 namespace pointrt {
 namespace {
@@ -119,7 +120,7 @@ protected:
         Buffer answered = createBuffer(device_, "answers", inputs.size() * sizeof(Answer), kStorage);
         VkDescriptorPool pool = createDescriptorPool(device_, 1);
         const VkDescriptorSet set =
-            createDescriptorSet(device_, pool, program_, {{0, &table_}, {1, &question}, {2, &asked}, {3, &answered}});
+            createDescriptorSet(device_, pool, program_, bindingsInOrder({&table_, &question, &asked, &answered}));
         const VkCommandBuffer commands = beginCommands(device_);
         recordDispatch(commands, program_, set, {}, {(static_cast<std::uint32_t>(inputs.size()) + 63) / 64, 1, 1});
         submitAndWait(device_, commands);

@@ -28,6 +28,9 @@ namespace pointrt::test {
 
 namespace {
 
+/// Two of rays, of light queries, of hits, of rays asked for (shaders/frame/bindings.glsl).
+constexpr std::uint64_t kQueues = 5;
+
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 } // namespace
@@ -58,6 +61,7 @@ struct RayCaster::State {
     VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/frame/bindings.glsl)
     double trace_seconds = 0;
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
+    gpu::FrameParams view_params{};
 
     /// What no ray's program writes is as small as can be.
     void createBuffers() {
@@ -73,7 +77,7 @@ struct RayCaster::State {
         const std::uint64_t rays = batch_rays;
         buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        buffers.queues = texels("queue buffer", 4 * rays * sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
+        buffers.queues = texels("queue buffer", kQueues * lanes() * sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         buffers.paths = texels("path buffer", rays * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT);
         buffers.hits = texels("hit buffer", rays * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                               VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
@@ -87,24 +91,38 @@ struct RayCaster::State {
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
         no_caustics = emptyCaustics(device);
-        queueInOrder();
+        listInOrder();
     }
 
-    void queueInOrder() {
+    /// Of a band that has room for a batch, a tile wide.
+    std::uint32_t bandRows() const { return (batch_rays + TILE_SIDE - 1) / TILE_SIDE; }
+    std::uint64_t lanes() const { return lanesOf(TILE_SIDE, bandRows()); }
+
+    /// Every ray of a batch is asked for, as shaders/trace/trace_shapes.comp.glsl lists those that may meet an
+    /// instance. Nothing else writes there.
+    void listInOrder() {
         std::vector<std::uint32_t> in_order(batch_rays);
         std::iota(in_order.begin(), in_order.end(), 0u);
-        uploadBuffer(device, buffers.queues, in_order.data(), in_order.size() * sizeof in_order[0]);
+        uploadBuffer(device, buffers.queues, in_order.data(), in_order.size() * sizeof in_order[0],
+                     (kQueues - 1) * lanes() * sizeof in_order[0]);
     }
 
     void createPrograms() {
-        const std::uint32_t uneven = file().index.uneven, oriented = scene.instances[0].oriented;
-        trace = createProgram(device, "trace", trace_spv, {uneven, oriented});
-        any_hit = createProgram(device, "any_hit", any_hit_spv, {uneven, oriented});
-        trace_primary = createProgram(device, "trace_primary", trace_primary_spv, {uneven, oriented});
-        beam = createProgram(device, "beam", beam_spv);
-        camera_rays = createProgram(device, "camera_rays", camera_rays_spv);
-        resolve = createProgram(device, "resolve_hits", resolve_hits_spv);
-        surface = createProgram(device, "cast_surface", cast_surface_spv, {uneven, oriented});
+        const SpecConstant traits[] = {{SPEC_UNEVEN, file().index.uneven},
+                                       {SPEC_ORIENTED, scene.instances[0].oriented},
+                                       {SPEC_INTEGRATOR, INTEGRATOR_PHONG},
+                                       {SPEC_FEATURES, ~0u},
+                                       {SPEC_CAMERA_PASS, 0}};
+        const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {
+            return createProgram(device, name, spirv, traits);
+        };
+        trace = build("trace", trace_spv);
+        any_hit = build("any_hit", any_hit_spv);
+        trace_primary = build("trace_primary", trace_primary_spv);
+        beam = build("beam", beam_spv);
+        camera_rays = build("camera_rays", camera_rays_spv);
+        resolve = build("resolve_hits", resolve_hits_spv);
+        surface = build("cast_surface", cast_surface_spv);
         pool = createDescriptorPool(device, 1);
         std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
         const std::vector<BufferBinding> frame = frameBindings(buffers);
@@ -141,6 +159,27 @@ struct RayCaster::State {
 
     void uploadParams(const gpu::FrameParams& frame) { uploadBuffer(device, buffers.params, &frame, sizeof frame); }
 
+    void uploadRayParams() {
+        gpu::FrameParams params = frameParams(1, cameraOf({}));
+        params.image = {TILE_SIDE, bandRows(), 0, bandRows()};
+        uploadParams(params);
+    }
+
+    /// Of nothing traced so far, as shaders/trace/trace_shapes.comp.glsl leaves it where there are no shapes.
+    void clearHits(std::size_t rays) {
+        const std::vector<gpu::uvec4> none(rays,
+                                           gpu::uvec4{std::bit_cast<std::uint32_t>(1e30f), NO_INDEX, NO_INDEX, 0});
+        uploadBuffer(device, buffers.hits, none.data(), none.size() * sizeof none[0]);
+    }
+
+    /// What the loaded rays are traced by.
+    void uploadCounts() {
+        gpu::Control counts{};
+        counts.queued.x = loaded;
+        counts.asked_groups.w = loaded;
+        uploadBuffer(device, buffers.control, &counts, sizeof counts);
+    }
+
     void uploadRays(std::span<const Ray> rays) {
         loaded = static_cast<std::uint32_t>(rays.size());
         std::vector<gpu::PathState> packed;
@@ -148,9 +187,8 @@ struct RayCaster::State {
             packed.push_back(
                 {pack(ray.origin, ray.own_t), pack(ray.direction, 0), {}, pack(ray.own_normal, 0)}); // of instance 0
         uploadBuffer(device, buffers.paths, packed.data(), packed.size() * sizeof packed[0]);
-        gpu::Control counts{};
-        counts.queued.x = loaded;
-        uploadBuffer(device, buffers.control, &counts, sizeof counts);
+        uploadRayParams();
+        uploadCounts();
     }
 
     double submitTimed(VkCommandBuffer commands) {
@@ -160,7 +198,7 @@ struct RayCaster::State {
     }
 
     /// Seconds from submission to the end.
-    double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = STEP_FRESH) {
+    double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
         const gpu::PushParams push{{0, 0, 0, step_bits}};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
@@ -171,7 +209,8 @@ struct RayCaster::State {
 
     std::vector<Ray> viewRays(std::uint32_t size, const Camera& camera) {
         const std::uint32_t pixels = size * size;
-        uploadParams(frameParams(size, camera));
+        view_params = frameParams(size, camera);
+        uploadParams(view_params);
         run(camera_rays, pixels, STEP_CENTER);
         std::vector<gpu::vec4> lanes(pixels), origins(pixels);
         downloadBuffer(device, buffers.first_hits, lanes.data(), pixels * sizeof lanes[0]);
@@ -185,9 +224,8 @@ struct RayCaster::State {
     /// Beams, then first hits; pixels whose beam misses keep NO_INDEX, which they get before the clock starts.
     double traceCamera() {
         const auto pixels = static_cast<std::uint32_t>(view_rays.size());
-        const std::vector<gpu::uvec4> none(pixels,
-                                           gpu::uvec4{std::bit_cast<std::uint32_t>(1e30f), NO_INDEX, NO_INDEX, 0});
-        uploadBuffer(device, buffers.hits, none.data(), none.size() * sizeof none[0]);
+        uploadParams(view_params);
+        clearHits(pixels);
         gpu::Control counts{};
         counts.tile_groups = {0, 1, 1, 0};
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
@@ -199,9 +237,7 @@ struct RayCaster::State {
         recordDispatchIndirect(commands, trace_primary, set, pushBytes(push), buffers.control,
                                offsetof(gpu::Control, tile_groups));
         recordBarrier(commands);
-        const double seconds = submitTimed(commands);
-        queueInOrder();
-        return seconds;
+        return submitTimed(commands);
     }
 
     /// Nothing stands in a ray's way until a trace finds it.
@@ -249,7 +285,7 @@ RayCaster::RayCaster(const std::string& path, const DeviceRequest& request, std:
     state_->open(path);
     state_->createBuffers();
     state_->createPrograms();
-    state_->uploadParams(state_->frameParams(1, state_->cameraOf({})));
+    state_->uploadRayParams();
 }
 
 RayCaster::~RayCaster() = default;
@@ -292,6 +328,8 @@ void RayCaster::load(std::span<const Ray> rays) { state_->uploadRays(rays); }
 
 double RayCaster::traceLoaded(bool any_hit) {
     if (any_hit) state_->clearMasks();
+    state_->clearHits(state_->loaded);
+    state_->uploadCounts();
     state_->any_traced = any_hit;
     const double seconds = state_->run(any_hit ? state_->any_hit : state_->trace, state_->loaded);
     state_->trace_seconds += seconds;

@@ -19,9 +19,12 @@ Buffer createTexels(Device& device, const char* what, std::uint64_t pixels) {
 
 VkDescriptorSet createResolveSet(Device& device, const DisplayPipeline& d, const Program& program,
                                  const FrameBuffers& frame) {
-    return createDescriptorSet(
-        device, d.pool, program,
-        {{0, &frame.film}, {1, &frame.first_hits}, {2, &d.color}, {3, &d.surface}, {4, &d.albedo}});
+    return createDescriptorSet(device, d.pool, program,
+                               {{BINDING_RESOLVE_FILM, &frame.film},
+                                {BINDING_RESOLVE_FIRST_HITS, &frame.first_hits},
+                                {BINDING_RESOLVE_COLORS, &d.color},
+                                {BINDING_RESOLVE_SURFACES, &d.surface},
+                                {BINDING_RESOLVE_ALBEDOS, &d.albedo}});
 }
 
 void createAll(Device& device, DisplayPipeline& d, const FrameBuffers& frame, std::uint64_t film_pixels) {
@@ -30,13 +33,14 @@ void createAll(Device& device, DisplayPipeline& d, const FrameBuffers& frame, st
     d.albedo = createTexels(device, "albedo guides", film_pixels);
     d.pixels =
         createBuffer(device, "pixel buffer", film_pixels * sizeof(std::uint32_t), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    d.resolve = createProgram(device, "resolve", resolve_spv, {0});
-    d.resolve_guides = createProgram(device, "resolve", resolve_spv, {1});
+    d.resolve = createProgram(device, "resolve", resolve_spv, {{SPEC_HAS_FIRST_HITS, 0}});
+    d.resolve_guides = createProgram(device, "resolve", resolve_spv, {{SPEC_HAS_FIRST_HITS, 1}});
     d.tonemap = createProgram(device, "tonemap", tonemap_spv);
     d.pool = createDescriptorPool(device, 4);
     d.resolve_set = createResolveSet(device, d, d.resolve, frame);
     d.resolve_guides_set = createResolveSet(device, d, d.resolve_guides, frame);
-    d.tonemap_set = createDescriptorSet(device, d.pool, d.tonemap, {{0, &d.color}, {1, &d.pixels}});
+    d.tonemap_set = createDescriptorSet(device, d.pool, d.tonemap,
+                                        {{BINDING_TONEMAP_COLORS, &d.color}, {BINDING_TONEMAP_PIXELS, &d.pixels}});
 }
 
 void dropDenoiser(Device& device, DisplayPipeline& pipeline) {
@@ -80,7 +84,8 @@ void prepareDenoiser(Device& device, DisplayPipeline& d, PictureSize size) {
     d.denoiser = createDenoiser(device, size.width, size.height, {&d.color, &d.surface, &d.albedo, true});
     d.denoised_pool = createDescriptorPool(device, 1);
     d.tonemap_denoised_set =
-        createDescriptorSet(device, d.denoised_pool, d.tonemap, {{0, &d.denoiser->result}, {1, &d.pixels}});
+        createDescriptorSet(device, d.denoised_pool, d.tonemap,
+                            {{BINDING_TONEMAP_COLORS, &d.denoiser->result}, {BINDING_TONEMAP_PIXELS, &d.pixels}});
 }
 
 std::uint64_t deviceBytes(const DisplayPipeline& d) {

@@ -20,7 +20,7 @@ int run(const char* device_name) {
     Buffer result = createBuffer(device, "result", 4, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     Program program = createProgram(device, "nothing", nothing_spv);
     VkDescriptorPool pool = createDescriptorPool(device, 1);
-    const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{0, &result}});
+    const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{gpu::Binding{0}, &result}});
     const VkCommandBuffer commands = beginCommands(device);
     recordDispatch(commands, program, set, {}, {1, 1, 1});
     submitAndWait(device, commands);

@@ -15,6 +15,7 @@
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
 #include "shaders/environment_probe.spv.h"
+#include "tests/runtime/gpu/probe.h"
 
 namespace pointrt {
 namespace {
@@ -111,7 +112,7 @@ protected:
             texelBuffer(queries.data(), count * sizeof(Vec4), VK_FORMAT_R32G32B32A32_SFLOAT),
             createBuffer(device, "answers", count * sizeof(Answer), kStorage)};
         const VkDescriptorSet set = createDescriptorSet(
-            device, pool, program, {{0, &buffers[0]}, {1, &buffers[1]}, {2, &buffers[2]}, {3, &buffers[3]}});
+            device, pool, program, bindingsInOrder({&buffers[0], &buffers[1], &buffers[2], &buffers[3]}));
         const Push push{frame, count, drawn, {}};
         const VkCommandBuffer commands = beginCommands(device);
         recordDispatch(commands, program, set, pushBytes(push), {(count + 63) / 64, 1, 1});

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,14 @@
 #include "runtime/gpu/resources.h"
 
 namespace pointrt {
+
+/// Buffers at bindings 0, 1, 2, ..., as probes have them.
+inline std::vector<BufferBinding> bindingsInOrder(std::initializer_list<const Buffer*> buffers) {
+    std::vector<BufferBinding> bindings;
+    for (const Buffer* buffer : buffers)
+        bindings.push_back({gpu::Binding{static_cast<std::uint32_t>(bindings.size())}, buffer});
+    return bindings;
+}
 
 /// A program with storage buffers at bindings 0 and 1 to read and at 2 to write, a local size of 64 and a push block of
 /// four counts, the first of them the answers'. Validation messages fail the test.
@@ -33,7 +42,7 @@ std::vector<Answer> runProbe(std::span<const std::uint32_t> spirv, const std::ve
     Program program = createProgram(device, "probe", spirv);
     VkDescriptorPool pool = createDescriptorPool(device, 1);
     const VkDescriptorSet set =
-        createDescriptorSet(device, pool, program, {{0, &buffers[0]}, {1, &buffers[1]}, {2, &buffers[2]}});
+        createDescriptorSet(device, pool, program, bindingsInOrder({&buffers[0], &buffers[1], &buffers[2]}));
     const VkCommandBuffer commands = beginCommands(device);
     recordDispatch(commands, program, set, pushBytes(counts), {(counts[0] + 63) / 64, 1, 1});
     submitAndWait(device, commands);

@@ -23,6 +23,9 @@ namespace {
 constexpr VkBufferUsageFlags kTexels = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
 constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr std::size_t kPageWords = 1024;
+// of scale_words.comp.glsl
+constexpr gpu::Binding kWords{0}, kResult{3};
+constexpr gpu::SpecId kFactor{0};
 
 struct Push {
     std::uint32_t count, summand, unused[2];
@@ -61,9 +64,9 @@ protected:
         Buffer group_counts =
             createFilledBuffer(device, "arguments", arguments.data(), 16, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
         createTexelView(device, "words", words, VK_FORMAT_R32_UINT);
-        Program program = createProgram(device, "scale_words", scale_words_spv, {3});
+        Program program = createProgram(device, "scale_words", scale_words_spv, {{kFactor, 3}});
         VkDescriptorPool pool = createDescriptorPool(device, 1);
-        const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{0, &words}, {3, &result}});
+        const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{kWords, &words}, {kResult, &result}});
         const Push push{count, 5, {}, {}};
         const VkCommandBuffer commands = beginCommands(device);
         if (indirect)
@@ -184,19 +187,23 @@ TEST_F(DeviceTest, DoesNotImportFromTheMiddleOfAPage) {
 
 TEST_F(DeviceTest, ChecksBindingsAndPushConstantsAgainstTheShader) {
     Buffer buffer = createBuffer(device, "words", 64, kTexels | kStorage);
-    Program program = createProgram(device, "scale_words", scale_words_spv, {3});
+    Program program = createProgram(device, "scale_words", scale_words_spv, {{kFactor, 3}});
     EXPECT_EQ(program.shader.push_bytes, sizeof(Push));
     ASSERT_EQ(program.shader.bindings.size(), 2u);
     EXPECT_EQ(program.shader.bindings[0].type, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER);
     EXPECT_EQ(program.shader.bindings[1].type, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    EXPECT_EQ(program.shader.bindings[1].slot, 3u);
+    EXPECT_EQ(program.shader.bindings[1].slot, kResult);
+    EXPECT_EQ(program.shader.constants, std::vector{kFactor});
+    EXPECT_THROW(createProgram(device, "scale_words", scale_words_spv), std::logic_error);
+    EXPECT_THROW(createProgram(device, "scale_words", scale_words_spv, {{gpu::SpecId{1}, 3}}), std::logic_error);
     VkDescriptorPool pool = createDescriptorPool(device, 4);
-    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}}), std::logic_error);
-    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}, {3, &buffer}}), std::logic_error)
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{kWords, &buffer}}), std::logic_error);
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{kWords, &buffer}, {kResult, &buffer}}), std::logic_error)
         << "binding 0 has no view";
     createTexelView(device, "words", buffer, VK_FORMAT_R32_UINT);
-    EXPECT_THROW(createDescriptorSet(device, pool, program, {{0, &buffer}, {2, &buffer}}), std::logic_error);
-    const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{0, &buffer}, {3, &buffer}});
+    EXPECT_THROW(createDescriptorSet(device, pool, program, {{kWords, &buffer}, {gpu::Binding{2}, &buffer}}),
+                 std::logic_error);
+    const VkDescriptorSet set = createDescriptorSet(device, pool, program, {{kWords, &buffer}, {kResult, &buffer}});
     EXPECT_THROW(recordDispatch(VK_NULL_HANDLE, program, set, {}, {}), std::logic_error);
     destroyDescriptorPool(device, pool);
     destroyProgram(device, program);

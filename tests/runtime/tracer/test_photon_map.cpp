@@ -15,6 +15,7 @@
 #include "runtime/tracer/photon_map.h"
 #include "runtime/util/vec.h"
 #include "shaders/photon_probe.spv.h"
+#include "tests/runtime/gpu/probe.h"
 
 namespace pointrt {
 namespace {
@@ -45,9 +46,8 @@ std::vector<gpu::vec4> ask(const PhotonMap& map, const std::vector<Probe>& probe
                         createBuffer(device, "answers", answers.size() * sizeof answers[0], kStorage)};
     Program program = createProgram(device, "photon probe", photon_probe_spv);
     VkDescriptorPool pool = createDescriptorPool(device, 1);
-    const VkDescriptorSet set =
-        createDescriptorSet(device, pool, program,
-                            {{0, &buffers[0]}, {1, &buffers[1]}, {2, &buffers[2]}, {3, &buffers[3]}, {4, &buffers[4]}});
+    const VkDescriptorSet set = createDescriptorSet(
+        device, pool, program, bindingsInOrder({&buffers[0], &buffers[1], &buffers[2], &buffers[3], &buffers[4]}));
     const VkCommandBuffer commands = beginCommands(device);
     recordDispatch(commands, program, set, {}, {static_cast<std::uint32_t>((probes.size() + 63) / 64), 1, 1});
     submitAndWait(device, commands);

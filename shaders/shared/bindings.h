@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where programs find their buffers: the numbers of GLSL's layout() and of C++'s descriptor sets, each written once.
+// Names matter most where reflection cannot help: swapped texel buffers of the same type look alike to it. No number of
+// a set stands for two things (tests/runtime/gpu/test_shader_interface.cpp), and C++ takes no bare one.
+#ifndef POINTRT_SHADERS_BINDINGS_H
+#define POINTRT_SHADERS_BINDINGS_H
+
+#ifdef __cplusplus
+#include <cstdint>
+namespace pointrt::gpu {
+enum class Binding : std::uint32_t {};
+}
+#define POINTRT_BINDING(number) (::pointrt::gpu::Binding{number})
+#else
+#define POINTRT_BINDING(number) number
+#endif
+
+// The descriptor set of further pages of a large instance's buffers; all else is in set 0.
+#define SET_PAGES 1
+
+// One instance's (runtime/device_scene/device_scan.cpp).
+#define BINDING_BRICK_WORDS POINTRT_BINDING(1)
+#define BINDING_LISTS POINTRT_BINDING(2)
+#define BINDING_SPLATS POINTRT_BINDING(3)
+#define BINDING_GRID_WORDS POINTRT_BINDING(4)
+#define BINDING_CELLS POINTRT_BINDING(14)
+#define BINDING_CELL_DISCS POINTRT_BINDING(15)
+#define BINDING_BLEND_RANGES POINTRT_BINDING(16)
+#define BINDING_SLABS POINTRT_BINDING(21)
+#define BINDING_INSTANCE POINTRT_BINDING(22)
+
+// The scene's (runtime/device_scene/device_scene.cpp).
+#define BINDING_MATERIALS POINTRT_BINDING(5)
+#define BINDING_SHAPES POINTRT_BINDING(23)
+#define BINDING_LIGHTS POINTRT_BINDING(24)
+#define BINDING_GGX_ALBEDO POINTRT_BINDING(28)
+#define BINDING_ENVIRONMENT_TEXELS POINTRT_BINDING(29)
+#define BINDING_ENVIRONMENT_CDF POINTRT_BINDING(30)
+
+// The frame's (runtime/tracer/frame_buffers.cpp); _TEXELS: the same buffer, for reading at random.
+#define BINDING_PARAMS POINTRT_BINDING(6)
+#define BINDING_CONTROL POINTRT_BINDING(7)
+#define BINDING_QUEUES POINTRT_BINDING(8)
+#define BINDING_QUEUES_TEXELS POINTRT_BINDING(18)
+#define BINDING_PATHS POINTRT_BINDING(9)
+#define BINDING_PATHS_TEXELS POINTRT_BINDING(17)
+#define BINDING_HITS POINTRT_BINDING(10)
+#define BINDING_LIGHT_QUERIES POINTRT_BINDING(11)
+#define BINDING_LIGHT_QUERIES_TEXELS POINTRT_BINDING(35)
+#define BINDING_FILM POINTRT_BINDING(12)
+#define BINDING_FIRST_HITS POINTRT_BINDING(13)
+#define BINDING_BEAMS POINTRT_BINDING(19)
+#define BINDING_BEAMS_TEXELS POINTRT_BINDING(20)
+#define BINDING_SURFACES POINTRT_BINDING(25)
+#define BINDING_SURFACES_TEXELS POINTRT_BINDING(34)
+#define BINDING_LIGHT_MASKS POINTRT_BINDING(26)
+#define BINDING_DEFERRED POINTRT_BINDING(27)
+
+// The photon map's (runtime/tracer/caustics.cpp).
+#define BINDING_PHOTON_TEXELS POINTRT_BINDING(31)
+#define BINDING_PHOTON_BUCKETS POINTRT_BINDING(32)
+#define BINDING_PHOTONS POINTRT_BINDING(33)
+
+// Pages after the first, in set SET_PAGES (runtime/gpu/paged_buffer.h).
+#define BINDING_BRICK_PAGES POINTRT_BINDING(0)
+#define BINDING_CELL_PAGES POINTRT_BINDING(1)
+#define BINDING_SLAB_PAGES POINTRT_BINDING(2)
+#define BINDING_DISC_PAGES POINTRT_BINDING(3)
+#define BINDING_LIST_PAGES POINTRT_BINDING(4)
+#define BINDING_BLEND_RANGE_PAGES POINTRT_BINDING(5)
+#define BINDING_SPLAT_PAGES POINTRT_BINDING(6)
+
+// The display pipeline's: from the film to colours and guides, and from colours to pixels.
+#define BINDING_RESOLVE_FILM POINTRT_BINDING(36)
+#define BINDING_RESOLVE_FIRST_HITS POINTRT_BINDING(37)
+#define BINDING_RESOLVE_COLORS POINTRT_BINDING(38)
+#define BINDING_RESOLVE_SURFACES POINTRT_BINDING(39)
+#define BINDING_RESOLVE_ALBEDOS POINTRT_BINDING(40)
+#define BINDING_TONEMAP_COLORS POINTRT_BINDING(41)
+#define BINDING_TONEMAP_PIXELS POINTRT_BINDING(42)
+
+// The denoiser's: what it is given, and what its passes hand on; _OUT: what they write.
+#define BINDING_DENOISE_COLORS POINTRT_BINDING(43)
+#define BINDING_DENOISE_GUIDES POINTRT_BINDING(44)
+#define BINDING_DENOISE_ALBEDOS POINTRT_BINDING(45)
+#define BINDING_DENOISE_LIGHT POINTRT_BINDING(46)
+#define BINDING_DENOISE_SURFACES POINTRT_BINDING(47)
+#define BINDING_DENOISE_SLOPES POINTRT_BINDING(48)
+#define BINDING_DENOISE_FACTORS POINTRT_BINDING(49)
+#define BINDING_DENOISE_LIGHT_OUT POINTRT_BINDING(50)
+#define BINDING_DENOISE_SURFACES_OUT POINTRT_BINDING(51)
+#define BINDING_DENOISE_SLOPES_OUT POINTRT_BINDING(52)
+#define BINDING_DENOISE_FACTORS_OUT POINTRT_BINDING(53)
+
+#endif

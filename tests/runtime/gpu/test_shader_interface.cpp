@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Host and shaders meet by the names of shaders/shared/bindings.h and spec_constants.h: what the viewer's programs
+// declare, read from their SPIR-V, is what stands there, no more and no less, and no number stands for two things.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "runtime/gpu/spirv.h"
+
+namespace pointrt {
+namespace {
+
+std::string textOf(const std::string& header) {
+    std::ifstream file(std::string(POINTRT_SHARED_HEADERS) + "/" + header);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The names that header defines as macro(number), by number. Fails where one has two.
+std::map<std::uint32_t, std::string> namesIn(const std::string& header, const std::string& name) {
+    const std::string text = textOf(header);
+    const std::regex line("#define (" + name + ") POINTRT_\\w+\\((\\d+)\\)\n");
+    std::map<std::uint32_t, std::string> names;
+    for (std::sregex_iterator found(text.begin(), text.end(), line), end; found != end; ++found) {
+        const auto [place, is_new] = names.emplace(std::stoul((*found)[2]), (*found)[1]);
+        EXPECT_TRUE(is_new) << (*found)[1] << " is " << place->second << " too";
+    }
+    EXPECT_FALSE(names.empty()) << header;
+    return names;
+}
+
+std::vector<std::uint32_t> wordsOf(const std::filesystem::path& path) {
+    std::vector<std::uint32_t> words(std::filesystem::file_size(path) / sizeof(std::uint32_t));
+    std::ifstream(path, std::ios::binary)
+        .read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(words.size() * sizeof words[0]));
+    return words;
+}
+
+/// What the viewer's compute programs declare, with the name of one that does.
+struct Declared {
+    std::map<std::uint32_t, std::string> bindings[2], constants;
+};
+
+Declared declaredByAll() {
+    Declared declared;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(POINTRT_PROGRAMS)) {
+        const std::string name = entry.path().stem().string();
+        if (entry.path().extension() != ".spv" || name.starts_with("ui_")) continue; // those draw
+        const ShaderInterface shader = reflectShader(wordsOf(entry.path()));
+        for (const ShaderBinding& each : shader.bindings)
+            declared.bindings[each.set].emplace(static_cast<std::uint32_t>(each.slot), name);
+        for (const gpu::SpecId id : shader.constants) declared.constants.emplace(static_cast<std::uint32_t>(id), name);
+    }
+    return declared;
+}
+
+void expectSame(const std::map<std::uint32_t, std::string>& names,
+                const std::map<std::uint32_t, std::string>& programs) {
+    for (const auto& [number, name] : names) EXPECT_TRUE(programs.contains(number)) << name << ": no program has it";
+    for (const auto& [number, program] : programs)
+        EXPECT_TRUE(names.contains(number)) << program << " declares " << number << ", which has no name";
+}
+
+TEST(ShaderInterface, BindingsHaveNamesAndNamesHaveBindings) {
+    const Declared declared = declaredByAll();
+    expectSame(namesIn("bindings.h", "BINDING_(?!\\w*_PAGES)\\w+"), declared.bindings[0]);
+    expectSame(namesIn("bindings.h", "BINDING_\\w+_PAGES"), declared.bindings[1]);
+}
+
+TEST(ShaderInterface, SpecializationConstantsHaveNamesAndNamesHaveConstants) {
+    expectSame(namesIn("spec_constants.h", "SPEC_\\w+"), declaredByAll().constants);
+}
+
+} // namespace
+} // namespace pointrt
