@@ -74,7 +74,8 @@ std::uint64_t deviceBytes(const BandTracer& tracer) {
 void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
               FilmPlace film) {
     gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
-    params.film = {film.pixels, film.first_pixel, 0, 0};
+    params.film_pixels = film.pixels;
+    params.film_first = film.first_pixel;
     params.caustics = tracer.caustics.frame;
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
 }
@@ -92,12 +93,12 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
     submitAndWait(device, commands);
     const gpu::Control control = readControl(device, tracer);
     // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
-    sample.done = control.queued.x + control.queued.y == 0;
+    sample.done = control.queued[0] + control.queued[1] == 0;
     if (!sample.done) return;
     // they are 32 bits wide on the device and start at 0 with each sample
-    counts.primary += control.traced.x;
-    counts.shadow += control.traced.y;
-    counts.secondary += control.traced.z;
+    counts.primary += control.primary_rays;
+    counts.shadow += control.shadow_rays;
+    counts.secondary += control.secondary_rays;
 }
 
 } // namespace pointrt

@@ -94,8 +94,8 @@ public:
         // pass 1 reads queue 1
         uploadBuffer(device_, buffers_.queues, queue.data(), count * sizeof queue[0], kBatch * sizeof queue[0]);
         gpu::Control control{};
-        control.queued.y = static_cast<std::uint32_t>(count);
-        control.ray_groups = {static_cast<std::uint32_t>((count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE), 1, 1, 0};
+        control.queued[1] = static_cast<std::uint32_t>(count);
+        control.ray_groups = {static_cast<std::uint32_t>((count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE), 1, 1};
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
         for (std::uint32_t pass = 1; pass <= kPhotonBounces + 1; ++pass) {
             // by themselves: a window that shares the queue goes on between them
@@ -120,9 +120,13 @@ private:
         for (const Instance& instance : scene_.instances) sets_.push_back(bind(instance));
         if (sets_.empty()) sets_.push_back(bind(scene_.blank));
         gpu::FrameParams params{};
-        params.image = {kBatchWidth, kBatchRows, 0, kBatchRows};
-        params.scene = {0, OPTION_BLEND, scene_.shape_count, NO_LIGHT};
-        params.mode = {INTEGRATOR_PATH, kPhotonBounces, 0, 0};
+        params.width = kBatchWidth;
+        params.height = params.rows = kBatchRows;
+        params.options = OPTION_BLEND;
+        params.shape_count = scene_.shape_count;
+        params.sky_light = NO_LIGHT;
+        params.integrator = INTEGRATOR_PATH;
+        params.bounces = kPhotonBounces;
         setReach(scene_, params);
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
@@ -134,12 +138,12 @@ private:
     void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
         const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
         const auto run = [&](const Program& program, const DescriptorSets& sets, std::size_t groups) {
-            const gpu::PushParams push{{batch, 0, 0, queue}};
+            const gpu::PushParams push{batch, 0, queue, 0};
             recordDispatchIndirect(commands, program, sets, pushBytes(push), buffers_.control, groups);
             recordBarrier(commands);
         };
         const auto prepare = [&](std::uint32_t bits) {
-            const gpu::PushParams push{{batch, 0, 0, queue | bits}};
+            const gpu::PushParams push{batch, 0, queue | bits, 0};
             recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
             recordBarrier(commands);
         };

@@ -34,7 +34,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
                               VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
         buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
         buffers.surfaces =
-            texels("surface buffer", lanes * sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT, kRead);
+            texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
         buffers.light_queries =
             texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
         buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));

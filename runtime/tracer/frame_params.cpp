@@ -13,9 +13,11 @@ namespace pointrt {
 
 namespace {
 
-gpu::vec4 pack(Color color, float strength, float w = 0) {
-    return {color[0] * strength, color[1] * strength, color[2] * strength, w};
+gpu::vec3 scaled(Color color, float strength) {
+    return {color[0] * strength, color[1] * strength, color[2] * strength};
 }
+
+gpu::vec3 packed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 std::uint32_t optionBits(const RenderSettings& settings) {
     return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u);
@@ -23,9 +25,10 @@ std::uint32_t optionBits(const RenderSettings& settings) {
 
 /// A sky image lights the scene as a light does, with shadows: nothing of it is taken as ambient.
 void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
-    params.sky_zenith = pack(sky.zenith, sky.strength, sky.image.empty() ? sky.ambient : 0.0f);
-    params.sky_horizon = pack(sky.horizon, sky.strength);
-    params.sky_ground = pack(sky.ground, sky.strength);
+    params.sky_zenith = scaled(sky.zenith, sky.strength);
+    params.ambient_share = sky.image.empty() ? sky.ambient : 0.0f;
+    params.sky_horizon = scaled(sky.horizon, sky.strength);
+    params.sky_ground = scaled(sky.ground, sky.strength);
 }
 
 /// Of what rays go through and of the window that they start in: one of them is 0 (shaders/frame/camera_ray.glsl).
@@ -83,8 +86,8 @@ void setReach(const DeviceScene& scene, gpu::FrameParams& params) {
         }
     const float margin =
         scene.instances.empty() ? 0 : kReachMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    params.reach_low = {low[0] - margin, low[1] - margin, low[2] - margin, 0};
-    params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin, 0};
+    params.reach_low = {low[0] - margin, low[1] - margin, low[2] - margin};
+    params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin};
 }
 
 gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
@@ -94,18 +97,29 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     const double radius = 0.5 * length(scene.bounds.hi - scene.bounds.lo);
     gpu::FrameParams params{};
     const HalfHeights half = halfHeights(camera);
-    params.eye = pack(renderPoint(space, camera.eye), half.at_distance_1);
-    params.right = pack(camera.right, static_cast<double>(settings.width) / settings.height);
-    params.up = pack(camera.up, half.window / space.scale);
-    params.forward = pack(camera.forward);
+    params.eye = packed(renderPoint(space, camera.eye));
+    params.tan_half_fov = static_cast<float>(half.at_distance_1);
+    params.right = packed(camera.right);
+    params.aspect = static_cast<float>(static_cast<double>(settings.width) / settings.height);
+    params.up = packed(camera.up);
+    params.half_window = static_cast<float>(half.window / space.scale);
+    params.forward = packed(camera.forward);
     setSky(scene.description.sky.value_or(SkyDescription{}), params);
-    params.sky_up = pack(sceneUp(scene.description, settings), (length(camera.eye - center) + radius) / space.scale);
-    params.image = {settings.width, settings.height, first_row, rows};
-    params.scene = {static_cast<std::uint32_t>(scene.light_rows.size()), optionBits(settings), scene.shape_count,
-                    scene.sky_light};
+    params.sky_up = packed(sceneUp(scene.description, settings));
+    params.depth_black = static_cast<float>((length(camera.eye - center) + radius) / space.scale);
+    params.width = settings.width;
+    params.height = settings.height;
+    params.first_row = first_row;
+    params.rows = rows;
+    params.light_count = static_cast<std::uint32_t>(scene.light_rows.size());
+    params.options = optionBits(settings);
+    params.shape_count = scene.shape_count;
+    params.sky_light = scene.sky_light;
     params.environment = scene.environment;
-    params.film = {settings.width * rows, 0, 0, 0};
-    params.mode = {static_cast<std::uint32_t>(settings.integrator), settings.bounces, 0, settings.seed};
+    params.film_pixels = settings.width * rows;
+    params.integrator = static_cast<std::uint32_t>(settings.integrator);
+    params.bounces = settings.bounces;
+    params.seed = settings.seed;
     setReach(scene, params);
     return params;
 }

@@ -151,14 +151,15 @@ double pairFlux(const gpu::Light& light, const PhotonTarget& target, RenderSpher
 }
 
 gpu::PathState pathOf(const Emitted& photon, const gpu::Light& light, double scale, std::uint32_t code) {
-    const auto pack = [](Vec3 v, float w) {
-        return gpu::vec4{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), w};
+    const auto pack = [](Vec3 v) {
+        return gpu::vec3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
     gpu::PathState path{};
-    path.origin = pack(photon.origin, 0);
-    path.direction = pack(photon.direction, std::bit_cast<float>(code));
-    path.throughput = pack(photon.share * scale * vec(light.power), 0);
-    path.left_normal.w = std::bit_cast<float>(NO_OWNER << PATH_OWNER_SHIFT);
+    path.origin = pack(photon.origin);
+    path.direction = pack(photon.direction);
+    path.throughput = pack(photon.share * scale * vec(light.power));
+    path.target = code;
+    path.bits = NO_OWNER << PATH_OWNER_SHIFT;
     return path;
 }
 

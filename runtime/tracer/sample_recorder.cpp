@@ -87,14 +87,14 @@ void SampleRecorder::prepare(std::uint32_t bits) { record(tracer_.programs.prepa
 
 void SampleRecorder::record(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
                             std::uint32_t groups) {
-    const gpu::PushParams params{{sample_, first_turn_, 0, bits | preview_}};
+    const gpu::PushParams params{sample_, first_turn_, bits | preview_, 0};
     recordDispatch(commands_, program, sets, pushBytes(params), {groups, 1, 1});
     recordBarrier(commands_);
 }
 
 void SampleRecorder::recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
                                     std::size_t offset) {
-    const gpu::PushParams params{{sample_, first_turn_, 0, bits | preview_}};
+    const gpu::PushParams params{sample_, first_turn_, bits | preview_, 0};
     recordDispatchIndirect(commands_, program, sets, pushBytes(params), tracer_.buffers.control, offset);
     recordBarrier(commands_);
 }

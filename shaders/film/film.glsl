@@ -5,7 +5,7 @@
 #include "shaders/frame/path.glsl"
 #include "shaders/math/color.glsl"
 
-uint filmIndex(uint path, uint layer) { return layer * params.film.x + params.film.y + bandPixel(path); }
+uint filmIndex(uint path, uint layer) { return layer * params.film_pixels + params.film_first + bandPixel(path); }
 
 // Adds light that was scattered this many times on its way from its source to the pixel. Each word that is read or
 // written takes its time: black costs none.

@@ -18,7 +18,7 @@ layout(std430, binding = BINDING_RESOLVE_COLORS) writeonly buffer ColorBuffer { 
 layout(std430, binding = BINDING_RESOLVE_SURFACES) writeonly buffer SurfaceBuffer { vec4 surfaces[]; }; // normal, depth
 layout(std430, binding = BINDING_RESOLVE_ALBEDOS) writeonly buffer AlbedoBuffer { vec4 albedos[]; }; // w: variance of the mean
 
-vec4 layer(uint pixel, uint which) { return film[which * push.range.z + pixel]; }
+vec4 layer(uint pixel, uint which) { return film[which * push.film_pixels + pixel]; }
 
 // Of the mean of the samples with this sum and this sum of squares.
 float varianceOfMean(float sum, float squares, float samples) {
@@ -27,11 +27,11 @@ float varianceOfMean(float sum, float squares, float samples) {
 }
 
 vec3 shownOf(uint shown, vec3 beauty, vec4 direct, vec4 indirect, vec4 caustic, vec4 albedo, vec4 hit, float variance) {
-    float share = push.scale.x;
+    float share = push.share;
     bool is_hit = hit.w >= 0.0;
     if (shown == SHOWN_ALBEDO) return albedo.rgb * share;
     if (shown == SHOWN_NORMAL) return is_hit ? 0.5 + 0.5 * hit.xyz : vec3(0.0);
-    if (shown == SHOWN_DEPTH) return vec3(is_hit ? max(1.0 - hit.w / push.scale.w, 0.0) : 0.0);
+    if (shown == SHOWN_DEPTH) return vec3(is_hit ? max(1.0 - hit.w / push.depth_black, 0.0) : 0.0);
     if (shown == SHOWN_DIRECT) return direct.rgb * share;
     if (shown == SHOWN_INDIRECT) return indirect.rgb * share;
     if (shown == SHOWN_CAUSTIC) return caustic.rgb * share;
@@ -41,9 +41,9 @@ vec3 shownOf(uint shown, vec3 beauty, vec4 direct, vec4 indirect, vec4 caustic, 
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.range.y) return;
-    uint pixel = push.range.x + gl_GlobalInvocationID.x;
-    float share = push.scale.x, samples = push.scale.y;
+    if (gl_GlobalInvocationID.x >= push.count) return;
+    uint pixel = push.first + gl_GlobalInvocationID.x;
+    float share = push.share, samples = push.samples;
     vec4 direct = layer(pixel, LAYER_DIRECT), indirect = layer(pixel, LAYER_INDIRECT),
          caustic = layer(pixel, LAYER_CAUSTIC), albedo = layer(pixel, LAYER_ALBEDO);
     vec3 sum = direct.rgb + indirect.rgb + caustic.rgb;
@@ -54,8 +54,8 @@ void main() {
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
     // what the scene does not cover is a backdrop, whose shadows are as noisy as any
     float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
-    colors[pixel] = vec4(shownOf(push.range.w, sum * share, direct, indirect, caustic, albedo, hit, variance), alpha);
+    colors[pixel] = vec4(shownOf(push.shown, sum * share, direct, indirect, caustic, albedo, hit, variance), alpha);
     if (HAS_FIRST_HITS == 0u) return;
-    surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale.z);
+    surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale);
     albedos[pixel] = vec4(albedo.rgb * share, variance);
 }

@@ -34,11 +34,11 @@ vec3 encodeSrgb(vec3 linear) {
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.range.y) return;
-    uint pixel = push.range.x + gl_GlobalInvocationID.x;
-    vec3 color = texelFetch(colors, int(pixel)).rgb * push.look.x;
+    if (gl_GlobalInvocationID.x >= push.count) return;
+    uint pixel = push.first + gl_GlobalInvocationID.x;
+    vec3 color = texelFetch(colors, int(pixel)).rgb * push.gain;
     color = vec3(cleanChannel(color.r), cleanChannel(color.g), cleanChannel(color.b));
-    vec3 encoded = push.look.y != 0.0 ? encodeSrgb(toneMap(color)) : clamp(color, 0.0, 1.0);
+    vec3 encoded = push.is_light != 0u ? encodeSrgb(toneMap(color)) : clamp(color, 0.0, 1.0);
     uvec3 bytes = uvec3(encoded * 255.0 + 0.5);
     pixels[pixel] = bytes.b | bytes.g << 8 | bytes.r << 16 | 0xFF000000u;
 }

@@ -9,9 +9,9 @@
 #define APPEND_HIT 3u
 
 uint addToCount(uint list, uint more) {
-    if (list == APPEND_LIGHT_QUERY) return atomicAdd(control.queued.z, more);
-    if (list == APPEND_ASKED) return atomicAdd(control.appended.x, more);
-    if (list == APPEND_HIT) return atomicAdd(control.appended.y, more);
+    if (list == APPEND_LIGHT_QUERY) return atomicAdd(control.light_queries_appended, more);
+    if (list == APPEND_ASKED) return atomicAdd(control.asked_appended, more);
+    if (list == APPEND_HIT) return atomicAdd(control.hits_appended, more);
     return atomicAdd(control.queued[hasStep(STEP_QUEUE_ONE) ? 0 : 1], more);
 }
 

@@ -50,7 +50,7 @@ layout(binding = BINDING_QUEUES_TEXELS) uniform usamplerBuffer queue_words; // o
 // of each tile: its rays' free distance
 layout(std430, binding = BINDING_BEAMS) buffer BeamBuffer { float beams[]; };
 layout(binding = BINDING_BEAMS_TEXELS) uniform samplerBuffer beam_texels; // of beams
-layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfacePoint surfaces[]; };
+layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfaceInteraction surfaces[]; };
 // bit l: light l does not reach it
 layout(std430, binding = BINDING_LIGHT_MASKS) buffer ShadowBuffer { uint light_masks[]; };
 layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
@@ -83,16 +83,16 @@ layout(push_constant) uniform Push { PushParams push; };
 #define PATH_DIRECTION 1
 #define PATH_THROUGHPUT 2
 #define PATH_LEFT_NORMAL 3
-#define loadPathTexel(path, member) uintBitsToFloat(texelFetch(path_texels, int(path) * 4 + (member)))
+#define loadPathTexel(path, member) texelFetch(path_texels, int(path) * PATH_VECTORS + (member))
 #define loadQueue(i) texelFetch(queue_words, int(i)).x
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
-#define loadSurfaceTexel(path, member) \
-    uintBitsToFloat(texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member)))
-#define loadLightQueryTexel(path, member) \
-    uintBitsToFloat(texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member)))
+#define loadSurfaceTexel(path, member) texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member))
+#define loadLightQueryTexel(path, member) texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member))
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
 // Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.
+float asFloat(uint word) { return uintBitsToFloat(word); }
+vec3 asVector(uvec4 words) { return uintBitsToFloat(words.xyz); }
 vec4 materialVector(int i) { return uintBitsToFloat(texelFetch(material_texels, i)); }
 vec4 shapeVector(int i) { return uintBitsToFloat(texelFetch(shape_texels, i)); }
 vec4 lightVector(int i) { return uintBitsToFloat(texelFetch(light_texels, i)); }
@@ -114,14 +114,14 @@ Light loadLight(uint index) {
     return Light(lightVector(i), lightVector(i + 1), lightVector(i + 2), lightVector(i + 3), lightVector(i + 4));
 }
 
-bool hasOption(uint option) { return (params.scene.y & option) != 0u; }
+bool hasOption(uint option) { return (params.options & option) != 0u; }
 // A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a
 // constant and makes the program anew, for milliseconds, at each dispatch.
 uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
-bool hasStep(uint bit) { return (push.step.w & bit) != 0u; }
+bool hasStep(uint bit) { return (push.step & bit) != 0u; }
 // Lanes of a sample: the band in tiles, the last ones padded.
-uint tilesAcross() { return (params.image.x + TILE_SIDE - 1u) / TILE_SIDE; }
-uint bandTiles() { return tilesAcross() * ((params.image.w + TILE_SIDE - 1u) / TILE_SIDE); }
+uint tilesAcross() { return (params.width + TILE_SIDE - 1u) / TILE_SIDE; }
+uint bandTiles() { return tilesAcross() * ((params.rows + TILE_SIDE - 1u) / TILE_SIDE); }
 uint bandLanes() { return bandTiles() * TILE_PIXELS; }
 uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint lightQueueStart() { return 2u * bandLanes(); }

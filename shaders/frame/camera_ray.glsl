@@ -18,15 +18,15 @@ uvec2 tilePixel(uint tile, uint lane) {
 // Whether the lane has a pixel: some tiles reach beyond the band's borders.
 bool isPixel(uint lane) {
     uvec2 pixel = tilePixel(lane / TILE_PIXELS, lane % TILE_PIXELS);
-    return lane < bandLanes() && pixel.x < params.image.x && pixel.y < params.image.w;
+    return lane < bandLanes() && pixel.x < params.width && pixel.y < params.rows;
 }
 
 // R2 sequence (Roberts 2018): steps of 1/p and 1/p^2 for the plastic number p in units of 2^-32, so that late samples
 // lose no bits; shifted per pixel.
 vec2 samplePosition(uint pixel) {
     if (hasStep(STEP_CENTER)) return vec2(0.5);
-    uvec2 steps = push.step.x * uvec2(0xC13FA9A9u, 0x91E10DA6u);
-    uvec2 shift = pcg3(uvec3(pixel, 0u, params.mode.w * 0x9E3779B9u)).xy;
+    uvec2 steps = push.sample_index * uvec2(0xC13FA9A9u, 0x91E10DA6u);
+    uvec2 shift = pcg3(uvec3(pixel, 0u, params.seed * 0x9E3779B9u)).xy;
     return fract(vec2(shift >> 8u) * (1.0 / 16777216.0) + vec2(steps >> 8u) * (1.0 / 16777216.0));
 }
 
@@ -36,26 +36,26 @@ struct CameraRay {
 };
 
 // The corner of a pixel of the band in the picture. In integers: a picture's rays are the same in whatever bands.
-vec2 pixelCorner(uvec2 pixel) { return vec2(pixel.x, pixel.y + params.image.z); }
+vec2 pixelCorner(uvec2 pixel) { return vec2(pixel.x, pixel.y + params.first_row); }
 
 // Where a place of the picture, in pixels, is in a window so high, to the right and up from its middle.
 vec2 onPlane(vec2 place, float half_height) {
-    vec2 at = place / vec2(params.image.xy);
-    return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * half_height * vec2(params.right.w, 1.0);
+    vec2 at = place / vec2(params.width, params.height);
+    return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * half_height * vec2(params.aspect, 1.0);
 }
 
-vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right.xyz + plane.y * params.up.xyz; }
+vec3 displaced(vec3 middle, vec2 plane) { return middle + plane.x * params.right + plane.y * params.up; }
 
 // One formula for both projections: rays of a pinhole spread over the plane at distance 1 and start in a window without
 // extent, those of a parallel projection the other way round.
 CameraRay rayThrough(vec2 place) {
-    return CameraRay(displaced(params.eye.xyz, onPlane(place, params.up.w)),
-                     normalize(displaced(params.forward.xyz, onPlane(place, params.eye.w))));
+    return CameraRay(displaced(params.eye, onPlane(place, params.half_window)),
+                     normalize(displaced(params.forward, onPlane(place, params.tan_half_fov))));
 }
 
 // This sample's ray through a pixel of the band.
 CameraRay cameraRay(uvec2 pixel) {
-    return rayThrough(pixelCorner(pixel) + samplePosition((pixel.y + params.image.z) * params.image.x + pixel.x));
+    return rayThrough(pixelCorner(pixel) + samplePosition((pixel.y + params.first_row) * params.width + pixel.x));
 }
 
 #endif

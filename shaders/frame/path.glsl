@@ -14,13 +14,14 @@ uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PI
 
 PathState cameraPath(uint index) {
     CameraRay ray = cameraRay(pathPixel(index));
-    return PathState(vec4(ray.origin, 0.0), vec4(ray.direction, 0.0), vec4(1.0),
-                     vec4(vec3(0.0), uintBitsToFloat(NO_OWNER << PATH_OWNER_SHIFT)));
+    return PathState(ray.origin, 0.0, ray.direction, 0.0, vec3(1.0), 0u, vec3(0.0), NO_OWNER << PATH_OWNER_SHIFT);
 }
 
 PathState storedPath(uint index) {
-    return PathState(loadPathTexel(index, PATH_ORIGIN), loadPathTexel(index, PATH_DIRECTION),
-                     loadPathTexel(index, PATH_THROUGHPUT), loadPathTexel(index, PATH_LEFT_NORMAL));
+    uvec4 origin = loadPathTexel(index, PATH_ORIGIN), direction = loadPathTexel(index, PATH_DIRECTION),
+          throughput = loadPathTexel(index, PATH_THROUGHPUT), left = loadPathTexel(index, PATH_LEFT_NORMAL);
+    return PathState(asVector(origin), asFloat(origin.w), asVector(direction), asFloat(direction.w), asVector(throughput),
+                     throughput.w, asVector(left), left.w);
 }
 
 PathState pathOf(uint index) {
@@ -35,15 +36,14 @@ PathState currentPath(out uint index) {
     return pathOf(index != NO_INDEX ? index : 0u);
 }
 
-uint pathBits(PathState path) { return floatBitsToUint(path.left_normal.w); }
 uint bounceOf(uint bits) { return bits & PATH_BOUNCE_MASK; }
 
 // The path's pixel in the band, and in the whole image.
 uint bandPixel(uint path) {
     uvec2 pixel = pathPixel(path);
-    return pixel.y * params.image.x + pixel.x;
+    return pixel.y * params.width + pixel.x;
 }
-uint imagePixel(uint path) { return bandPixel(path) + params.image.z * params.image.x; }
+uint imagePixel(uint path) { return bandPixel(path) + params.first_row * params.width; }
 
 // Dimensions of the sample sequence, in pairs: a pixel's place, then these for each bounce.
 #define DIMENSIONS_A_BOUNCE 4u

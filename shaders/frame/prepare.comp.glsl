@@ -7,36 +7,52 @@
 
 layout(local_size_x = 1) in;
 
-uvec4 groupsFor(uint lanes) { return uvec4((lanes + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE, 1u, 1u, 0u); }
+uvec3 groupsFor(uint lanes) { return uvec3((lanes + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE, 1u, 1u); }
+
+void reset() {
+    control.queued[0] = 0u;
+    control.queued[1] = 0u;
+    control.light_queries_appended = 0u;
+    control.light_query_count = 0u;
+    control.ray_groups = groupsFor(bandLanes());
+    control.tile_groups = groupsFor(0u);
+    control.tile_count = 0u;
+    control.light_groups = groupsFor(0u);
+    control.asked_groups = groupsFor(0u);
+    control.asked_count = 0u;
+    control.hit_groups = groupsFor(0u);
+    control.hit_count = 0u;
+    control.asked_appended = 0u;
+    control.hits_appended = 0u;
+    control.primary_rays = params.width * params.rows;
+    control.shadow_rays = 0u;
+    control.secondary_rays = 0u;
+}
+
+// The queue just shaded is empty again; the other holds the next rays.
+void takeNextQueue() {
+    bool second = hasStep(STEP_QUEUE_ONE);
+    uint next = control.queued[second ? 0 : 1], queries = control.light_queries_appended;
+    control.secondary_rays += next;
+    control.queued[second ? 1 : 0] = 0u;
+    control.light_queries_appended = 0u;
+    control.light_query_count = queries;
+    control.ray_groups = groupsFor(next);
+    control.light_groups = groupsFor(queries);
+}
 
 void main() {
     if (hasStep(STEP_RESET)) {
-        control.queued = uvec4(0u);
-        control.ray_groups = groupsFor(bandLanes());
-        control.tile_groups = uvec4(0u, 1u, 1u, 0u);
-        control.light_groups = groupsFor(0u);
-        control.asked_groups = groupsFor(0u);
-        control.hit_groups = groupsFor(0u);
-        control.appended = uvec4(0u);
-        control.traced = uvec4(params.image.x * params.image.w, 0u, 0u, 0u);
-        return;
+        reset();
+    } else if (hasStep(STEP_ASKED)) {
+        control.asked_groups = groupsFor(control.asked_appended);
+        control.asked_count = control.asked_appended;
+        control.asked_appended = 0u;
+    } else if (hasStep(STEP_HITS)) {
+        control.hit_groups = groupsFor(control.hits_appended);
+        control.hit_count = control.hits_appended;
+        control.hits_appended = 0u;
+    } else {
+        takeNextQueue();
     }
-    if (hasStep(STEP_ASKED)) {
-        control.asked_groups = uvec4(groupsFor(control.appended.x).xyz, control.appended.x);
-        control.appended.x = 0u;
-        return;
-    }
-    if (hasStep(STEP_HITS)) {
-        control.hit_groups = uvec4(groupsFor(control.appended.y).xyz, control.appended.y);
-        control.appended.y = 0u;
-        return;
-    }
-    // the queue just shaded is empty again; the other holds the next rays
-    bool second = hasStep(STEP_QUEUE_ONE);
-    uint next = second ? control.queued.x : control.queued.y;
-    uint lit = control.queued.z;
-    control.traced.z += next;
-    control.queued = uvec4(second ? next : 0u, second ? 0u : next, 0u, lit);
-    control.ray_groups = groupsFor(next);
-    control.light_groups = groupsFor(lit);
 }

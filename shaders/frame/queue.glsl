@@ -27,7 +27,7 @@ uint queuedIndex(uint lane) {
 
 // The lane's entry in the list of rays for instances, or NO_INDEX.
 uint askedEntry(uint lane) {
-    return lane < control.asked_groups.w ? loadQueue(askedListStart() + lane) : NO_INDEX;
+    return lane < control.asked_count ? loadQueue(askedListStart() + lane) : NO_INDEX;
 }
 
 #endif

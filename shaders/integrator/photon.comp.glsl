@@ -16,8 +16,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 // Photons are sent to one thing each. What else they meet on the way they are sent to as well, apart.
 bool meetsTarget(PathState path, SurfaceInteraction point) {
-    uint target = point.owner | (point.owner == OWNER_SHAPES ? point.splat << PHOTON_SHAPE_SHIFT : 0u);
-    return floatBitsToUint(path.direction.w) == target;
+    uint target = point.owner | (point.owner == OWNER_SHAPES ? point.primitive << PHOTON_SHAPE_SHIFT : 0u);
+    return path.target == target;
 }
 
 void main() {
@@ -27,14 +27,15 @@ void main() {
     index = live ? index : 0u;
     uvec4 hit = live ? loadHit(index) : kNoHit;
     SurfaceInteraction point = findInteraction(index, path, hit);
-    uint bits = pathBits(path), bounce = bounceOf(bits);
-    point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
-    Material row = loadMaterial(point.material);
-    vec3 normal = point.normal, way_back = -path.direction.xyz;
-    SurfaceMaterial matter = surfaceMaterial(row, point.albedo, point.back, dot(normal, way_back));
-    vec3 flux = path.throughput.rgb * (point.back ? transmittance(row, point.t) : vec3(1.0));
+    uint bits = path.bits, bounce = bounceOf(bits);
+    settleSides(point, path);
+    bool back = isBack(point);
+    Material row = loadMaterial(materialOf(point));
+    vec3 normal = point.normal, way_back = -path.direction;
+    SurfaceMaterial matter = surfaceMaterial(row, point.albedo, back, dot(normal, way_back));
+    vec3 flux = path.throughput * (back ? transmittance(row, point.t) : vec3(1.0));
 
-    float u = sample1(index, push.step.x, bounce, params.mode.w);
+    float u = sample1(index, push.sample_index, bounce, params.seed);
     bool reflects = u < matter.reflect_chance, refracts = !reflects && u < matter.reflect_chance + matter.refract_chance;
     bool met = live && point.t >= 0.0 && (bounce > 0u || meetsTarget(path, point));
     bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(matter);
@@ -46,6 +47,6 @@ void main() {
     float boundary = matter.thin ? 1.0 : matter.eta * matter.eta;
     NextRay ray = NextRay(refracts ? refractedWay(matter, normal, way_back) : reflect(-way_back, normal),
                           flux * (refracts ? matter.albedo * boundary : matter.reflect_tint), 0.0);
-    bool goes_on = met && (reflects || refracts) && bounce < params.mode.y && largest(ray.weight) > 0.0;
+    bool goes_on = met && (reflects || refracts) && bounce < params.bounces && largest(ray.weight) > 0.0;
     appendRay(goes_on, index, pathAfter(point, path, ray, 0u));
 }

@@ -22,15 +22,13 @@ const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && kIntegrator != INTEGRA
 void appendLightQuery(bool wants, uint index, SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
     appendEntry(APPEND_LIGHT_QUERY, wants, index);
     if (!wants) return;
-    light_queries[index] =
-        DirectLightQuery(vec4(point.position, point.radius), vec4(point.normal, uintBitsToFloat(point.material)),
-                         vec4(point.albedo, uintBitsToFloat(point.owner)), vec4(weight, uintBitsToFloat(bounce)),
-                         vec4(view, point.back ? -1.0 : 1.0));
+    light_queries[index] = DirectLightQuery(point.position, point.radius, point.normal, materialOf(point), point.albedo,
+                                            point.owner, weight, bounce, view, isBack(point) ? -1.0 : 1.0);
 }
 
 // Of two rays one is followed and the other waits; where no more can wait, chance takes one of them for both.
 NextRay followed(Shading shading, uint bounce, uint index, uint waiting, out bool defers) {
-    float u = sample2(imagePixel(index), push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w).y;
+    float u = sample2(imagePixel(index), push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed).y;
     float first = luminance(shading.first.weight), second = luminance(shading.second.weight);
     bool both = first > 0.0 && second > 0.0;
     defers = both && waiting < MAX_DEFERRED;
@@ -47,20 +45,20 @@ NextRay followed(Shading shading, uint bounce, uint index, uint waiting, out boo
 
 // The scene itself is what covers a pixel.
 bool covers(SurfaceInteraction point) {
-    bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.splat).kind.z & SHAPE_BACKDROP) != 0u;
+    bool backdrop = point.owner == OWNER_SHAPES && (loadShape(point.primitive).kind.z & SHAPE_BACKDROP) != 0u;
     return point.t >= 0.0 && !backdrop;
 }
 
 Shading shadeAny(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint index) {
     if (kIntegrator == INTEGRATOR_NORMAL || kIntegrator == INTEGRATOR_DEPTH) return shadeView(point);
     if (kIntegrator == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
-    uint pair = dimensionPair(bounceOf(pathBits(path)), PAIR_DIRECTION);
-    return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.step.x, pair, params.mode.w));
+    uint pair = dimensionPair(bounceOf(path.bits), PAIR_DIRECTION);
+    return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.sample_index, pair, params.seed));
 }
 
 // Queues the path's next ray: of two the other one waits, and where there is none, the last that waited is taken up.
 void goOn(PathState path, SurfaceInteraction point, Shading shading, uint index, bool live) {
-    uint bits = pathBits(path), bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
+    uint bits = path.bits, bounce = bounceOf(bits), waiting = bits >> PATH_DEFERRED_SHIFT & PATH_DEFERRED_MASK;
     bool defers = false;
     NextRay next = kMayDefer ? followed(shading, bounce, index, waiting, defers) : shading.first;
     bool goes_on = live && largest(next.weight) > 0.0, resumes = kMayDefer && live && !goes_on && waiting > 0u;
@@ -77,19 +75,20 @@ void main() {
     index = live ? index : 0u; // idle lanes work along: the appends below need the whole subgroup
     uvec4 hit = live ? loadHit(index) : kNoHit;
     SurfaceInteraction point = findInteraction(index, path, hit);
-    uint bits = pathBits(path), bounce = bounceOf(bits);
+    uint bits = path.bits, bounce = bounceOf(bits);
     bool covered = covers(point);
     vec3 albedo = covered ? point.albedo : vec3(0.0);
     // glass is left where the surface is met from behind; where normals do not tell, every second time
-    point.back = point.sided ? point.back : (bits & PATH_INSIDE) != 0u;
-    Material row = loadMaterial(point.material);
-    SurfaceMaterial matter = matterOf(row, point.albedo, point.back, -dot(point.normal, path.direction.xyz));
-    path.throughput.rgb *= point.back ? transmittance(row, point.t) : vec3(1.0);
+    settleSides(point, path);
+    bool back = isBack(point);
+    Material row = loadMaterial(materialOf(point));
+    SurfaceMaterial matter = matterOf(row, point.albedo, back, -dot(point.normal, path.direction));
+    path.throughput *= back ? transmittance(row, point.t) : vec3(1.0);
     Shading shading = shadeAny(path, point, row, matter, index);
-    if (live && kCameraPass) beginSample(index, push.step.x == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
+    if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
     if (live && !kCameraPass) addLight(index, shading.added, bounce);
-    appendLightQuery(live && largest(shading.direct_weight) > 0.0 && params.scene.x > 0u, index, point,
-                     -path.direction.xyz, shading.direct_weight, bounce);
+    appendLightQuery(live && largest(shading.direct_weight) > 0.0 && params.light_count > 0u, index, point,
+                     -path.direction, shading.direct_weight, bounce);
 
     if (mayGoOn()) goOn(path, point, shading, index, live);
 }

@@ -16,11 +16,11 @@ NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 a
 
 // u: two numbers in [0, 1).
 Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, vec2 u) {
-    vec3 throughput = path.throughput.rgb, view = -path.direction.xyz;
+    vec3 throughput = path.throughput, view = -path.direction;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     SpecularPair pair = specularPair(matter, point.normal, view);
     vec3 added = throughput * (row.emission.rgb + smoothAlbedo(matter) * ambientLight(point.normal));
-    bool last = bounceOf(pathBits(path)) >= ofLane(params.mode.y);
+    bool last = bounceOf(path.bits) >= ofLane(params.bounces);
     NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
     NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
     return Shading(added, hasSmoothLobe(matter) ? throughput : vec3(0.0), reflected, refracted);

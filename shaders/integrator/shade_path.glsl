@@ -12,10 +12,10 @@ const uint kFirstRoulette = 3u;
 // What the lamp asks for directly is left out of what a scattered ray finds of it.
 vec3 emissionSeen(PathState path, Material row) {
     uint light = floatBitsToUint(row.emission.w);
-    float scatter_pdf = path.direction.w;
-    if (light != NO_LIGHT && (pathBits(path) & PATH_CAUSTIC) != 0u) return vec3(0.0);
+    float scatter_pdf = path.pdf;
+    if (light != NO_LIGHT && (path.bits & PATH_CAUSTIC) != 0u) return vec3(0.0);
     if (light == NO_LIGHT || scatter_pdf == 0.0) return row.emission.rgb;
-    float light_pdf = lightPdf(loadLight(light), path.origin.xyz, path.direction.xyz) / float(params.scene.x);
+    float light_pdf = lightPdf(loadLight(light), path.origin, path.direction) / float(params.light_count);
     return row.emission.rgb * (scatter_pdf / (scatter_pdf + light_pdf));
 }
 
@@ -26,14 +26,14 @@ vec3 roulette(vec3 throughput, uint bounce, float u) {
 }
 
 Shading shadePath(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
-    vec3 throughput = path.throughput.rgb, view = -path.direction.xyz;
+    vec3 throughput = path.throughput, view = -path.direction;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
-    uint bounce = bounceOf(pathBits(path));
+    uint bounce = bounceOf(path.bits);
     vec3 added = throughput * emissionSeen(path, row);
-    vec2 u = sample2(pixel, push.step.x, dimensionPair(bounce, PAIR_DIRECTION), params.mode.w);
-    vec2 choices = sample2(pixel, push.step.x, dimensionPair(bounce, PAIR_CHOICES), params.mode.w);
+    vec2 u = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_DIRECTION), params.seed);
+    vec2 choices = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed);
     Scattering scattered = sampleBsdf(matter, point.normal, view, vec3(u, choices.x));
-    bool last = bounce >= ofLane(params.mode.y);
+    bool last = bounce >= ofLane(params.bounces);
     vec3 weight = last ? vec3(0.0) : roulette(throughput * scattered.weight, bounce, choices.y);
     vec3 lit = hasSmoothLobe(matter) ? throughput : vec3(0.0);
     return Shading(added, lit, NextRay(scattered.direction, weight, scattered.pdf), noRay());

@@ -25,7 +25,7 @@ Shading shadeView(SurfaceInteraction point) {
     vec3 color = vec3(0.0);
     if (point.t >= 0.0)
         color = kIntegrator == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
-                                                   : vec3(max(0.0, 1.0 - point.t / params.sky_up.w));
+                                                   : vec3(max(0.0, 1.0 - point.t / params.depth_black));
     return onlyLight(color);
 }
 

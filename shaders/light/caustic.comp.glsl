@@ -13,13 +13,13 @@ void main() {
     uint path;
     DirectLightQuery query = currentLightQuery(path);
     if (path == NO_INDEX) return;
-    vec3 normal = query.normal.xyz;
-    Material row = loadMaterial(floatBitsToUint(query.normal.w));
-    SurfaceMaterial matter = matterOf(row, query.albedo.rgb, false, dot(normal, query.view.xyz));
+    vec3 normal = query.normal;
+    Material row = loadMaterial(query.material);
+    SurfaceMaterial matter = matterOf(row, query.albedo, false, dot(normal, query.view));
     if (!isClassic()) matter.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
-    vec3 irradiance = causticIrradiance(query.position.xyz, normal);
+    vec3 irradiance = causticIrradiance(query.position, normal);
     vec3 albedo = gathersPhotons(row) ? smoothAlbedo(matter) : vec3(0.0);
-    vec3 light = query.throughput.rgb * albedo * irradiance * (1.0 / kPi);
+    vec3 light = query.throughput * albedo * irradiance * (1.0 / kPi);
     film[filmIndex(path, LAYER_CAUSTIC)].rgb += light;
     film[filmIndex(path, LAYER_INDIRECT)].w += luminance(light);
 }

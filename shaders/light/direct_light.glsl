@@ -8,47 +8,50 @@
 #include "shaders/light/sky.glsl"
 
 DirectLightQuery loadLightQuery(uint path) {
-    return DirectLightQuery(loadLightQueryTexel(path, 0), loadLightQueryTexel(path, 1), loadLightQueryTexel(path, 2),
-                            loadLightQueryTexel(path, 3), loadLightQueryTexel(path, 4));
+    uvec4 position = loadLightQueryTexel(path, 0), normal = loadLightQueryTexel(path, 1),
+          albedo = loadLightQueryTexel(path, 2), throughput = loadLightQueryTexel(path, 3),
+          view = loadLightQueryTexel(path, 4);
+    return DirectLightQuery(asVector(position), asFloat(position.w), asVector(normal), normal.w, asVector(albedo), albedo.w,
+                            asVector(throughput), throughput.w, asVector(view), asFloat(view.w));
 }
 
 // The query of this lane; path: its pixel, NO_INDEX where it has none.
 DirectLightQuery currentLightQuery(out uint path) {
     uint lane = balancedLane();
-    bool live = lane < control.queued.w;
+    bool live = lane < control.light_query_count;
     path = live ? loadQueue(lightQueueStart() + lane) : NO_INDEX;
     return loadLightQuery(live ? path : 0u);
 }
 
 // path asks one light by chance, the others each in turn.
 uint lightTurns() {
-    uint lights = ofLane(params.scene.x);
+    uint lights = ofLane(params.light_count);
     return kIntegrator == INTEGRATOR_PATH ? min(lights, 1u) : lights;
 }
 
-float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.scene.x) : 1.0; }
+float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.light_count) : 1.0; }
 
 uint lightOfTurn(uint turn, uint path, uint bounce) {
     if (kIntegrator != INTEGRATOR_PATH) return turn;
-    float u = sample1(imagePixel(path), push.step.x, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.mode.w);
-    return min(uint(u * float(params.scene.x)), params.scene.x - 1u);
+    float u = sample1(imagePixel(path), push.sample_index, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.seed);
+    return min(uint(u * float(params.light_count)), params.light_count - 1u);
 }
 
 // Beyond the pairs of any bounce.
 #define FIRST_LIGHT_PAIR 2048u
 
 LightSample sampleTurn(DirectLightQuery query, uint path, uint turn, out Light light) {
-    uint bounce = floatBitsToUint(query.throughput.w);
+    uint bounce = query.bounce;
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
     // each light has its own numbers
     if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
     light = loadLight(lightOfTurn(turn, path, bounce));
-    vec2 u = sample2(imagePixel(path), push.step.x, pair, params.mode.w);
+    vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
     // a sun's or a ball's middle is its cone's axis
     vec2 middle = vec2(lightKind(light) == LIGHT_QUAD ? 0.5 : 0.0, 0.5);
     u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? middle : u;
     if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
-    return sampleLight(light, query.position.xyz, u);
+    return sampleLight(light, query.position, u);
 }
 
 // The shape of a lamp with an area, NO_INDEX of other lights.
@@ -58,7 +61,7 @@ uint lampOf(Light light) {
     return has_area ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
 }
 
-bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal.xyz, to.direction) > 0.0; }
+bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal, to.direction) > 0.0; }
 
 // Shadow rays end before the lamp that they ask: a share of the way that no float's rounding exceeds.
 const float kBeforeLamp = 0.99999;

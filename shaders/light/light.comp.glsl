@@ -23,8 +23,8 @@ void main() {
     DirectLightQuery query = currentLightQuery(path);
     if (path == NO_INDEX) return;
     uint turns = lightTurns(), mask = light_masks[path];
-    vec3 normal = query.normal.xyz, view = query.view.xyz;
-    SurfaceMaterial matter = matterOf(loadMaterial(floatBitsToUint(query.normal.w)), query.albedo.rgb, false, dot(normal, view));
+    vec3 normal = query.normal, view = query.view;
+    SurfaceMaterial matter = matterOf(loadMaterial(query.material), query.albedo, false, dot(normal, view));
     float chance = lightChance();
     vec3 light_sum = vec3(0.0);
     for (uint turn = 0u; turn < turns; turn++) {
@@ -33,5 +33,5 @@ void main() {
         vec3 scattered = scatteredLight(matter, normal, view, to, lightKind(light), chance);
         light_sum += (mask >> turn & 1u) == 0u ? scattered * to.radiance_over_pdf : vec3(0.0);
     }
-    addLight(path, query.throughput.rgb * light_sum, floatBitsToUint(query.throughput.w) + 1u);
+    addLight(path, query.throughput * light_sum, query.bounce + 1u);
 }

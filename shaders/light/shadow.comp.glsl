@@ -12,10 +12,10 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 bool isShadowed(DirectLightQuery query, LightSample to, bool asks) {
     float own_t;
-    vec3 origin = leaveSurface(query.position.xyz, query.normal.xyz, query.position.w, to.direction, own_t);
-    bool own = floatBitsToUint(query.albedo.w) == instance.materials.x;
+    vec3 origin = leaveSurface(query.position, query.normal, query.radius, to.direction, own_t);
+    bool own = query.owner == instance.materials.x;
     float t_max = asks ? to.distance * kBeforeLamp * cubeScale() : -1.0;
-    vec3 stored_normal = query.normal.xyz * query.view.w;
+    vec3 stored_normal = query.normal * query.side;
     return trace(TraceRay(cubePoint(origin), cubeDirection(to.direction), 0.0, t_max, cubeDirection(stored_normal),
                           own ? own_t * cubeScale() : 0.0)).disc != NO_INDEX;
 }

@@ -16,7 +16,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 // A lamp is not hidden by itself: its distance from here and as a shape differ by rounding.
 bool shapesHide(vec3 origin, bool on_shape, LightSample to, uint lamp) {
-    ShapeHit hit = nearestShape(ofLane(params.scene.z), origin, to.direction, on_shape ? ownShapeReach(origin) : 0.0);
+    float t_min = on_shape ? ownShapeReach(origin) : 0.0;
+    ShapeHit hit = nearestShape(ofLane(params.shape_count), origin, to.direction, t_min);
     return hit.shape != lamp && hit.t < to.distance * kBeforeLamp;
 }
 
@@ -24,8 +25,8 @@ void main() {
     uint path;
     DirectLightQuery query = currentLightQuery(path);
     bool live = path != NO_INDEX;
-    bool on_shape = floatBitsToUint(query.albedo.w) == OWNER_SHAPES;
-    uint first = push.step.y, end = min(lightTurns(), first + ASKED_TURNS), asked = 0u;
+    bool on_shape = query.owner == OWNER_SHAPES;
+    uint first = push.first_turn, end = min(lightTurns(), first + ASKED_TURNS), asked = 0u;
     uint mask = live && first > 0u ? light_masks[path] : 0u;
     for (uint turn = first; turn < end; turn++) {
         // while things move, the key light's shadows alone: they say where things stand
@@ -34,7 +35,7 @@ void main() {
         LightSample to = sampleTurn(query, live ? path : 0u, turn, light);
         bool faces = live && facesLight(query, to);
         float own_t;
-        vec3 origin = leaveSurface(query.position.xyz, query.normal.xyz, query.position.w, to.direction, own_t);
+        vec3 origin = leaveSurface(query.position, query.normal, query.radius, to.direction, own_t);
         bool dark = !faces || (shadows && shapesHide(origin, on_shape, to, lampOf(light)));
         mask |= dark ? 1u << turn : 0u;
         asked += faces && shadows ? 1u : 0u;
@@ -42,6 +43,6 @@ void main() {
         appendEntry(APPEND_ASKED, shadows && !dark && meets, path | turn << ASKED_TURN_SHIFT);
     }
     asked = subgroupAdd(asked);
-    if (subgroupElect() && asked > 0u) atomicAdd(control.traced.y, asked);
+    if (subgroupElect() && asked > 0u) atomicAdd(control.shadow_rays, asked);
     if (live) light_masks[path] = mask;
 }

@@ -21,16 +21,26 @@ namespace pointrt::gpu {
 #define SHOWN_NOISE 7u
 
 struct ResolveParams {
-    uvec4 range; // x: first pixel, y: pixels, z: pixels of the film, w: SHOWN_*
-    vec4 scale;  // x: 1 / samples, y: samples, z: input units in a render unit, w: render units at which depth is black
+    uint first; // pixel
+    uint count;
+    uint film_pixels;
+    uint shown;  // SHOWN_*
+    float share; // 1 / samples
+    float samples;
+    float scale;       // input units in a render unit
+    float depth_black; // render units
 };
 
 struct TonemapParams {
-    uvec4 range; // x: first pixel, y: pixels
-    vec4 look;   // x: gain; y: 1: bring light into the range of screens, 0: it is there
+    uint first; // pixel
+    uint count;
+    float gain;
+    uint is_light; // 1: to be brought into the range of screens, 0: it is there
 };
 
 #ifdef __cplusplus
+POINTRT_ROWS(ResolveParams, 2);
+POINTRT_ROWS(TonemapParams, 1);
 } // namespace pointrt::gpu
 #endif
 

@@ -21,6 +21,7 @@ struct EnvironmentFrame {
 };
 
 #ifdef __cplusplus
+POINTRT_ROWS(EnvironmentFrame, 4);
 } // namespace pointrt::gpu
 #endif
 

@@ -43,43 +43,83 @@ namespace pointrt::gpu {
 
 // All positions and lengths are in render units.
 struct FrameParams {
-    vec4 eye;   // w: tangent of half the vertical field of view, 0 with parallel projection
-    vec4 right; // w: width over height
-    vec4 up;    // w: half the window's height with parallel projection, 0 for a pinhole
-    vec4 forward;
-    vec4 sky_zenith; // radiance by the square root of the height over the horizon; w: share taken as ambient
-    vec4 sky_horizon;
-    vec4 sky_ground;
-    vec4 sky_up;    // xyz: unit vector upwards, w: distance at which the depth view is black
-    uvec4 image;    // x: width, y: height of the image, z: first row, w: rows of the band
-    uvec4 scene;    // x: lights, y: OPTION_* bits, z: shapes, w: the sky's light, NO_LIGHT where it has no image
-    uvec4 film;     // x: pixels of the film, y: the first of the band in it
-    uvec4 mode;     // x: INTEGRATOR_*, y: bounces, w: seed
-    vec4 reach_low; // corners of a box around all that instances may be hit in; without any, low is above high
-    vec4 reach_high;
+    vec3 eye;
+    float tan_half_fov; // of the vertical field of view; 0 with parallel projection
+    vec3 right;
+    float aspect; // width over height
+    vec3 up;
+    float half_window; // half the window's height with parallel projection, 0 for a pinhole
+    vec3 forward;
+    float unused_0;
+    vec3 sky_zenith;     // radiance by the square root of the height over the horizon
+    float ambient_share; // of the sky, that phong and whitted take as light from everywhere
+    vec3 sky_horizon;
+    float unused_1;
+    vec3 sky_ground;
+    float unused_2;
+    vec3 sky_up;       // unit vector
+    float depth_black; // distance at which the depth view is black
+    uint width; // of the image
+    uint height;
+    uint first_row; // of the band
+    uint rows;
+    uint light_count;
+    uint options; // OPTION_*
+    uint shape_count;
+    uint sky_light;   // the sky's light, NO_LIGHT where it has no image
+    uint film_pixels; // of the film
+    uint film_first;  // the first of the band in it
+    uint unused_3;
+    uint unused_4;
+    uint integrator; // INTEGRATOR_*
+    uint bounces;
+    uint unused_5;
+    uint seed;
+    vec3 reach_low; // corners of a box around all that instances may be hit in; without any, low is above high
+    float unused_6;
+    vec3 reach_high;
+    float unused_7;
     EnvironmentFrame environment;
     CausticFrame caustics;
 };
 
-// Counters and the group counts of indirect dispatches.
+// Counters, and the group counts of indirect dispatches with the length of the list that each works on.
 struct Control {
-    uvec4 ray_groups;   // indirect arguments of trace and shade
-    uvec4 light_groups; // indirect arguments of shadow_shapes and light
-    uvec4 asked_groups; // indirect arguments of trace and shadow; w: rays in their list
-    uvec4 hit_groups;   // indirect arguments of surface; w: hits in its list
-    uvec4 tile_groups;  // indirect arguments of trace_primary; w: tiles in queue 0
-    uvec4 queued;       // x, y: rays in queue 0 and 1, z: light queries being appended, w: those being answered
-    uvec4 appended;     // x: rays to the list that trace and shadow read next, y: hits to that of surface
-    uvec4 traced;       // x: primary, y: shadow, z: secondary rays of this sample
+    uvec3 ray_groups; // trace_shapes, shade
+    uint unused_0;
+    uvec3 light_groups; // shadow_shapes, light, caustic
+    uint unused_1;
+    uvec3 asked_groups; // trace, shadow
+    uint asked_count;
+    uvec3 hit_groups; // surface
+    uint hit_count;
+    uvec3 tile_groups; // trace_primary
+    uint tile_count;   // in queue 0
+    uint queued[2];    // rays in the queues
+    uint light_queries_appended;
+    uint light_query_count; // of those being answered
+    uint asked_appended; // to the list that trace and shadow read next
+    uint hits_appended;  // to that of surface
+    uint unused_2;
+    uint unused_3;
+    uint primary_rays; // of this sample
+    uint shadow_rays;
+    uint secondary_rays;
+    uint unused_4;
 };
 
 // A path between two dispatches.
 struct PathState {
-    vec4 origin;    // w: hits nearer than this on the surface the ray left are its own
-    vec4 direction; // w: density of the direction's choice, over solid angle; 0: there was no other
-    vec4 throughput;
-    vec4 left_normal; // of the surface the ray left; w: as bits, PATH_*
+    vec3 origin;
+    float own_t; // hits nearer than this on the surface the ray left are its own
+    vec3 direction;
+    float pdf; // density of the direction's choice, over solid angle; 0: there was no other
+    vec3 throughput;
+    uint target;      // of a photon that sets out: an owner, with the number of a shape above it
+    vec3 left_normal; // of the surface the ray left
+    uint bits;        // PATH_*
 };
+#define PATH_VECTORS 4
 #define PATH_BOUNCE_MASK 0xFFu
 #define PATH_DEFERRED_SHIFT 8u // rays of the pixel that wait in deferred, 0 to MAX_DEFERRED
 #define PATH_DEFERRED_MASK 0xFu
@@ -88,29 +128,42 @@ struct PathState {
 #define PATH_CAUSTIC 0x4000u  // what it finds of lamps, photons have brought
 #define PATH_OWNER_SHIFT 24u  // whose surface it left, NO_OWNER at the eye
 #define NO_OWNER 254u
+#define PHOTON_SHAPE_SHIFT 8u // in a photon's target
 
 // Rays of a pixel that wait while another one is followed.
 #define MAX_DEFERRED 2u
 
-// What a ray has hit, as shading sees it.
-struct SurfacePoint {
-    vec4 position; // w: mean radius of the splats around, 0 on shapes
-    vec4 normal;   // towards the viewer; w: as bits, material and SURFACE_BACK
-    vec4 albedo;   // linear; w: distance along the ray
-    uvec4 id;      // x: splat, y: owner, z: 1: casts caustics
+// What a ray has hit, as shading sees it. Of splats it is kept between two dispatches.
+struct SurfaceInteraction {
+    vec3 position;
+    float radius; // mean of the splats around, 0 on shapes
+    vec3 normal;  // towards the viewer
+    uint bits;    // material and SURFACE_*
+    vec3 albedo;  // linear
+    float t;      // along the ray; negative: nothing is hit
+    uint owner;
+    uint primitive; // splat, or shape
+    uint unused_0;
+    uint unused_1;
 };
 #define SURFACE_VECTORS 4
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
-#define SURFACE_SIDED 0x40000000u // normals point outwards
+#define SURFACE_CASTS 0x20000000u // caustics: photons go by way of it
+#define SURFACE_SIDED 0x40000000u // normals tell inside from outside; scans without oriented normals do not
 #define SURFACE_BACK 0x80000000u  // seen from the inside
 
-// A surface point that wants light.
+// A point of a surface that asks for the light of lamps.
 struct DirectLightQuery {
-    vec4 position;   // w: radius of the splats around
-    vec4 normal;     // towards the viewer; w: as bits, material
-    vec4 albedo;     // w: as bits, owner
-    vec4 throughput; // w: as bits, the path's bounce
-    vec4 view;       // towards the viewer; w: -1 where normal is the stored one turned round, else 1
+    vec3 position;
+    float radius; // of the splats around
+    vec3 normal;  // towards the viewer
+    uint material;
+    vec3 albedo;
+    uint owner;
+    vec3 throughput;
+    uint bounce; // of the path
+    vec3 view;   // towards the viewer
+    float side;  // -1 where normal is the stored one turned round, else 1
 };
 #define LIGHT_QUERY_VECTORS 5
 
@@ -125,11 +178,11 @@ struct DirectLightQuery {
 #define FIRST_HIT_VECTORS 2u
 
 struct PushParams {
-    uvec4 step; // x: sample, y: first of the turns asked for shadows, w: STEP_* bits
+    uint sample_index;
+    uint first_turn; // of those asked for shadows
+    uint step;       // STEP_*
+    uint unused;
 };
-
-// A photon's target, in its direction's w as bits: an owner, with the number of a shape above it.
-#define PHOTON_SHAPE_SHIFT 8u
 
 #define STEP_CENTER 1u    // rays go through pixel centres
 #define STEP_FIRST_HIT 2u // of them only what is hit first is kept
@@ -145,6 +198,21 @@ struct PushParams {
 #define ASKED_TURNS 8u
 
 #ifdef __cplusplus
+POINTRT_ROWS(FrameParams, 14 + sizeof(EnvironmentFrame) / 16 + sizeof(CausticFrame) / 16);
+POINTRT_ROW(FrameParams, sky_up);
+POINTRT_ROW(FrameParams, width);
+POINTRT_ROW(FrameParams, reach_low);
+POINTRT_ROW(FrameParams, environment);
+POINTRT_ROWS(Control, 8);
+POINTRT_ROW(Control, tile_groups);
+POINTRT_ROW(Control, queued);
+POINTRT_ROWS(PathState, PATH_VECTORS);
+POINTRT_ROW(PathState, left_normal);
+POINTRT_ROWS(SurfaceInteraction, SURFACE_VECTORS);
+POINTRT_ROW(SurfaceInteraction, owner);
+POINTRT_ROWS(DirectLightQuery, LIGHT_QUERY_VECTORS);
+POINTRT_ROW(DirectLightQuery, view);
+POINTRT_ROWS(PushParams, 1);
 } // namespace pointrt::gpu
 #endif
 

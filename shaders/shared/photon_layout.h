@@ -45,6 +45,8 @@ struct CausticFrame {
 };
 
 #ifdef __cplusplus
+POINTRT_ROWS(Photon, PHOTON_VECTORS);
+POINTRT_ROWS(CausticFrame, 2 * PHOTON_LEVELS + 1);
 } // namespace pointrt::gpu
 #endif
 

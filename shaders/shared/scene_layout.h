@@ -88,6 +88,10 @@ struct InstanceParams {
 };
 
 #ifdef __cplusplus
+POINTRT_ROWS(Material, MATERIAL_VECTORS);
+POINTRT_ROWS(Shape, SHAPE_VECTORS);
+POINTRT_ROWS(Light, LIGHT_VECTORS);
+POINTRT_ROWS(InstanceParams, 9 + MAX_COLOR_RANGES);
 } // namespace pointrt::gpu
 #endif
 

@@ -172,7 +172,7 @@ Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
     uvec4 words = exact.words;
     float t = exact.t;
     Surface surface = flatSurface(exact, direction);
-    if ((ofLane(params.scene.y) & OPTION_BLEND) == 0u) return surface;
+    if ((ofLane(params.options) & OPTION_BLEND) == 0u) return surface;
     vec3 side = surface.normal;
     float front = kOriented ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;
     float radius = surface.radius;

@@ -12,8 +12,8 @@ void main() {
     if (index == NO_INDEX) return;
     SurfaceInteraction point = findInteraction(index, path, loadHit(index));
     bool hit = point.t >= 0.0;
-    uint at = FIRST_HIT_VECTORS * (params.film.y + bandPixel(index));
+    uint at = FIRST_HIT_VECTORS * (params.film_first + bandPixel(index));
     first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
-    first_hits[at + 1u] =
-        vec4(uintBitsToFloat(hit ? point.splat : NO_INDEX), uintBitsToFloat(hit ? point.owner : NO_INDEX), 0.0, 0.0);
+    uvec2 ids = hit ? uvec2(point.primitive, point.owner) : uvec2(NO_INDEX);
+    first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 0.0, 0.0);
 }

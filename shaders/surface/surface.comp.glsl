@@ -29,20 +29,20 @@ uint materialOf(Surface surface) {
 
 void main() {
     uint lane = balancedLane();
-    if (lane >= control.hit_groups.w) return;
+    if (lane >= control.hit_count) return;
     uint index = loadQueue(hitListStart() + lane);
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
-    Surface surface = surfaceAt(cubePoint(path.origin.xyz), cubeDirection(path.direction.xyz), hit);
+    Surface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), hit);
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
     Material row = loadMaterial(material);
     bool colored = (floatBitsToUint(row.base.w) & MATERIAL_USES_SPLAT_COLOR) != 0u;
     vec3 albedo = row.base.rgb * (colored ? linearFromSrgb(surface.color) : vec3(1.0));
     uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
-    surfaces[index] = SurfacePoint(
-        vec4(path.origin.xyz + t * path.direction.xyz, surface.radius / cubeScale()),
-        vec4(renderDirection(surface.normal), uintBitsToFloat(material | sides)),
-        vec4(albedo, t), uvec4(surface.splat, hit.w, instance.materials.w, 0u));
+    uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
+    surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, surface.radius / cubeScale(),
+                                         renderDirection(surface.normal), material | sides | casts, albedo, t, hit.w,
+                                         surface.splat, 0u, 0u);
 }

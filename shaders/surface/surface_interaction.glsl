@@ -5,41 +5,37 @@
 #include "shaders/frame/path.glsl"
 #include "shaders/trace/shapes.glsl"
 
-struct SurfaceInteraction {
-    float t; // negative: nothing is hit
-    vec3 position;
-    vec3 normal; // towards the viewer
-    float radius; // 0 on shapes
-    uint owner;
-    uint splat;    // or shape
-    uint material;
-    bool sided;    // whether normals tell inside from outside; scans without oriented normals do not
-    bool back;     // seen from the inside
-    bool casts;    // caustics: photons go by way of it
-    vec3 albedo;
-};
+uint materialOf(SurfaceInteraction point) { return point.bits & SURFACE_MATERIAL_MASK; }
+bool isBack(SurfaceInteraction point) { return (point.bits & SURFACE_BACK) != 0u; }
+
+// Where normals do not tell inside from outside, paths take turns: glass is left every second time.
+void settleSides(inout SurfaceInteraction point, PathState path) {
+    bool back = (point.bits & SURFACE_SIDED) != 0u ? isBack(point) : (path.bits & PATH_INSIDE) != 0u;
+    point.bits = point.bits & ~SURFACE_BACK | (back ? SURFACE_BACK : 0u);
+}
 
 SurfaceInteraction noInteraction() {
-    return SurfaceInteraction(-1.0, vec3(0.0), vec3(0.0), 0.0, NO_OWNER, NO_INDEX, 0u, true, false, false, vec3(0.0));
+    return SurfaceInteraction(vec3(0.0), 0.0, vec3(0.0), SURFACE_SIDED, vec3(0.0), -1.0, NO_OWNER, NO_INDEX, 0u, 0u);
 }
 
 SurfaceInteraction shapeInteraction(PathState path, uvec4 hit) {
     Shape shape = loadShape(hit.z);
     float t = uintBitsToFloat(hit.x);
-    vec3 position = path.origin.xyz + t * path.direction.xyz;
+    vec3 position = path.origin + t * path.direction;
     bool back;
-    vec3 normal = shapeNormal(shape, position, path.direction.xyz, back);
-    return SurfaceInteraction(t, position, normal, 0.0, OWNER_SHAPES, hit.z, shape.kind.y, true, back,
-                              (shape.kind.z & SHAPE_CASTS_CAUSTICS) != 0u, loadMaterial(shape.kind.y).base.rgb);
+    vec3 normal = shapeNormal(shape, position, path.direction, back);
+    bool casts = (shape.kind.z & SHAPE_CASTS_CAUSTICS) != 0u;
+    uint bits = shape.kind.y | SURFACE_SIDED | (back ? SURFACE_BACK : 0u) | (casts ? SURFACE_CASTS : 0u);
+    return SurfaceInteraction(position, 0.0, normal, bits, loadMaterial(shape.kind.y).base.rgb, t, OWNER_SHAPES, hit.z,
+                              0u, 0u);
 }
 
+// What surface.comp.glsl has kept.
 SurfaceInteraction splatInteraction(uint index) {
-    SurfacePoint s = SurfacePoint(loadSurfaceTexel(index, 0), loadSurfaceTexel(index, 1), loadSurfaceTexel(index, 2),
-                                  floatBitsToUint(loadSurfaceTexel(index, 3)));
-    uint bits = floatBitsToUint(s.normal.w);
-    return SurfaceInteraction(s.albedo.w, s.position.xyz, s.normal.xyz, s.position.w, s.id.y, s.id.x,
-                              bits & SURFACE_MATERIAL_MASK, (bits & SURFACE_SIDED) != 0u, (bits & SURFACE_BACK) != 0u,
-                              s.id.z != 0u, s.albedo.rgb);
+    uvec4 position = loadSurfaceTexel(index, 0), normal = loadSurfaceTexel(index, 1),
+          albedo = loadSurfaceTexel(index, 2), ids = loadSurfaceTexel(index, 3);
+    return SurfaceInteraction(asVector(position), asFloat(position.w), asVector(normal), normal.w, asVector(albedo),
+                              asFloat(albedo.w), ids.x, ids.y, 0u, 0u);
 }
 
 SurfaceInteraction findInteraction(uint index, PathState path, uvec4 hit) {

@@ -54,10 +54,10 @@ const float kStartRounding = 1e-6;
 Beam tileBeam(vec2 corner) {
     vec2 middle = corner + 0.5 * TILE_SIDE;
     CameraRay ray = rayThrough(middle);
-    vec2 start = onPlane(middle, params.up.w);
-    float width = distance(onPlane(corner, params.up.w), start) + kStartRounding * length(start);
+    vec2 start = onPlane(middle, params.half_window);
+    float width = distance(onPlane(corner, params.half_window), start) + kStartRounding * length(start);
     // normalizing brings no two points beyond distance 1 further apart: directions differ by no more than on the plane
-    float spread = distance(onPlane(corner, params.eye.w), onPlane(middle, params.eye.w));
+    float spread = distance(onPlane(corner, params.tan_half_fov), onPlane(middle, params.tan_half_fov));
     return Beam(CameraRay(cubePoint(ray.origin), cubeDirection(ray.direction)), width * cubeScale(), spread);
 }
 
@@ -93,7 +93,7 @@ void main() {
     uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);
     uint count = subgroupBallotBitCount(ballot), start = 0u;
     if (subgroupElect() && count > 0u) {
-        start = atomicAdd(control.tile_groups.w, count);
+        start = atomicAdd(control.tile_count, count);
         atomicMax(control.tile_groups.x, ((start + count) * TILE_PIXELS + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE);
     }
     start = subgroupBroadcastFirst(start);

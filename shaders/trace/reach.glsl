@@ -7,7 +7,7 @@
 bool meetsInstances(vec3 origin, vec3 direction, float t_max) {
     // a component of 0 would make products that are no numbers
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
-    vec3 to_low = (params.reach_low.xyz - origin) * inverse, to_high = (params.reach_high.xyz - origin) * inverse;
+    vec3 to_low = (params.reach_low - origin) * inverse, to_high = (params.reach_high - origin) * inverse;
     float near = largest(min(to_low, to_high)), far = -largest(-max(to_low, to_high));
     return params.reach_low.x <= params.reach_high.x && near <= far && far >= 0.0 && near < t_max;
 }

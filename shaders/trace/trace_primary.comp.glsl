@@ -16,7 +16,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint lane = balancedLane();
-    bool queued = lane < control.tile_groups.w * TILE_PIXELS;
+    bool queued = lane < control.tile_count * TILE_PIXELS;
     uint tile = loadQueue(queued ? lane / TILE_PIXELS : 0u), index = tile * TILE_PIXELS + lane % TILE_PIXELS;
     bool live = queued && isPixel(index);
     index = live ? index : 0u; // idle lanes work along: the list needs the whole subgroup

@@ -9,8 +9,8 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 // Up to t_max, in cube units.
 TraceHit tracePath(uint path, float t_max) {
-    vec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);
-    bool own = floatBitsToUint(left.w) >> PATH_OWNER_SHIFT == instance.materials.x;
-    return trace(TraceRay(cubePoint(origin.xyz), cubeDirection(loadPathTexel(path, PATH_DIRECTION).xyz), 0.0,
-                          t_max, cubeDirection(left.xyz), own ? origin.w * cubeScale() : 0.0));
+    uvec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);
+    bool own = left.w >> PATH_OWNER_SHIFT == instance.materials.x;
+    return trace(TraceRay(cubePoint(asVector(origin)), cubeDirection(asVector(loadPathTexel(path, PATH_DIRECTION))), 0.0,
+                          t_max, cubeDirection(asVector(left)), own ? asFloat(origin.w) * cubeScale() : 0.0));
 }

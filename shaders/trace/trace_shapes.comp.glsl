@@ -17,11 +17,11 @@ void main() {
     uint index;
     PathState path = currentPath(index);
     bool live = index != NO_INDEX;
-    uint shapes = ofLane(params.scene.z);
+    uint shapes = ofLane(params.shape_count);
     uint skipped = hasStep(STEP_FIRST_HIT) ? SHAPE_BACKDROP | SHAPE_UNSEEN_BY_CAMERA
                                            : (kCameraPass ? SHAPE_UNSEEN_BY_CAMERA : 0u);
-    vec3 origin = path.origin.xyz, direction = path.direction.xyz;
-    float t_min = pathBits(path) >> PATH_OWNER_SHIFT == OWNER_SHAPES ? ownShapeReach(origin) : 0.0;
+    vec3 origin = path.origin, direction = path.direction;
+    float t_min = path.bits >> PATH_OWNER_SHIFT == OWNER_SHAPES ? ownShapeReach(origin) : 0.0;
     ShapeHit hit = nearestShapeWithout(skipped, shapes, origin, direction, t_min);
     if (live)
         imageStore(hit_texels, int(index),

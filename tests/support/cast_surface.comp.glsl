@@ -10,7 +10,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= control.queued.x) return;
+    if (i >= control.queued[0]) return;
     uvec4 hit = loadHit(i);
     if (hit.z == NO_INDEX) return;
     Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, hit);

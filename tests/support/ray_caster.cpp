@@ -33,6 +33,8 @@ constexpr std::uint64_t kQueues = 5;
 
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
+gpu::vec3 gpuVector(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+
 } // namespace
 
 struct RayCaster::State {
@@ -85,7 +87,7 @@ struct RayCaster::State {
             texels("beam buffer", (rays + TILE_PIXELS - 1) / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT);
         buffers.film = storage("film buffer", rays * sizeof(gpu::vec4));
         buffers.first_hits = storage("first hit buffer", rays * sizeof(gpu::vec4));
-        buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfacePoint), VK_FORMAT_R32G32B32A32_UINT);
+        buffers.surfaces = texels("surface buffer", sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_queries =
             texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
@@ -161,7 +163,8 @@ struct RayCaster::State {
 
     void uploadRayParams() {
         gpu::FrameParams params = frameParams(1, cameraOf({}));
-        params.image = {TILE_SIDE, bandRows(), 0, bandRows()};
+        params.width = TILE_SIDE;
+        params.height = params.rows = bandRows();
         uploadParams(params);
     }
 
@@ -175,8 +178,8 @@ struct RayCaster::State {
     /// What the loaded rays are traced by.
     void uploadCounts() {
         gpu::Control counts{};
-        counts.queued.x = loaded;
-        counts.asked_groups.w = loaded;
+        counts.queued[0] = loaded;
+        counts.asked_count = loaded;
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
     }
 
@@ -184,8 +187,14 @@ struct RayCaster::State {
         loaded = static_cast<std::uint32_t>(rays.size());
         std::vector<gpu::PathState> packed;
         for (const Ray& ray : rays)
-            packed.push_back(
-                {pack(ray.origin, ray.own_t), pack(ray.direction, 0), {}, pack(ray.own_normal, 0)}); // of instance 0
+            packed.push_back({gpuVector(ray.origin),
+                              static_cast<float>(ray.own_t),
+                              gpuVector(ray.direction),
+                              0,
+                              {},
+                              0,
+                              gpuVector(ray.own_normal),
+                              0}); // of instance 0
         uploadBuffer(device, buffers.paths, packed.data(), packed.size() * sizeof packed[0]);
         uploadRayParams();
         uploadCounts();
@@ -199,7 +208,7 @@ struct RayCaster::State {
 
     /// Seconds from submission to the end.
     double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
-        const gpu::PushParams push{{0, 0, 0, step_bits}};
+        const gpu::PushParams push{0, 0, step_bits, 0};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
         recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});
@@ -227,9 +236,9 @@ struct RayCaster::State {
         uploadParams(view_params);
         clearHits(pixels);
         gpu::Control counts{};
-        counts.tile_groups = {0, 1, 1, 0};
+        counts.tile_groups = {0, 1, 1};
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
-        const gpu::PushParams push{{0, 0, 0, STEP_CENTER}};
+        const gpu::PushParams push{0, 0, STEP_CENTER, 0};
         const VkCommandBuffer commands = beginCommands(device);
         recordDispatch(commands, beam, set, pushBytes(push),
                        {(pixels / TILE_PIXELS + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});

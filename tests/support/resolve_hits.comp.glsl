@@ -9,7 +9,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= control.queued.x) return;
+    if (i >= control.queued[0]) return;
     uvec4 hit = loadHit(i);
     first_hits[i] = vec4(0.0, uintBitsToFloat(NO_INDEX), 0.0, 0.0);
     if (hit.z == NO_INDEX) return;

@@ -67,7 +67,7 @@ FlatComparison compareFlat(const std::string& path, const Rendered& rendered, do
     const Reference scene = loadReference(path);
     const Film& film = rendered.film;
     const RenderSettings settings = square(film.width);
-    const gpu::vec4& eye = rendered.params.eye;
+    const gpu::vec3& eye = rendered.params.eye;
     FlatComparison result;
     for (std::size_t i = 0; i < film.depth.size(); ++i) {
         const Vec3 direction = centerRayDirection(settings, rendered.camera, static_cast<std::uint32_t>(i % film.width),
@@ -187,7 +187,7 @@ TEST(FirstHits, PruningLongListsOpensNothing) {
         const float before = full.film.depth[i], after = pruned.film.depth[i];
         moved += std::isfinite(before) && std::isfinite(after) && std::abs(before - after) > 0.025; // a radius
         if (std::isfinite(before) == std::isfinite(after)) continue;
-        const gpu::vec4& eye = full.params.eye;
+        const gpu::vec3& eye = full.params.eye;
         const auto x = static_cast<std::uint32_t>(i % 400), y = static_cast<std::uint32_t>(i / 400);
         const Ray ray{{eye.x, eye.y, eye.z}, centerRayDirection(square(400), full.camera, x, y), {}, 0};
         ++(mayBeFirst(splats, rounding, ray, std::nullopt) ? at_rims : lost);

@@ -100,9 +100,14 @@ std::uint64_t deviceBytes(const DisplayPipeline& d) {
 void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool guides) {
     const auto samples = static_cast<float>(range.samples);
-    const gpu::ResolveParams params{
-        {range.first, range.count, range.film_pixels, look.shown},
-        {1 / samples, samples, static_cast<float>(look.scale), static_cast<float>(look.depth_black / look.scale)}};
+    const gpu::ResolveParams params{range.first,
+                                    range.count,
+                                    range.film_pixels,
+                                    look.shown,
+                                    1 / samples,
+                                    samples,
+                                    static_cast<float>(look.scale),
+                                    static_cast<float>(look.depth_black / look.scale)};
     const bool reads_hits = guides || needsFirstHits(look);
     recordDispatch(commands, reads_hits ? d.resolve_guides : d.resolve,
                    reads_hits ? d.resolve_guides_set : d.resolve_set, pushBytes(params), groupsOf(range));
@@ -112,8 +117,8 @@ void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const Fil
 void recordTonemap(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool denoised) {
     const bool number = isNumber(look.shown), exposed = !number && look.shown != SHOWN_ALBEDO;
-    const gpu::TonemapParams params{{range.first, range.count, 0, 0},
-                                    {exposed ? std::exp2(look.exposure) : 1.0f, number ? 0.0f : 1.0f, 0, 0}};
+    const gpu::TonemapParams params{range.first, range.count, exposed ? std::exp2(look.exposure) : 1.0f,
+                                    number ? 0u : 1u};
     recordDispatch(commands, d.tonemap, denoised ? d.tonemap_denoised_set : d.tonemap_set, pushBytes(params),
                    groupsOf(range));
     recordBarrier(commands);

@@ -21,7 +21,7 @@ constexpr std::uint32_t kCount = 1u << 15;
 constexpr RenderSphere kScene{{0, 0, 0}, 5};
 const PhotonTarget kBall{{1, -2, 3}, 0.75, 7};
 
-Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
+Vec3 vecOf(const gpu::vec3& v) { return {v.x, v.y, v.z}; }
 
 /// What each photon says of itself, whatever light it comes from.
 void expectSound(const std::vector<gpu::PathState>& paths, const PhotonTarget& target) {
@@ -30,8 +30,8 @@ void expectSound(const std::vector<gpu::PathState>& paths, const PhotonTarget& t
         ASSERT_NEAR(length(direction), 1, 1e-6);
         ASSERT_LT(length(cross(way, direction)), target.radius * (1 + 1e-4)) << "passes by";
         ASSERT_GT(dot(way, direction), -target.radius) << "flies away";
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(path.direction.w), target.code);
-        ASSERT_EQ(std::bit_cast<std::uint32_t>(path.left_normal.w), NO_OWNER << PATH_OWNER_SHIFT);
+        ASSERT_EQ(path.target, target.code);
+        ASSERT_EQ(path.bits, NO_OWNER << PATH_OWNER_SHIFT);
         ASSERT_TRUE(std::isfinite(path.throughput.x) && path.throughput.x > 0);
         // colours are those of the lights below
         ASSERT_NEAR(path.throughput.y / path.throughput.x, 0.5, 1e-6);
@@ -211,7 +211,7 @@ TEST(PhotonEmission, SharesPhotonsByLight) {
     double total = 0;
     std::vector<double> flux(4), photons(4);
     for (const gpu::PathState& path : paths) {
-        const std::size_t target = std::bit_cast<std::uint32_t>(path.direction.w) == targets[1].code;
+        const std::size_t target = path.target == targets[1].code;
         const std::size_t pair = 2 * (path.origin.x < 0) + target;
         flux[pair] += path.throughput.x;
         ++photons[pair];
