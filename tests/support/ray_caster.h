@@ -30,7 +30,7 @@ struct CastHit {
 /// A scene on a device, ready for rays.
 class RayCaster {
 public:
-    /// Rays in flight. Their 132 bytes each stay well below the 128 MiB that some drivers allow in a storage binding.
+    /// Rays in flight. Their 136 bytes each stay well below the 128 MiB that some drivers allow in a storage binding.
     static constexpr std::uint32_t kBatchRays = 1u << 18;
 
     /// Opens the .pro at path on the device that request selects; up to batch_rays go to the device at once.
