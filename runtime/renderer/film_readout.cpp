@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/tracer/film_readout.h"
+#include "runtime/renderer/film_readout.h"
 
 #include <algorithm>
 #include <bit>
