@@ -37,6 +37,11 @@ std::string detailOf(const FrameState& state) {
     return std::to_string(static_cast<std::uint32_t>(state.mean)) + " samples" + noise;
 }
 
+RenderPlan planOf(const RenderSession& session) {
+    const RenderSettings& settings = session.settings;
+    return {settings, session.camera, tilingFor(session.device, settings.width, settings.height)};
+}
+
 /// Renders one frame, from start on if there is one.
 FrameState renderTimed(RenderSession& session, const Options& options, const Film* start, const ShowProgress& show,
                        Report& report) {
@@ -45,10 +50,11 @@ FrameState renderTimed(RenderSession& session, const Options& options, const Fil
     job.limits = options.limits;
     job.progress = show;
     if (options.output.ends_with(".exr") || options.turntable != 0) job.interrupted = interrupted;
-    report.rays = {};
     const Clock::time_point begin = Clock::now();
-    const FrameState state = renderUntil(session.device, *session.tracer, job, start, report.rays);
+    session.renderer->begin(planOf(session), job, start);
+    const FrameState state = session.renderer->run();
     report.frame_ms.push_back(millisecondsSince(begin));
+    report.rays = session.renderer->takeRays();
     return state;
 }
 
@@ -74,7 +80,7 @@ FrameState renderFrames(RenderSession& session, const Options& options, const Fi
 Film finishFilm(RenderSession& session, Film film, const Options& options, const FrameState& state, Report& report) {
     report.samples = state.samples;
     report.noise = relativeNoise(film);
-    if (!wantsDenoising(options, session.settings, session.scene->description, report.samples)) return film;
+    if (!wantsDenoising(options, session.settings, session.loaded->scene.description, report.samples)) return film;
     const Clock::time_point start = Clock::now();
     denoisePicture(session.device, film);
     report.denoise_ms = millisecondsSince(start);
@@ -101,7 +107,7 @@ void tellEnd(const Options& options, const RenderSession& session, const FrameSt
 }
 
 std::string signatureFor(const RenderSession& session, const std::string& path) {
-    return path.ends_with(".exr") ? filmSignature(*session.scene, session.settings, session.camera) : "";
+    return path.ends_with(".exr") ? filmSignature(session.loaded->scene, session.settings, session.camera) : "";
 }
 
 /// False where it was interrupted: nothing is written then.
@@ -114,7 +120,7 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
     };
     const FrameState state = renderTimed(session, options, nullptr, show, report);
     if (turn == 0) report.first_frame_seconds = secondsSinceStart();
-    Film film = finishFilm(session, takeFilm(*session.tracer), options, state, report);
+    Film film = finishFilm(session, session.renderer->takeFilm(), options, state, report);
     if (interrupted()) return false;
     writeImage(session, path, signatureFor(session, path), std::move(film));
     return true;
@@ -130,9 +136,8 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
         noteInterrupts();
     }
     const FrameState state = renderFrames(session, options, start ? &*start : nullptr, report);
-    Film film = takeFilm(*session.tracer);
-    destroyTracer(session.device, *session.tracer); // the filter takes as much memory again
-    session.tracer.reset();
+    Film film = session.renderer->takeFilm();
+    dropRenderer(session);
     film = finishFilm(session, std::move(film), options, state, report);
     if (options.output.empty()) return;
     if (state.traced > 0 || (start && session.settings.denoise == DenoiseChoice::kOn))
@@ -141,7 +146,7 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
 }
 
 void renderTurntable(RenderSession& session, const Options& options, Report& report) {
-    const DeviceScene& scene = *session.scene;
+    const DeviceScene& scene = session.loaded->scene;
     const Vec3 center = 0.5 * (scene.bounds.lo + scene.bounds.hi);
     const TurntableAxis axis{session.settings.camera.target.value_or(center),
                              sceneUp(scene.description, session.settings)};
@@ -151,7 +156,6 @@ void renderTurntable(RenderSession& session, const Options& options, Report& rep
     std::uint32_t turn = 0;
     for (; turn < options.turntable; ++turn) {
         session.camera = turntableCamera(first, axis, turn, options.turntable);
-        setCamera(*session.tracer, session.camera);
         if (!renderTurn(session, options, turn, progress, report)) break;
     }
     progress.finish();

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "shaders/shared/luminance.h"
+
 namespace pointrt {
 namespace {
 
@@ -74,8 +76,7 @@ double rowShare(std::size_t y, std::uint32_t height) {
     return rise + fall;
 }
 
-/// Rec. 709.
-double luminanceOf(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+double luminanceOf(const float* rgb) { return luminance<double>(rgb[0], rgb[1], rgb[2]); }
 
 /// Luminance averaged over each texel as bilinear interpolation fills it, times the solid angle: of each axis the texel
 /// itself counts for 3/4 and its neighbours for 1/8.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "shaders/shared/luminance.h"
+
 namespace pointrt {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::uint32_t kFirstNoise = 8;
 constexpr std::uint32_t kSmallestStep = 8;
 constexpr double kDarkest = 0.01; ///< of the mean luminance
 
-double luminance(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+double luminanceOf(const float* rgb) { return luminance<double>(rgb[0], rgb[1], rgb[2]); }
 
 /// Samples that the target noise takes, going by the last look.
 double samplesForNoise(const FrameLimits& limits, const FrameState& now) {
@@ -38,7 +40,7 @@ std::uint32_t nextTimeLook(const FrameLimits& limits, const FrameState& now) {
 double meanLuminance(const Film& film) {
     double sum = 0;
     for (std::size_t i = 0; i < film.variance.size(); ++i) {
-        const double light = luminance(film.rgba.data() + 4 * i);
+        const double light = luminanceOf(film.rgba.data() + 4 * i);
         if (std::isfinite(light)) sum += light;
     }
     return sum / static_cast<double>(film.variance.size());
@@ -69,7 +71,7 @@ double relativeNoise(const Film& film) {
     double sum = 0;
     for (std::size_t i = 0; i < film.variance.size(); ++i) {
         if (film.samples[i] < 2) return std::numeric_limits<double>::infinity();
-        const double light = luminance(film.rgba.data() + 4 * i) + floor;
+        const double light = luminanceOf(film.rgba.data() + 4 * i) + floor;
         const double share = film.variance[i] / (light * light);
         if (film.variance[i] > 0 && std::isfinite(share)) sum += share;
     }

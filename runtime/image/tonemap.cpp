@@ -3,36 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "shaders/shared/tone_curve.h"
 
 namespace pointrt {
-namespace {
-
-constexpr float kCompressionStart = 0.8f;
-constexpr float kDesaturation = 0.15f; // of the Khronos reference
-
-// Comparisons with NaN are false, so that NaN becomes 0.
-float cleanChannel(float value) { return value > 0.0f ? std::min(value, std::numeric_limits<float>::max()) : 0.0f; }
-
-} // namespace
 
 std::array<float, 3> toneMap(std::array<float, 3> linear) {
-    for (float& channel : linear) channel = cleanChannel(channel);
+    for (float& channel : linear) channel = gpu::cleanChannel(channel);
     const float peak = std::max({linear[0], linear[1], linear[2]});
-    if (peak < kCompressionStart) return linear;
-    const float headroom = 1.0f - kCompressionStart;
-    const float new_peak = 1.0f - headroom * headroom / (peak + headroom - kCompressionStart);
-    const float whiteness = 1.0f - 1.0f / (kDesaturation * (peak - new_peak) + 1.0f);
-    for (float& channel : linear) {
-        const float scaled = channel / peak * new_peak;
-        channel = scaled + (new_peak - scaled) * whiteness;
-    }
+    if (peak < TONE_COMPRESSION_START) return linear;
+    const float new_peak = gpu::compressedPeak(peak), whiteness = gpu::peakWhiteness(peak, new_peak);
+    for (float& channel : linear) channel = gpu::compressHighlight(channel, peak, new_peak, whiteness);
     return linear;
 }
 
 std::uint8_t encodeSrgb(float linear) {
-    const float x = std::clamp(cleanChannel(linear), 0.0f, 1.0f);
-    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    const float x = std::clamp(gpu::cleanChannel(linear), 0.0f, 1.0f);
+    const float encoded = x <= SRGB_LINEAR_END ? gpu::srgbLine(x) : gpu::srgbCurve(x);
     return static_cast<std::uint8_t>(std::lround(255.0f * encoded));
 }
 

@@ -10,9 +10,8 @@
 
 namespace pointrt {
 
-/// Compresses highlights into [0, 1] and leaves colours whose largest channel is below 0.8 as they are: the Khronos PBR
-/// Neutral tone mapper (https://github.com/KhronosGroup/ToneMapping, PBR_Neutral) without its toe, which takes off the
-/// 4% that Fresnel reflection adds in physically based shading and ours does not. Negative and NaN values count as 0.
+/// Compresses highlights into [0, 1] and leaves colours whose largest channel is below 0.8 as they are, by
+/// shaders/shared/tone_curve.h. Negative and NaN values count as 0.
 std::array<float, 3> toneMap(std::array<float, 3> linear);
 
 /// The sRGB transfer function (IEC 61966-2-1), rounded to 8 bits; linear is clamped to [0, 1].

@@ -2,6 +2,7 @@
 #include "runtime/tracer/band_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/tracer/frame_params.h"
 #include "runtime/tracer/sample_recorder.h"
@@ -30,15 +31,13 @@ gpu::Control readControl(Device& device, const BandTracer& tracer) {
 } // namespace
 
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
-                      std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons) {
+                      std::uint32_t lanes, std::uint64_t film_pixels) {
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     try {
         tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
         tracer.programs = createPrograms(device, scene, settings);
-        tracer.caustics = photons > 0 && castsCaustics(scene) && showsLight(settings.integrator)
-                              ? buildCaustics(device, scene, tracer.programs, photons)
-                              : emptyCaustics(device);
+        tracer.caustics = emptyCaustics(device);
         createBindings(device, tracer);
     } catch (...) {
         destroyBandTracer(device, tracer);
@@ -55,6 +54,21 @@ void destroyBandTracer(Device& device, BandTracer& tracer) {
     tracer.sets = {};
     tracer.scene = nullptr;
 }
+
+bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings) {
+    return castsCaustics(scene) && showsLight(settings.integrator);
+}
+
+void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings) {
+    CausticMap map = wantsPhotons(*tracer.scene, settings)
+                         ? buildCaustics(device, *tracer.scene, tracer.programs, kPhotons)
+                         : emptyCaustics(device);
+    destroyCaustics(device, tracer.caustics);
+    tracer.caustics = std::exchange(map, {});
+    rebind(device, tracer);
+}
+
+void forgetPhotons(BandTracer& tracer) { tracer.caustics.frame.count.x = 0; }
 
 void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
     createFilm(device, tracer.buffers, film_pixels);

@@ -36,11 +36,19 @@ struct BandTracer {
     BandTracer& operator=(const BandTracer&) = delete;
 };
 
-/// Fills tracer, which is empty, for bands of up to so many lanes (lanesOf) out of films of up to film_pixels. photons:
-/// for caustics, where the scene and the settings have any; 0: none. scene must be furnished and outlive the tracer.
+/// Fills tracer, which is empty, for bands of up to so many lanes (lanesOf) out of films of up to film_pixels, without
+/// photons. scene must have its tables and outlive the tracer.
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
-                      std::uint32_t lanes, std::uint64_t film_pixels, std::uint32_t photons);
+                      std::uint32_t lanes, std::uint64_t film_pixels);
+/// Leaves it empty, which it may have been.
 void destroyBandTracer(Device& device, BandTracer& tracer);
+
+/// Whether the scene throws caustics, and the settings' integrator shows them.
+bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings);
+/// Puts the photons of its scene as it is now, where it wants any, in place of those there were, and binds them.
+void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings);
+/// Leaves the photons there were out.
+void forgetPhotons(BandTracer& tracer);
 
 /// Makes room for films of up to so many pixels; what the film holds is lost.
 void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels);

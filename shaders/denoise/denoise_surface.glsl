@@ -2,6 +2,7 @@
 // What the preview denoiser knows of a pixel besides its light, and how alike that makes two pixels.
 #ifndef POINTRT_SHADERS_DENOISE_SURFACE_GLSL
 #define POINTRT_SHADERS_DENOISE_SURFACE_GLSL
+#include "shaders/shared/luminance.h"
 
 // Kinds of pixels; only pixels of one kind are averaged. Between empty and full: by eighths of the pixel that the scene
 // covers, so that the background that partly covered pixels hold stays among them.
@@ -25,9 +26,6 @@ struct DenoiseSurface {
 
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7F800000u) != 0x7F800000u; }
 bool isFinite(vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
-
-// Rec. 709.
-float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 vec2 signs(vec2 v) { return vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0); }
 

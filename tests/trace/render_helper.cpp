@@ -12,8 +12,8 @@
 
 #include "pointrt/pro_index_layout.h"
 #include "runtime/image/image_exr.h"
-#include "runtime/scene/camera.h"
-#include "runtime/scene/default_lighting.h"
+#include "runtime/renderer/loaded_scene.h"
+#include "runtime/renderer/progressive_renderer.h"
 #include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the
@@ -46,23 +46,27 @@ RenderSettings square(std::uint32_t size) {
 Rendered renderScene(SceneDescription description, RenderSettings settings) {
     Device& device = sharedDevice();
     settings.first_hits = true;
-    DeviceScene scene = openScene(device, std::move(description), false);
+    LoadRequest request;
+    request.scene = std::move(description);
+    request.settings = settings;
+    request.staging = settings.camera;
+    const std::unique_ptr<LoadedScene> loaded = loadScene(device, device, request, {});
+    const DeviceScene& scene = loaded->scene;
     Rendered rendered;
-    rendered.camera = frameCamera(settings.camera, scene.bounds.lo, scene.bounds.hi,
-                                  static_cast<double>(settings.width) / settings.height);
-    addSurroundings(scene.description, settings, rendered.camera, scene.bounds.lo, scene.bounds.hi);
-    uploadSceneTables(device, scene, settings);
+    rendered.camera = loaded->camera;
     rendered.scene = scene.description;
     if (!scene.instances.empty()) {
         rendered.info = scene.files[0].info;
         rendered.cell_edge = 1 / (PRO_BRICK_SIDE * double{scene.instances[0].params.grid_scale.x});
     }
     rendered.params = makeFrameParams(scene, settings, rendered.camera, 0, settings.height);
-    Tracer tracer = createTracer(device, scene, settings, rendered.camera);
-    rendered.rays = renderFrame(device, tracer, {});
-    rendered.film = readFilm(tracer);
-    destroyTracer(device, tracer);
-    destroyDeviceScene(device, scene);
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    FrameJob job;
+    job.samples = settings.spp;
+    renderer.begin({settings, rendered.camera, tilingFor(device, settings.width, settings.height)}, job);
+    renderer.run();
+    rendered.rays = renderer.takeRays();
+    rendered.film = renderer.takeFilm();
     EXPECT_EQ(validationMessages(), 0u);
     return rendered;
 }

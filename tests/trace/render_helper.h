@@ -11,7 +11,6 @@
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 #include "runtime/tracer/frame_params.h"
-#include "runtime/tracer/tracer.h"
 
 namespace pointrt::test {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "runtime/device_scene/device_scene.h"
+#include "runtime/renderer/pick.h"
 #include "runtime/window/edit/workspace.h"
-#include "runtime/window/live/viewport_renderer.h"
 
 namespace pointrt {
 

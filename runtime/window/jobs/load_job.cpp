@@ -3,13 +3,34 @@
 
 #include <filesystem>
 
+#include "runtime/session/load_request.h"
+#include "runtime/session/settings.h"
+#include "runtime/window/live/viewport_renderer.h"
+
 namespace pointrt {
+namespace {
+
+std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& options, JobControl& control) {
+    const LoadStage stage = [&](const char* what, double share) {
+        control.leaveIfCancelled();
+        control.say(what);
+        control.setShare(share);
+    };
+    stage("reading", 0);
+    LoadRequest request = loadRequest(options, describeScene(options));
+    request.size = TracerSize{kSliceLanes, 1}; // films as large as the window come with its first picture
+    std::unique_ptr<LoadedScene> loaded = loadScene(owner, worker, request, stage);
+    control.leaveIfCancelled();
+    return loaded;
+}
+
+} // namespace
 
 LoadJob::LoadJob(Device& device, const Options& options)
-    : worker_(device), job_("Loading " + std::filesystem::path(options.scene).filename().string(),
-                            [this, &device, options](JobControl& control) {
-                                loaded_ = loadFromFile(device, worker_.get(), options, control);
-                            }) {}
+    : worker_(device),
+      job_("Loading " + std::filesystem::path(options.scene).filename().string(),
+           [this, &device, options](JobControl& control) { loaded_ = load(device, worker_.get(), options, control); }) {
+}
 
 std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 

@@ -4,8 +4,10 @@
 
 #include <memory>
 
+#include "runtime/renderer/loaded_scene.h"
+#include "runtime/session/options.h"
 #include "runtime/window/jobs/job.h"
-#include "runtime/window/jobs/loaded_scene.h"
+#include "runtime/window/jobs/refurnish.h"
 
 namespace pointrt {
 

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "runtime/session/settings.h"
-#include "runtime/tracer/film_readout.h"
-#include "runtime/tracer/frame_params.h"
 
 namespace pointrt {
 namespace {
@@ -37,7 +35,7 @@ PictureSize withinFilm(PictureSize size, std::uint64_t most_pixels) {
 } // namespace
 
 ViewportRenderer::ViewportRenderer(Device& device, BandTracer& tracer, double moving_budget_s)
-    : device_(device), tracer_(tracer), moving_budget_s_(moving_budget_s) {}
+    : device_(device), tracer_(tracer), renderer_(device, tracer), moving_budget_s_(moving_budget_s) {}
 
 ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_); }
 
@@ -74,14 +72,14 @@ void ViewportRenderer::setLook(const Look& look, bool denoise) {
     view_.look = look;
     view_.denoise = denoise;
     if (full_.width == 0) return;
-    const bool lacks_hits = samples_ > 0 && !has_guides_ && hasHits();
-    if (lacks_hits) return restart(false);
-    const bool filtered = denoise && look.shown == SHOWN_BEAUTY && samples_ < kCleanSamplesOfLight;
+    const std::uint32_t samples = renderer_.samples();
+    if (needsHits() && !renderer_.hasFirstHits()) return samples > 0 ? restart(false) : begin(stage_);
+    const bool filtered = denoise && look.shown == SHOWN_BEAUTY && samples < kCleanSamplesOfLight;
     if (filtered && denoised_samples_ > 0)
         showDenoised();
     else
         showFilm();
-    denoise_due_ = filtered && stage_ != Stage::kDenoising && denoised_samples_ != samples_;
+    denoise_due_ = filtered && stage_ != Stage::kDenoising && denoised_samples_ != samples;
     if (stage_ == Stage::kResting && denoisesNow()) begin(Stage::kDenoising);
 }
 
@@ -90,15 +88,17 @@ void ViewportRenderer::setSamples(std::uint32_t spp) {
     if (before == spp) return;
     // a single sample is one through the pixel's centre
     if (before == 1 || spp == 1) return restart(false);
-    if (stage_ == Stage::kResting && samples_ < spp) stage_ = Stage::kFine;
+    if (isWhole()) renderer_.setSamples(spp);
+    if (stage_ == Stage::kResting && renderer_.samples() < spp) stage_ = Stage::kFine;
 }
 
 /// All rows that have samples, but those under way.
 void ViewportRenderer::showFilm() {
-    const std::uint32_t under_way = sample_ ? sample_->rows : 0;
-    if (row_ > 0) showRows(0, row_, samples_ + 1);
-    if (samples_ > 0 && row_ + under_way < size_.height)
-        showRows(row_ + under_way, size_.height - row_ - under_way, samples_);
+    const std::uint32_t done = renderer_.rowsDone(), samples = renderer_.samples();
+    const std::uint32_t under_way = renderer_.strip() ? renderer_.strip()->sample.rows : 0;
+    if (done > 0) showRows(0, done, samples + 1);
+    if (samples > 0 && done + under_way < size_.height)
+        showRows(done + under_way, size_.height - done - under_way, samples);
 }
 
 void ViewportRenderer::begin(Stage stage) {
@@ -108,13 +108,22 @@ void ViewportRenderer::begin(Stage stage) {
         denoise_step_ = 0;
         return;
     }
-    if (stage == Stage::kResting) return;
+    if (stage == Stage::kResting || full_.width == 0) return;
     size_ = stage == Stage::kMoving ? moving_size_ : stage == Stage::kCoarse ? reduced(full_, kCoarseDivisor) : full_;
-    sample_.reset();
-    row_ = 0;
-    samples_ = 0;
-    has_guides_ = denoise_due_ = false;
+    denoise_due_ = false;
     denoised_samples_ = 0;
+    beginFilm();
+}
+
+/// All of it is one band, in the window's film on the device. Quick pictures are of one sample.
+void ViewportRenderer::beginFilm() {
+    RenderPlan plan{view_.settings, view_.camera, {size_.height, size_.height}, stage_ != Stage::kFine};
+    plan.settings.width = size_.width;
+    plan.settings.height = size_.height;
+    plan.settings.first_hits = needsHits();
+    FrameJob job;
+    job.samples = stage_ == Stage::kFine ? view_.settings.spp : 1;
+    renderer_.begin(plan, job);
 }
 
 /// Where to go from a stage that is done.
@@ -122,20 +131,22 @@ void ViewportRenderer::next() {
     if (stage_ == Stage::kMoving) return; // until it rests: work()
     if (stage_ == Stage::kCoarse) return begin(Stage::kFine);
     if (stage_ == Stage::kFine && denoisesNow()) return begin(Stage::kDenoising);
-    stage_ = samples_ < view_.settings.spp ? Stage::kFine : Stage::kResting;
+    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kFine : Stage::kResting;
 }
 
 /// At sample counts that are powers of two: in between the picture hardly changes.
 bool ViewportRenderer::denoisesNow() const {
-    return view_.denoise && view_.look.shown == SHOWN_BEAUTY && has_guides_ && samples_ >= 2 &&
-           samples_ < kCleanSamplesOfLight &&
-           (denoise_due_ || std::has_single_bit(samples_) || samples_ == view_.settings.spp);
+    const std::uint32_t samples = renderer_.samples();
+    return showsDenoised() && renderer_.hasFirstHits() && samples >= 2 && samples < kCleanSamplesOfLight &&
+           (denoise_due_ || std::has_single_bit(samples) || samples == view_.settings.spp);
 }
+
+bool ViewportRenderer::showsDenoised() const { return view_.denoise && view_.look.shown == SHOWN_BEAUTY; }
 
 bool ViewportRenderer::work(double seconds) {
     if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kResting) return false;
     const Clock::time_point start = Clock::now();
-    if (stage_ == Stage::kMoving && samples_ > 0) {
+    if (stage_ == Stage::kMoving && renderer_.samples() > 0) {
         if (since(moved_) < kRest_s) return false;
         begin(size_.width < reduced(full_, kCoarseDivisor).width ? Stage::kCoarse : Stage::kFine);
     }
@@ -143,7 +154,7 @@ bool ViewportRenderer::work(double seconds) {
     while (stage_ != Stage::kResting && (left > kMin_s || stage_ == Stage::kMoving)) {
         if (mustShow()) return true;
         advance(left);
-        if (stage_ == Stage::kMoving && samples_ > 0) return true;
+        if (stage_ == Stage::kMoving && renderer_.samples() > 0) return true;
         left = seconds - since(start);
     }
     return true;
@@ -153,57 +164,45 @@ bool ViewportRenderer::mustShow() const { return !updates_.empty() && updates_.b
 
 void ViewportRenderer::advance(double seconds_left) {
     if (stage_ == Stage::kDenoising) return denoiseOn();
-    if (!sample_) openSlice(seconds_left);
-    const Clock::time_point start = Clock::now();
-    const Pace& pace = stage_ == Stage::kFine ? fine_pace_ : moving_pace_;
-    // what does not fit in one go is handed over bounce by bounce
-    const bool fits = pace.secondsFor(std::uint64_t{sample_->width} * sample_->rows) <= seconds_left;
-    const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
-    traceOn(device_, tracer_, *sample_, fits || stage_ == Stage::kMoving ? bounces : sample_->pass == 0 ? 0 : 1, rays_);
-    slice_seconds_ += since(start);
-    if (sample_->done) finishSlice();
-}
-
-void ViewportRenderer::openSlice(double seconds_left) {
-    std::uint32_t rows = size_.height - row_;
-    if (stage_ != Stage::kMoving) {
-        const Pace& pace = stage_ == Stage::kFine ? fine_pace_ : moving_pace_;
-        rows = std::min(rows, pace.rowsFor(kPlanned * seconds_left, size_.width));
+    if (!renderer_.strip()) {
+        slice_seconds_ = 0;
+        if (!renderer_.openStrip(sliceRows(seconds_left))) return next();
     }
-    rows = std::min(rows, std::max(kSliceLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
-    RenderSettings settings = view_.settings;
-    settings.width = size_.width;
-    settings.height = size_.height;
-    openBand(device_, tracer_, settings, view_.camera, {row_, rows}, {size_.width * size_.height, size_.width * row_});
-    BandSample sample{size_.width, rows, samples_};
-    sample.at_centers = stage_ != Stage::kFine || view_.settings.spp == 1;
-    sample.preview = stage_ != Stage::kFine;
-    sample.first_hits = samples_ == 0 && hasHits();
-    sample_ = sample;
-    slice_seconds_ = 0;
+    const Clock::time_point start = Clock::now();
+    const Strip strip = *renderer_.strip();
+    // what does not fit in one go is handed over bounce by bounce
+    const bool fits = pace().secondsFor(std::uint64_t{size_.width} * strip.sample.rows) <= seconds_left;
+    const std::uint32_t bounces = std::max(view_.settings.bounces, 1u);
+    const bool done = renderer_.traceStrip(fits || stage_ == Stage::kMoving ? bounces : strip.sample.pass == 0 ? 0 : 1);
+    slice_seconds_ += since(start);
+    if (done) finishSlice(strip);
 }
 
-void ViewportRenderer::finishSlice() {
-    const std::uint32_t first_row = row_, rows = sample_->rows;
-    Pace& pace = stage_ == Stage::kFine ? fine_pace_ : moving_pace_;
-    if (!sample_->first_hits) pace.learn(std::uint64_t{size_.width} * rows, slice_seconds_);
+std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
+    std::uint32_t rows = size_.height;
+    if (stage_ != Stage::kMoving) rows = std::min(rows, pace().rowsFor(kPlanned * seconds_left, size_.width));
+    return std::min(rows, std::max(kSliceLanes / (size_.width + TILE_SIDE) / TILE_SIDE, 1u) * TILE_SIDE);
+}
+
+void ViewportRenderer::finishSlice(const Strip& strip) {
+    const std::uint32_t rows = strip.sample.rows, sample = strip.sample.number;
+    if (!strip.sample.first_hits) pace().learn(std::uint64_t{size_.width} * rows, slice_seconds_);
     traced_seconds_ += slice_seconds_;
-    sample_.reset();
-    row_ += rows;
+    const RayCounts rays = renderer_.takeRays();
+    rays_ += rays.primary + rays.shadow + rays.secondary;
     // where the denoiser is at work, the picture in between is its last one
-    if (samples_ == 0 || !view_.denoise || view_.look.shown != SHOWN_BEAUTY || samples_ >= kCleanSamplesOfLight)
-        showRows(first_row, rows, samples_ + 1);
-    if (row_ < size_.height) return;
-    row_ = 0;
-    ++samples_;
-    has_guides_ = hasHits();
-    if (samples_ == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on as it is
+    if (sample == 0 || !showsDenoised() || sample >= kCleanSamplesOfLight) showRows(strip.first_row, rows, sample + 1);
+    if (renderer_.rowsDone() == 0) finishSample();
+}
+
+void ViewportRenderer::finishSample() {
+    if (renderer_.samples() == kCleanSamplesOfLight && view_.denoise) showFilm(); // from here on as it is
     next();
 }
 
-/// Whether the film of this stage gets first hits. The whole picture has them for the denoiser and for files, others
+/// Whether the film of this stage needs first hits. The whole picture has them for the denoiser and for files, others
 /// only where they are looked at.
-bool ViewportRenderer::hasHits() const {
+bool ViewportRenderer::needsHits() const {
     const bool looked_at = needsFirstHits(view_.look);
     return looked_at || (stage_ == Stage::kFine && (view_.denoise || view_.settings.first_hits));
 }
@@ -223,23 +222,23 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
 
 void ViewportRenderer::denoiseOn() {
     const VkCommandBuffer commands = beginCommands(device_);
-    const FilmRange all = rangeOf(0, full_.height, samples_);
+    const FilmRange all = rangeOf(0, full_.height, renderer_.samples());
     Look light = view_.look;
     light.shown = SHOWN_BEAUTY;
     if (denoise_step_ == 0) recordResolve(commands, display_, all, light, true);
     recordDenoiseStep(commands, *display_.denoiser, denoise_step_++);
     submitAndWait(device_, commands);
     if (denoise_step_ < kDenoiseSteps) return;
-    denoised_samples_ = samples_;
+    denoised_samples_ = renderer_.samples();
     denoise_due_ = false;
-    stage_ = samples_ < view_.settings.spp ? Stage::kFine : Stage::kResting;
+    stage_ = renderer_.samples() < view_.settings.spp ? Stage::kFine : Stage::kResting;
     if (view_.denoise && view_.look.shown == SHOWN_BEAUTY) return showDenoised();
     showFilm();
 }
 
 void ViewportRenderer::showDenoised() {
     const VkCommandBuffer commands = beginCommands(device_);
-    recordTonemap(commands, display_, rangeOf(0, full_.height, samples_), view_.look, true);
+    recordTonemap(commands, display_, rangeOf(0, full_.height, renderer_.samples()), view_.look, true);
     submitAndWait(device_, commands);
     updates_.push_back({full_, 0, full_.height});
 }
@@ -247,12 +246,11 @@ void ViewportRenderer::showDenoised() {
 ViewportProgress ViewportRenderer::progress() const {
     ViewportProgress progress;
     progress.size = size_;
-    progress.samples = isWhole() ? samples_ : 0;
-    progress.share = size_.height > 0 ? static_cast<double>(row_) / size_.height : 0;
+    progress.samples = isWhole() ? renderer_.samples() : 0;
+    progress.share = size_.height > 0 ? static_cast<double>(renderer_.rowsDone()) / size_.height : 0;
     progress.resting = stage_ == Stage::kResting;
     progress.denoising = stage_ == Stage::kDenoising;
-    const auto rays = static_cast<double>(rays_.primary + rays_.shadow + rays_.secondary);
-    progress.mrays_per_second = traced_seconds_ > 0 ? 1e-6 * rays / traced_seconds_ : 0;
+    progress.mrays_per_second = traced_seconds_ > 0 ? 1e-6 * static_cast<double>(rays_) / traced_seconds_ : 0;
     return progress;
 }
 
@@ -261,39 +259,16 @@ bool ViewportRenderer::isWhole() const {
     return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCoarse;
 }
 
-bool ViewportRenderer::betweenSamples() const { return samples_ > 0 && isWhole() && row_ == 0 && !sample_; }
+bool ViewportRenderer::betweenSamples() const {
+    return renderer_.samples() > 0 && isWhole() && renderer_.rowsDone() == 0 && !renderer_.strip();
+}
 
 std::optional<Pick> ViewportRenderer::pick(std::uint32_t x, std::uint32_t y) {
     if (x >= full_.width || y >= full_.height) return std::nullopt;
-    const std::uint32_t first = full_.width * y;
-    openBand(device_, tracer_, view_.settings, view_.camera, {y, 1}, {full_.width * full_.height, first});
-    BandSample sample{full_.width, 1};
-    sample.only_first_hits = true;
-    RayCounts rays;
-    traceOn(device_, tracer_, sample, 0, rays);
-    gpu::vec4 hit[FIRST_HIT_VECTORS];
-    downloadBuffer(device_, tracer_.buffers.first_hits, hit, sizeof hit, std::uint64_t{first + x} * sizeof hit);
-    if (hit[0].w < 0) return std::nullopt;
-    Pick pick;
-    pick.splat = std::bit_cast<std::uint32_t>(hit[1].x);
-    pick.owner = std::bit_cast<std::uint32_t>(hit[1].y);
-    pick.distance = hit[0].w * tracer_.scene->space.scale;
-    pick.position = centerRayOrigin(view_.settings, view_.camera, x, y) +
-                    pick.distance * centerRayDirection(view_.settings, view_.camera, x, y);
-    pick.normal = {hit[0].x, hit[0].y, hit[0].z};
-    return pick;
+    return pickPixel(device_, tracer_, view_.settings, view_.camera, x, y);
 }
 
-Film ViewportRenderer::readFilm() {
-    Film film;
-    RenderSettings settings = view_.settings;
-    settings.first_hits = has_guides_;
-    allocateFilm(settings, film);
-    const Band all{0, full_.height};
-    storeLight(device_, tracer_.buffers, all, samples_, film);
-    if (has_guides_) storeFirstHits(device_, tracer_.buffers, all, *tracer_.scene, settings, view_.camera, film);
-    return film;
-}
+Film ViewportRenderer::readFilm() { return renderer_.takeFilm(); }
 
 std::uint64_t ViewportRenderer::deviceBytes() const {
     return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_);

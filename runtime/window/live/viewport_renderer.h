@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture that is never done: coarse while things move, finer as soon as they rest. It is traced in slices of a few
-// milliseconds, so that whoever draws the window is never kept waiting.
+// What a window shows of a progressive renderer: coarse while things move, finer as soon as they rest, and denoised. It
+// works in slices of a few milliseconds, so that whoever draws the window is never kept waiting.
 #pragma once
 
 #include <chrono>
@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/renderer/pick.h"
+#include "runtime/renderer/progressive_renderer.h"
 #include "runtime/tracer/band_tracer.h"
 #include "runtime/window/live/display_pipeline.h"
 #include "runtime/window/live/pace.h"
@@ -26,13 +28,6 @@ struct Viewport {
 struct PictureUpdate {
     PictureSize size; ///< of the picture they are rows of; smaller than the window's while things move
     std::uint32_t first_row = 0, rows = 0;
-};
-
-/// What is under a pixel, by the ray through its centre.
-struct Pick {
-    std::uint32_t splat = 0, owner = 0; ///< owner: an instance's number, or OWNER_SHAPES
-    double distance = 0;                ///< along the ray, input units
-    Vec3 position, normal;              ///< input frame
 };
 
 struct ViewportProgress {
@@ -77,7 +72,7 @@ public:
     ViewportProgress progress() const;
     /// The splat under a pixel of the whole picture, none where there is none. Between slices only: see canPick.
     std::optional<Pick> pick(std::uint32_t x, std::uint32_t y);
-    bool betweenSlices() const { return !sample_.has_value(); }
+    bool betweenSlices() const { return !renderer_.strip().has_value(); }
     /// True where every pixel of the whole picture has the same number of samples, at least one.
     bool betweenSamples() const;
     /// The whole picture as headless runs have it, with first hits where they were asked for; betweenSamples.
@@ -91,21 +86,27 @@ private:
 
     void fitFilm();
     void begin(Stage stage);
+    void beginFilm();
     void next();
     void advance(double seconds_left);
-    void openSlice(double seconds_left);
-    void finishSlice();
+    std::uint32_t sliceRows(double seconds_left) const;
+    void finishSlice(const Strip& strip);
+    void finishSample();
     void denoiseOn();
     bool isWhole() const;
+    bool showsDenoised() const;
     void showFilm();
     void showRows(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples);
     void showDenoised();
-    bool hasHits() const;
+    bool needsHits() const;
     bool denoisesNow() const;
+    Pace& pace() { return stage_ == Stage::kFine ? fine_pace_ : moving_pace_; }
+    const Pace& pace() const { return stage_ == Stage::kFine ? fine_pace_ : moving_pace_; }
     FilmRange rangeOf(std::uint32_t first_row, std::uint32_t rows, std::uint32_t samples) const;
 
     Device& device_;
     BandTracer& tracer_;
+    ProgressiveRenderer renderer_;
     double moving_budget_s_;
     DisplayPipeline display_;
     Viewport view_;
@@ -114,15 +115,11 @@ private:
     Clock::time_point moved_{};
     PictureSize full_, size_, moving_size_;
     Pace moving_pace_, fine_pace_;
-    std::optional<BandSample> sample_;   ///< the slice under way
-    std::uint32_t row_ = 0;              ///< the slice's first
-    std::uint32_t samples_ = 0;          ///< of every pixel of size_
-    bool has_guides_ = false;            ///< the whole film has first hits
     std::uint32_t denoised_samples_ = 0; ///< of the denoiser's result, 0: none of this view
     bool denoise_due_ = false;           ///< after the next sample, whatever its number
     std::uint32_t denoise_step_ = 0;
     double slice_seconds_ = 0, denoise_step_seconds_ = 0;
-    RayCounts rays_;
+    std::uint64_t rays_ = 0;
     double traced_seconds_ = 0;
     std::vector<PictureUpdate> updates_;
 };

@@ -14,8 +14,9 @@
 #include "runtime/film/film_file.h"
 #include "runtime/film/film_signature.h"
 #include "runtime/gpu/device.h"
+#include "runtime/renderer/loaded_scene.h"
+#include "runtime/renderer/progressive_renderer.h"
 #include "runtime/scene/camera.h"
-#include "runtime/tracer/tracer.h"
 
 namespace pointrt {
 namespace {
@@ -49,30 +50,32 @@ protected:
         ASSERT_NE(mkdtemp(name), nullptr);
         folder = name;
         device = createDevice({});
-        scene = openScene(device, testScene(), false);
-        uploadSceneTables(device, scene, testSettings());
+        LoadRequest request;
+        request.scene = testScene();
+        request.settings = testSettings();
+        loaded = loadScene(device, device, request, {});
         camera = frameCamera({}, {-1, 0, -1}, {1, 2, 1}, 1);
     }
     void TearDown() override {
-        destroyDeviceScene(device, scene);
+        loaded.reset();
         destroyDevice(device);
         fs::remove_all(folder);
     }
 
     std::string path() const { return (folder / "film.exr").string(); }
-    std::string signature(const RenderSettings& settings) const { return filmSignature(scene, settings, camera); }
+    std::string signature(const RenderSettings& settings) const {
+        return filmSignature(loaded->scene, settings, camera);
+    }
 
     /// The film start with this many samples in all.
     Film refine(const Film* start, std::uint32_t samples) {
-        Tracer tracer = createTracer(device, scene, testSettings(), camera);
+        const RenderSettings settings = testSettings();
+        ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
         job.samples = samples;
-        RayCounts rays;
-        const FrameState state = renderUntil(device, tracer, job, start, rays);
-        EXPECT_EQ(state.samples, samples);
-        const Film film = readFilm(tracer);
-        destroyTracer(device, tracer);
-        return film;
+        renderer.begin({settings, camera, tilingFor(device, settings.width, settings.height)}, job, start);
+        EXPECT_EQ(renderer.run().samples, samples);
+        return renderer.takeFilm();
     }
 
     std::string refusal(const RenderSettings& settings) const {
@@ -87,7 +90,7 @@ protected:
 
     fs::path folder;
     Device device;
-    DeviceScene scene;
+    std::unique_ptr<LoadedScene> loaded;
     Camera camera;
 };
 

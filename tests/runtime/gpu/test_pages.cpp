@@ -19,9 +19,9 @@
 #include "runtime/gpu/paged_buffer.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
-#include "runtime/tracer/tracer.h"
 #include "tests/format/scene_builder.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/whole_frame.h"
 
 namespace pointrt {
 namespace {
@@ -131,11 +131,10 @@ protected:
         settings.first_hits = true;
         uploadSceneTables(open.device, open.scene, settings);
         const Bounds& bounds = open.scene.bounds;
-        Tracer tracer = createTracer(open.device, open.scene, settings, frameCamera({}, bounds.lo, bounds.hi, 1));
-        renderFrame(open.device, tracer, {});
-        Picture picture{readFilm(tracer), {}, open.scene.files[0].index.uneven != 0};
+        const Camera camera = frameCamera({}, bounds.lo, bounds.hi, 1);
+        Picture picture{
+            test::wholeFrame(open.device, open.scene, settings, camera), {}, open.scene.files[0].index.uneven != 0};
         for (const DeviceScan& file : open.scene.files) picture.pages.push_back(file.pages);
-        destroyTracer(open.device, tracer);
         return picture;
     }
 

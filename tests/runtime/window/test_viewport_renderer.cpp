@@ -12,7 +12,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/image/tonemap.h"
 #include "runtime/scene/camera.h"
-#include "runtime/tracer/tracer.h"
+#include "tests/support/whole_frame.h"
 
 namespace pointrt {
 namespace {
@@ -52,7 +52,7 @@ protected:
         uploadSceneTables(device, scene, view.settings);
         view.camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 72.0 / 56);
         view.look.scale = scene.space.scale;
-        createBandTracer(device, tracer, scene, view.settings, kSliceLanes, 1, 0);
+        createBandTracer(device, tracer, scene, view.settings, kSliceLanes, 1);
         live.emplace(device, tracer, 0.01);
     }
     void TearDown() override {
@@ -73,13 +73,7 @@ protected:
         ASSERT_TRUE(live->progress().resting);
     }
 
-    Film headless() {
-        Tracer whole = createTracer(device, scene, view.settings, view.camera);
-        renderFrame(device, whole, {});
-        Film film = pointrt::readFilm(whole);
-        destroyTracer(device, whole);
-        return film;
-    }
+    Film headless() { return test::wholeFrame(device, scene, view.settings, view.camera); }
 
     std::vector<std::uint32_t> shownPixels() {
         std::vector<std::uint32_t> words(72 * 56);

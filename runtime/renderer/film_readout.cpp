@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/tracer/film_readout.h"
+#include "runtime/renderer/film_readout.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,16 +10,13 @@
 
 #include "format/base/parallel.h"
 #include "runtime/tracer/frame_params.h"
+#include "shaders/shared/luminance.h"
 
 namespace pointrt {
 
 namespace {
 
 constexpr std::size_t kPixelsAtOnce = 1 << 16; ///< of a thread: a millisecond's work, starting one takes a tenth
-
-float luminance(float r, float g, float b) {
-    return 0.2126f * r + 0.7152f * g + 0.0722f * b;
-} // as shaders/math/color.glsl
 
 std::size_t firstPixel(Band band, const Film& film) { return std::size_t{band.first_row} * film.width; }
 std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.rows} * film.width; }

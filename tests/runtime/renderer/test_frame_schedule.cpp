@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which samples a frame takes, with a tracer that only counts and a clock that runs by its samples.
-#include "runtime/tracer/frame_loop.h"
+#include "runtime/renderer/frame_schedule.h"
 
 #include <gtest/gtest.h>
 
@@ -22,42 +22,35 @@ Film blankFilm(std::uint32_t width, std::uint32_t height) {
 
 /// A tracer whose noise is 1 / sqrt(samples) and whose bands take their rows' share of a second a sample.
 struct Pretender {
-    std::uint32_t height = 0;
-    double now = 100;                                      // clocks start anywhere
-    std::map<std::uint32_t, std::uint32_t> traced, stored; ///< by first row
-    std::uint32_t opened = 0, first_stores = 0, looks = 0;
+    double now = 100;                              // clocks start anywhere
+    std::map<std::uint32_t, std::uint32_t> traced; ///< by first row
+    std::uint32_t opened = 0, looks = 0;
 
-    FrameSteps steps() {
-        FrameSteps steps;
-        steps.open = [this](const FrameBand& band) {
-            EXPECT_EQ(stored[band.band.first_row], band.samples) << "goes on from what the film has";
-            ++opened;
-        };
-        steps.trace = [this](const FrameBand& band) {
-            EXPECT_EQ(traced[band.band.first_row]++, band.samples);
-            now += static_cast<double>(band.band.rows) / height;
-        };
-        steps.store = [this](const FrameBand& band, bool was_new) {
-            stored[band.band.first_row] = band.samples;
-            first_stores += was_new;
-        };
-        steps.noise = [this] {
-            ++looks;
-            return 1 / std::sqrt(stored[0]);
-        };
-        steps.seconds = [this] { return now; };
-        return steps;
+    FrameGauges gauges() {
+        return {[this] {
+                    ++looks;
+                    return 1 / std::sqrt(traced[0]);
+                },
+                [this] { return now; }};
     }
 
     FrameState run(const FrameJob& job, const Film& film, std::uint32_t band_rows) {
-        height = film.height;
-        for (const FrameBand& band : frameBands(film, band_rows))
-            traced[band.band.first_row] = stored[band.band.first_row] = band.samples;
-        return runFrame(job, frameBands(film, band_rows), steps());
+        const std::vector<FrameBand> bands = frameBands(film, band_rows);
+        for (const FrameBand& band : bands) traced[band.band.first_row] = band.samples;
+        FrameSchedule schedule(job, bands, gauges());
+        const FrameBand* open = nullptr;
+        while (const FrameBand* band = schedule.next()) {
+            if (band != open) ++opened;
+            open = band;
+            EXPECT_EQ(traced[band->band.first_row]++, band->samples);
+            now += static_cast<double>(band->band.rows) / film.height;
+            schedule.took();
+        }
+        return schedule.state();
     }
 };
 
-TEST(FrameLoop, TakesAllSamplesOfABandAtOnceWithoutLimits) {
+TEST(FrameSchedule, TakesAllSamplesOfABandAtOnceWithoutLimits) {
     Pretender tracer;
     FrameJob job;
     job.samples = 5;
@@ -67,28 +60,26 @@ TEST(FrameLoop, TakesAllSamplesOfABandAtOnceWithoutLimits) {
         share = done;
     };
     const FrameState state = tracer.run(job, blankFilm(3, 25), 10);
-    EXPECT_EQ(tracer.stored, (std::map<std::uint32_t, std::uint32_t>{{0, 5}, {10, 5}, {20, 5}}));
+    EXPECT_EQ(tracer.traced, (std::map<std::uint32_t, std::uint32_t>{{0, 5}, {10, 5}, {20, 5}}));
     EXPECT_EQ(tracer.opened, 3u);
-    EXPECT_EQ(tracer.first_stores, 3u);
     EXPECT_EQ(state.samples, 5u);
     EXPECT_NEAR(state.traced, 5, 1e-9);
     EXPECT_NEAR(share, 1, 1e-9);
 }
 
-TEST(FrameLoop, GoesOnWithEachBandFromWhereItIs) {
+TEST(FrameSchedule, GoesOnWithEachBandFromWhereItIs) {
     Film film = blankFilm(2, 4);
     film.samples = {7, 7, 3, 3, 3, 3, 9, 9};
     Pretender tracer;
     FrameJob job;
     job.samples = 8;
     const FrameState state = tracer.run(job, film, 4);
-    EXPECT_EQ(tracer.stored, (std::map<std::uint32_t, std::uint32_t>{{0, 8}, {1, 8}, {3, 9}}));
-    EXPECT_EQ(tracer.first_stores, 0u) << "first hits are in the film";
+    EXPECT_EQ(tracer.traced, (std::map<std::uint32_t, std::uint32_t>{{0, 8}, {1, 8}, {3, 9}}));
     EXPECT_EQ(state.samples, 8u);
     EXPECT_NEAR(state.traced, (1 + 2 * 5) / 4.0, 1e-9);
 }
 
-TEST(FrameLoop, HasNothingToDoOnAFilmThatIsComplete) {
+TEST(FrameSchedule, HasNothingToDoOnAFilmThatIsComplete) {
     Film film = blankFilm(1, 2);
     film.samples = {8, 8};
     Pretender tracer;
@@ -98,7 +89,7 @@ TEST(FrameLoop, HasNothingToDoOnAFilmThatIsComplete) {
     EXPECT_EQ(tracer.opened, 0u);
 }
 
-TEST(FrameLoop, KeepsItsTime) {
+TEST(FrameSchedule, KeepsItsTime) {
     for (const double seconds : {0.3, 1.0, 2.0, 7.9, 100.5}) {
         FrameJob job;
         job.samples = kMaxSpp;
@@ -112,7 +103,7 @@ TEST(FrameLoop, KeepsItsTime) {
     }
 }
 
-TEST(FrameLoop, TakesOneSampleMoreOfAFilmHoweverShortTheTime) {
+TEST(FrameSchedule, TakesOneSampleMoreOfAFilmHoweverShortTheTime) {
     Film film = blankFilm(1, 1);
     film.samples = {32};
     Pretender tracer;
@@ -122,7 +113,7 @@ TEST(FrameLoop, TakesOneSampleMoreOfAFilmHoweverShortTheTime) {
     EXPECT_EQ(tracer.run(job, film, 1).samples, 33u);
 }
 
-TEST(FrameLoop, StopsAtItsNoise) {
+TEST(FrameSchedule, StopsAtItsNoise) {
     FrameJob job;
     job.samples = kMaxSpp;
     job.limits.noise = 0.05; // 400 samples
@@ -134,7 +125,7 @@ TEST(FrameLoop, StopsAtItsNoise) {
     EXPECT_LE(tracer.looks, 9u) << "at 8, 16, ... 256 and the end";
 }
 
-TEST(FrameLoop, HasNoMoreSamplesThanAskedForWhateverTheLimits) {
+TEST(FrameSchedule, HasNoMoreSamplesThanAskedForWhateverTheLimits) {
     FrameJob job;
     job.samples = 50;
     job.limits = {1000, 0.001};
@@ -142,16 +133,45 @@ TEST(FrameLoop, HasNoMoreSamplesThanAskedForWhateverTheLimits) {
     EXPECT_EQ(tracer.run(job, blankFilm(1, 16), 5).samples, 50u);
 }
 
-TEST(FrameLoop, HasSomethingEverywhereWhenInterrupted) {
+TEST(FrameSchedule, HasSomethingEverywhereWhenInterrupted) {
     Pretender tracer;
     FrameJob job;
     job.samples = 1000;
     job.interrupted = [&] { return tracer.now > 110; };
     const FrameState state = tracer.run(job, blankFilm(1, 10), 5);
     EXPECT_EQ(state.samples, 8u); // 1, 2, 4, 8 in both bands take 8 of 10 seconds
-    EXPECT_EQ(tracer.stored[0], 13u) << "the sample under way is finished and stored";
-    EXPECT_EQ(tracer.stored[0], tracer.traced[0]);
-    EXPECT_EQ(tracer.stored[5], 8u);
+    EXPECT_EQ(tracer.traced[0], 13u) << "the sample under way is finished";
+    EXPECT_EQ(tracer.traced[5], 8u);
+}
+
+TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
+    FrameJob job;
+    job.samples = 2;
+    Pretender tracer;
+    FrameSchedule schedule(job, emptyBands(5, 3), tracer.gauges());
+    const auto count = [&] {
+        int samples = 0;
+        for (; schedule.next(); ++samples) schedule.took();
+        return samples;
+    };
+    EXPECT_EQ(count(), 4) << "of two bands";
+    EXPECT_EQ(count(), 0);
+    schedule.setSamples(5);
+    ASSERT_NE(schedule.next(), nullptr);
+    schedule.took();
+    EXPECT_EQ(schedule.samples(), 2u) << "of the other band";
+    schedule.setSamples(3);
+    EXPECT_EQ(count(), 1);
+    EXPECT_EQ(schedule.samples(), 3u);
+}
+
+TEST(FrameBands, CoverTheFilm) {
+    const std::vector<FrameBand> bands = emptyBands(25, 10), same = frameBands(blankFilm(3, 25), 10);
+    ASSERT_EQ(bands.size(), same.size());
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        EXPECT_EQ(bands[i].band.first_row, same[i].band.first_row);
+        EXPECT_EQ(bands[i].band.rows, same[i].band.rows);
+    }
 }
 
 Film noisyFilm(std::vector<float> lights, std::vector<float> variances) {

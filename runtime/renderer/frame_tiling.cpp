@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/renderer/frame_tiling.h"
+
+#include <algorithm>
+
+#include "runtime/tracer/frame_buffers.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+namespace {
+
+/// Pixels in flight: their states take about 500 bytes each, no more than 128 in any buffer, so that none nears the 128
+/// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
+constexpr std::uint32_t kBandPixels = 1u << 19;
+/// A processor needs no more lanes than keep it busy: a band is traced strip by strip there. With half of that its
+/// threads wait for each other more often, for a tenth of a frame (tests/bench/NOTES.md).
+constexpr std::uint32_t kStripPixels = 1u << 18;
+
+} // namespace
+
+FrameTiling tilingFor(const Device& device, std::uint32_t width, std::uint32_t height) {
+    FrameTiling tiling;
+    tiling.band_rows = tiling.strip_rows = std::clamp(kBandPixels / width, 1u, height);
+    if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU)
+        tiling.strip_rows =
+            std::min(tiling.band_rows, std::max(kStripPixels / width / TILE_SIDE * TILE_SIDE, TILE_SIDE));
+    return tiling;
+}
+
+TracerSize tracerSizeFor(FrameTiling tiling, std::uint32_t width) {
+    return {lanesOf(width, tiling.strip_rows), std::uint64_t{width} * tiling.band_rows};
+}
+
+} // namespace pointrt

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a frame is cut: into bands of rows, whose film is on the device one at a time, and those into strips, whose rays
+// are under way together.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/gpu/device.h"
+
+namespace pointrt {
+
+struct FrameTiling {
+    std::uint32_t band_rows = 1, strip_rows = 1;
+};
+
+FrameTiling tilingFor(const Device& device, std::uint32_t width, std::uint32_t height);
+
+/// What a BandTracer has room for.
+struct TracerSize {
+    std::uint32_t lanes = 0;       ///< of a strip
+    std::uint64_t film_pixels = 0; ///< of a band
+};
+
+/// The least for frames of this width that are cut so.
+TracerSize tracerSizeFor(FrameTiling tiling, std::uint32_t width);
+
+} // namespace pointrt

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A described scene on the device with all that it takes to trace it: the one way there, for files, the window and
+// tests.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/gpu/device.h"
+#include "runtime/renderer/frame_tiling.h"
+#include "runtime/scene/render_settings.h"
+#include "runtime/tracer/band_tracer.h"
+
+namespace pointrt {
+
+/// What a tracer's programs are built for.
+struct ProgramKinds {
+    std::uint32_t features = 0;
+    Integrator integrator = Integrator::kPhong;
+    bool sky_image = false, caustics = false;
+    bool operator==(const ProgramKinds&) const = default;
+};
+
+ProgramKinds kindsOf(const DeviceScene& scene, const RenderSettings& settings);
+
+/// It does not move: the tracer points at the scene.
+struct LoadedScene {
+    /// owner frees what is here, and outlives it.
+    explicit LoadedScene(Device& owner) : device(owner) {}
+    ~LoadedScene();
+    LoadedScene(const LoadedScene&) = delete;
+    LoadedScene& operator=(const LoadedScene&) = delete;
+
+    Device& device;
+    SceneDescription described; ///< as its file has it; scene.description has what stands around it besides
+    RenderSettings settings;    ///< that its tables are made for
+    Camera camera;              ///< the first
+    Vec3 staged_for;            ///< the eye that its surroundings were put up for, world frame
+    DeviceScene scene;
+    BandTracer tracer; ///< for ProgressiveRenderer
+    ProgramKinds program_kinds;
+    bool lacks_photons = false; ///< since its tables were changed: it throws caustics that the tracer does not have yet
+};
+
+struct LoadRequest {
+    SceneDescription scene;
+    RenderSettings settings;
+    CameraRequest staging;          ///< what surroundings are put up for: the settings' camera, were there no view
+    std::optional<TracerSize> size; ///< of the tracer; none: for whole frames of the settings' size
+    bool verbose = false;
+};
+
+/// Called as a stage of loading begins, with a word for it and the share of the whole that is done by then. It may
+/// throw to give the loading up.
+using LoadStage = std::function<void(const char* stage, double share)>;
+
+/// Loads on the calling thread. worker: the owner's for that thread, or the owner. stage may be empty. Throws Error as
+/// openScene, frameCamera and uploadSceneTables do.
+std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const LoadRequest& request,
+                                       const LoadStage& stage);
+
+} // namespace pointrt

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/load_request.h"
+
+#include <utility>
+
+#include "runtime/session/settings.h"
+
+namespace pointrt {
+
+LoadRequest loadRequest(const Options& options, SceneDescription scene) {
+    LoadRequest request;
+    request.settings = resolveSettings(options, scene);
+    Options without_view = options;
+    without_view.view.clear();
+    request.staging = resolveSettings(without_view, scene).camera;
+    request.scene = std::move(scene);
+    request.verbose = options.verbose;
+    return request;
+}
+
+} // namespace pointrt

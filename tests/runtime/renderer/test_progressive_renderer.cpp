@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// However a film is cut into bands, strips and steps, it is the same film.
+#include "runtime/renderer/progressive_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/gpu/device.h"
+#include "runtime/renderer/loaded_scene.h"
+#include "runtime/renderer/pick.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::uint32_t kWidth = 40, kHeight = 33, kSamples = 3;
+
+/// A ball of glass and one of plastic over a floor under a small lamp.
+LoadRequest testRequest() {
+    LoadRequest request;
+    SceneDescription& scene = request.scene;
+    scene.materials.resize(2);
+    scene.materials[0].kind = MaterialKind::kPlastic;
+    scene.materials[1].kind = MaterialKind::kGlass;
+    scene.shapes.push_back({ShapeKind::kSphere, {-1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
+    scene.shapes.push_back({ShapeKind::kSphere, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1});
+    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
+    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
+    request.settings.width = kWidth;
+    request.settings.height = kHeight;
+    request.settings.spp = kSamples;
+    request.settings.integrator = Integrator::kPath;
+    request.settings.first_hits = true;
+    request.settings.caustics = false;
+    return request;
+}
+
+class ProgressiveRendererTest : public testing::Test {
+protected:
+    void SetUp() override {
+        messages = validationMessages();
+        device = createDevice({});
+        loaded = loadScene(device, device, testRequest(), {});
+        plan = {loaded->settings, loaded->camera, {kHeight, kHeight}};
+        job.samples = kSamples;
+        whole = render(plan);
+    }
+    void TearDown() override {
+        loaded.reset();
+        destroyDevice(device);
+        EXPECT_EQ(validationMessages(), messages);
+    }
+
+    Film render(const RenderPlan& asked, const Film* start = nullptr) {
+        ProgressiveRenderer renderer(device, loaded->tracer);
+        renderer.begin(asked, job, start);
+        renderer.run();
+        return renderer.takeFilm();
+    }
+
+    static void expectSame(const Film& a, const Film& b) {
+        EXPECT_EQ(a.rgba, b.rgba);
+        EXPECT_EQ(a.variance, b.variance);
+        EXPECT_EQ(a.samples, b.samples);
+        EXPECT_EQ(a.indirect, b.indirect);
+        EXPECT_EQ(a.depth, b.depth);
+        EXPECT_EQ(a.normal, b.normal);
+    }
+
+    std::uint64_t messages = 0;
+    Device device;
+    std::unique_ptr<LoadedScene> loaded;
+    RenderPlan plan;
+    FrameJob job;
+    Film whole; ///< of one band in one strip
+};
+
+TEST_F(ProgressiveRendererTest, IsTheSameInAnyBandsAndStrips) {
+    ASSERT_NE(whole.rgba[0], whole.rgba[4 * (kWidth * 20 + 20)]);
+    for (const FrameTiling tiling : {FrameTiling{kHeight, 8}, FrameTiling{16, 16}, FrameTiling{8, 8}}) {
+        plan.tiling = tiling;
+        expectSame(render(plan), whole);
+    }
+}
+
+/// Bands that are left for one another come back from the host, where sums are means: equal but for their rounding.
+TEST_F(ProgressiveRendererTest, ComesBackToItsBands) {
+    plan.tiling = {16, 16};
+    job.interrupted = [] { return false; }; // looks at 1 and 2 samples
+    const Film film = render(plan);
+    EXPECT_EQ(film.depth, whole.depth);
+    EXPECT_EQ(film.samples, whole.samples);
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+        ASSERT_NEAR(film.rgba[i], whole.rgba[i], 1e-5f + 1e-5f * whole.rgba[i]) << i;
+}
+
+TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    renderer.begin(plan, job);
+    int steps = 0;
+    for (std::uint32_t rows = 8; renderer.openStrip(rows); rows = 40 - rows) {
+        EXPECT_EQ(renderer.strip()->first_row, renderer.rowsDone());
+        EXPECT_LE(renderer.strip()->sample.rows, rows);
+        ++steps;
+        for (int bounces = 0; !renderer.traceStrip(static_cast<std::uint32_t>(bounces)); bounces = 1) ++steps;
+    }
+    EXPECT_GT(steps, 20);
+    EXPECT_EQ(renderer.samples(), kSamples);
+    EXPECT_EQ(renderer.takeRays().primary, std::uint64_t{kWidth} * kHeight * kSamples);
+    EXPECT_EQ(renderer.takeRays().primary, 0u);
+    expectSame(renderer.takeFilm(), whole);
+}
+
+TEST_F(ProgressiveRendererTest, GivesItsFilmAwayAndGoesOn) {
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    job.samples = 1;
+    renderer.begin(plan, job);
+    renderer.run();
+    const Film one = renderer.takeFilm();
+    EXPECT_EQ(one.samples[0], 1.0f);
+    EXPECT_EQ(one.depth, whole.depth);
+    EXPECT_NE(one.rgba, whole.rgba);
+    renderer.setSamples(kSamples);
+    renderer.run();
+    expectSame(renderer.takeFilm(), whole);
+    expectSame(renderer.takeFilm(), whole);
+}
+
+TEST_F(ProgressiveRendererTest, HoldsWholeSamplesWhereItIsInterrupted) {
+    int asked = 0;
+    job.interrupted = [&] { return ++asked > 3; };
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    renderer.begin(plan, job);
+    const FrameState state = renderer.run();
+    EXPECT_GE(state.samples, 1u);
+    EXPECT_LT(state.samples, kSamples);
+    const Film broken_off = renderer.takeFilm();
+    EXPECT_EQ(broken_off.samples[0], static_cast<float>(state.samples));
+    job.interrupted = nullptr;
+    EXPECT_EQ(render(plan, &broken_off).samples, whole.samples);
+}
+
+TEST_F(ProgressiveRendererTest, HasAnEmptyFilmWhereNothingWasTraced) {
+    job.interrupted = [] { return true; };
+    const Film film = render(plan);
+    EXPECT_EQ(film.width, kWidth);
+    EXPECT_EQ(film.rgba, std::vector<float>(whole.rgba.size(), 0.0f));
+}
+
+TEST_F(ProgressiveRendererTest, LooksAtItsNoise) {
+    job.samples = 1000;
+    job.limits.noise = 10; // there at once
+    plan.tiling = {16, 16};
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    renderer.begin(plan, job);
+    const FrameState state = renderer.run();
+    EXPECT_EQ(state.samples, 8u) << "the first look";
+    ASSERT_TRUE(state.noise);
+    EXPECT_EQ(*state.noise, relativeNoise(renderer.takeFilm()));
+}
+
+TEST_F(ProgressiveRendererTest, PreviewsWithoutNoise) {
+    plan.preview = true;
+    job.samples = 1;
+    const Film preview = render(plan);
+    EXPECT_EQ(preview.depth, whole.depth);
+    EXPECT_NE(preview.rgba, whole.rgba);
+    plan.settings.seed = 1;
+    EXPECT_EQ(render(plan).rgba[4 * (kWidth * 30 + 20)], preview.rgba[4 * (kWidth * 30 + 20)]);
+}
+
+TEST_F(ProgressiveRendererTest, PicksWhatItsFilmHas) {
+    int found = 0;
+    for (std::uint32_t y = 1; y < kHeight; y += 7)
+        for (std::uint32_t x = 2; x < kWidth; x += 5) {
+            const std::optional<Pick> pick = pickPixel(device, loaded->tracer, plan.settings, plan.camera, x, y);
+            const std::size_t at = std::size_t{y} * kWidth + x;
+            ASSERT_EQ(pick.has_value(), whole.instance_id[at] != NO_INDEX);
+            if (!pick) continue;
+            ++found;
+            EXPECT_FLOAT_EQ(static_cast<float>(pick->distance), whole.depth[at]);
+            EXPECT_EQ(pick->owner, whole.instance_id[at]);
+        }
+    EXPECT_GT(found, 5);
+}
+
+TEST(LoadScene, TellsItsStagesAndCanBeGivenUp) {
+    Device device = createDevice({});
+    struct Enough {};
+    std::vector<std::string> stages;
+    const LoadStage stage = [&](const char* what, double share) {
+        EXPECT_GE(share, 0.2 * static_cast<double>(stages.size()) - 0.2);
+        stages.push_back(what);
+        if (stages.size() == 5) throw Enough{};
+    };
+    EXPECT_NE(loadScene(device, device, testRequest(), stage), nullptr);
+    EXPECT_EQ(stages, (std::vector<std::string>{"reading", "materials and lights", "programs"}));
+    EXPECT_THROW(loadScene(device, device, testRequest(), stage), Enough);
+    destroyDevice(device);
+}
+
+TEST(FrameTiling, KeepsBandsWithinTheirBuffers) {
+    Device device;
+    device.type = VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU;
+    EXPECT_EQ(tilingFor(device, 512, 512).band_rows, 512u);
+    EXPECT_EQ(tilingFor(device, 1024, 1024).band_rows, 512u);
+    EXPECT_EQ(tilingFor(device, 16384, 16384).strip_rows, 32u);
+    device.type = VK_PHYSICAL_DEVICE_TYPE_CPU;
+    EXPECT_EQ(tilingFor(device, 1024, 1024).strip_rows, 256u);
+    EXPECT_EQ(tilingFor(device, 1000, 100).strip_rows, 100u);
+    EXPECT_EQ(tracerSizeFor({512, 256}, 1024).film_pixels, 512u * 1024);
+    EXPECT_EQ(tracerSizeFor({512, 256}, 1024).lanes, 256u * 1024);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film as files have it, of a scene that a test has put on the device itself.
+#pragma once
+
+#include "runtime/renderer/progressive_renderer.h"
+
+namespace pointrt::test {
+
+/// All of the settings' samples, to the end at once. scene has its tables.
+inline Film wholeFrame(Device& device, const DeviceScene& scene, const RenderSettings& settings, const Camera& camera) {
+    const FrameTiling tiling = tilingFor(device, settings.width, settings.height);
+    const TracerSize size = tracerSizeFor(tiling, settings.width);
+    BandTracer tracer;
+    createBandTracer(device, tracer, scene, settings, size.lanes, size.film_pixels);
+    castPhotons(device, tracer, settings);
+    ProgressiveRenderer renderer(device, tracer);
+    FrameJob job;
+    job.samples = settings.spp;
+    renderer.begin({settings, camera, tiling}, job);
+    renderer.run();
+    Film film = renderer.takeFilm();
+    destroyBandTracer(device, tracer);
+    return film;
+}
+
+} // namespace pointrt::test
