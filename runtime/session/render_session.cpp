@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "runtime/scene/default_lighting.h"
-#include "runtime/scene/option_values.h"
 #include "runtime/session/scene_cameras.h"
 #include "runtime/session/settings.h"
 
