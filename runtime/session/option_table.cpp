@@ -114,7 +114,8 @@ OptionGroup runOptions() {
 } // namespace
 
 std::vector<OptionGroup> optionGroups() {
-    return {imageOptions(),  qualityOptions(), cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
+    return {imageOptions(),  qualityOptions(),
+            cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
             windowOptions(), runOptions()};
 }
 

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-#include "pointrt/tool.hpp"
+#include "format/base/error.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/scene_file/scene_write.h"
 #include "runtime/session/options.h"
