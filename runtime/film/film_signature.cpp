@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "runtime/scene/option_values.h"
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/util/input_file.h"
 
@@ -60,6 +60,22 @@ std::string cameraText(const Camera& camera) {
            (camera.ortho_height > 0 ? "ortho " + exact(camera.ortho_height) : exact(camera.fov_deg));
 }
 
+/// Real numbers with all their digits.
+template <typename Limits>
+std::string exactText(const Limits& limits, typename Limits::Value value) {
+    if constexpr (std::is_same_v<Limits, RealRange>)
+        return exact(static_cast<double>(value));
+    else
+        return valueText(limits, value);
+}
+
+template <typename Row>
+std::string settingInFilm(const Row& row, const RenderSettings& settings) {
+    if (row.film.text) return row.film.text(settings);
+    const auto value = settingOf(settings, row.member);
+    return value ? exactText(row.limits, *value) : "default";
+}
+
 /// Takes the next "name=value" off text.
 std::string_view takeEntry(std::string_view& text) {
     const std::size_t end = text.find(kSeparator);
@@ -76,25 +92,13 @@ std::string valueOf(std::string_view entry) {
 } // namespace
 
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera) {
-    const auto onOff = [](bool on) { return std::string(nameOf(kSwitchNames, on)); };
-    const std::pair<const char*, std::string> entries[] = {
-        {"renderer", POINTRT_VERSION},
-        {"scene", sceneHash(scene)},
-        {"size", std::to_string(settings.width) + "x" + std::to_string(settings.height)},
-        {"camera", cameraText(camera)},
-        {"integrator", nameOf(kIntegratorNames, settings.integrator)},
-        {"bounces", std::to_string(settings.bounces)},
-        {"seed", std::to_string(settings.seed)},
-        {"pixel", settings.spp == 1 ? "centre" : "area"},
-        {"room", settings.room ? nameOf(kRoomNames, *settings.room) : "default"},
-        {"lights", settings.lights ? std::to_string(*settings.lights) : "default"},
-        {"shadows", onOff(settings.shadows)},
-        {"blend", onOff(settings.blend)},
-        {"caustics", onOff(settings.caustics)},
-        {"reflectivity", settings.reflectivity ? exact(*settings.reflectivity) : "default"}};
-    std::string signature;
-    for (const auto& [name, value] : entries)
-        signature += (signature.empty() ? "" : std::string(kSeparator)) + name + "=" + value;
+    std::map<int, std::string> entries = {{kCameraPlaceInFilm, "camera=" + cameraText(camera)}};
+    forEachRenderSetting([&](const auto& row) {
+        if (row.film.place != 0)
+            entries[row.film.place] = std::string(row.film.name) + "=" + settingInFilm(row, settings);
+    });
+    std::string signature = "renderer=" POINTRT_VERSION + std::string(kSeparator) + "scene=" + sceneHash(scene);
+    for (const auto& [place, entry] : entries) signature += std::string(kSeparator) + entry;
     return signature;
 }
 

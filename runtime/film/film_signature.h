@@ -9,10 +9,10 @@
 
 namespace pointrt {
 
-/// "name=value; ..." with all that decides what a sample with a given number is: the renderer's version, size, camera,
-/// integrator, bounces, seed, surroundings, and one XXH3-64 of the scene file's bytes, the header checksums of the .pro
-/// files (which cover those of their sections) and the sky image. Not the number of samples, but whether one is
-/// taken at the pixel's centre. Throws Error kBadInput where a file cannot be read.
+/// "name=value; ..." with all that decides what a sample with a given number is: the renderer's version, the camera,
+/// the settings whose row in render_setting_table.h says so, and one XXH3-64 of the scene file's bytes, the header
+/// checksums of the .pro files (which cover those of their sections) and the sky image. Not the number of samples,
+/// but whether one is taken at the pixel's centre. Throws Error kBadInput where a file cannot be read.
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera);
 
 /// "NAME was VALUE and is VALUE" of the first entry that differs; "" where all agree.

@@ -9,9 +9,6 @@
 
 namespace pointrt {
 
-/// The most samples a pixel can have: sums of them in 32-bit floats still gain by one more.
-constexpr std::uint32_t kMaxSpp = 65536;
-
 /// What may end a frame before it has all its samples; it has one at least.
 struct FrameLimits {
     std::optional<double> seconds; ///< no sample begins that, going by those before, would end later

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "runtime/util/pixel_size.h"
 
 namespace pointrt {
 namespace {
@@ -106,8 +107,8 @@ void readWindow(Cursor window_at, ExrStructure& structure, std::int32_t& min_y) 
         window_at.fail("its data window is empty or far out");
     structure.width = static_cast<std::uint32_t>(window.max_x - window.min_x) + 1;
     structure.height = static_cast<std::uint32_t>(window.max_y - window.min_y) + 1;
-    if (structure.width > kMaxPictureSide || structure.height > kMaxPictureSide)
-        window_at.fail("more than 16384 pixels a side");
+    if (structure.width > kMaxPixelSide || structure.height > kMaxPixelSide)
+        window_at.fail("more than " + std::to_string(kMaxPixelSide) + " pixels a side");
     min_y = window.min_y;
 }
 

@@ -9,13 +9,10 @@
 
 namespace pointrt {
 
-/// On each side, of any picture read.
-constexpr std::uint32_t kMaxPictureSide = 16384;
-
 enum class ExrPixel : std::uint32_t { kUint = 0, kHalf = 1, kFloat = 2 };
 
 struct ExrStructure {
-    std::uint32_t width = 0, height = 0; ///< of the data window, 1 to kMaxPictureSide
+    std::uint32_t width = 0, height = 0; ///< of the data window, 1 to kMaxPixelSide
     std::map<std::string, ExrPixel> channels;
     std::map<std::string, std::string> texts; ///< the string attributes
 };

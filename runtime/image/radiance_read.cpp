@@ -9,8 +9,8 @@
 #include <span>
 
 #include "format/base/error.h"
-#include "runtime/image/exr_structure.h"
 #include "runtime/util/input_file.h"
+#include "runtime/util/pixel_size.h"
 
 namespace pointrt {
 namespace {
@@ -57,8 +57,8 @@ FloatImage readHead(Source& source) {
     const std::string size = source.line();
     if (size.size() > 32 || std::sscanf(size.c_str(), "-Y %8u +X %8u", &height, &width) != 2)
         source.fail("only rows from top to bottom and left to right (-Y +X) are supported");
-    if (width == 0 || height == 0 || width > kMaxPictureSide || height > kMaxPictureSide)
-        source.fail("not 1 to 16384 pixels a side");
+    if (width == 0 || height == 0 || width > kMaxPixelSide || height > kMaxPixelSide)
+        source.fail("not 1 to " + std::to_string(kMaxPixelSide) + " pixels a side");
     return {width, height, {}};
 }
 

@@ -25,7 +25,6 @@ constexpr Color kMirrorWall{0.90f, 0.90f, 0.88f};
 /// The ring of lights, in the same unit: inside either room, whose floor is at most 1 below the centre.
 constexpr double kRingRadius = 1.5;
 constexpr double kRingHeight = 1.9;
-constexpr std::uint32_t kRingLights = 3;
 /// Share left between the eye and a wall behind it.
 constexpr double kEyeMargin = 0.05;
 /// The first light stands this far to the left of the eye, as a key light does.
@@ -155,7 +154,7 @@ Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
 
 void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low,
                      Vec3 high) {
-    const std::optional<Room> room = settings.room ? settings.room : scene.room;
+    const std::optional<Room> room = settings.room ? settings.room : scene.render.room;
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
     const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
@@ -165,8 +164,8 @@ void addSurroundings(SceneDescription& scene, const RenderSettings& settings, co
 }
 
 void ownSurroundings(SceneDescription& scene, RenderSettings& settings) {
-    scene.room = settings.room = Room::kNone;
-    scene.ring_lights = settings.lights = 0;
+    scene.render.room = settings.room = Room::kNone;
+    scene.render.lights = settings.lights = 0;
     scene.staged_for.reset();
 }
 

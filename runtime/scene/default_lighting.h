@@ -7,9 +7,13 @@
 
 namespace pointrt {
 
+/// Lights on the ring where nobody says how many.
+constexpr std::uint32_t kRingLights = 3;
+
 /// Adds to scene, where it has none of its own:
 ///  - the room that settings or scene ask for, as a box that carries the bounds and holds the eye;
-///  - settings.lights point lights on a ring above the bounds (3 with a room or with room none, where not given);
+///  - settings.lights point lights on a ring above the bounds (kRingLights with a room or with room none, where not
+///  given);
 ///  - where nothing at all is said of room and lights: a studio of three soft lamps over a matte floor, which is a
 ///    backdrop: no first hit, no coverage.
 /// They are put up for scene.staged_for, else for the eye of camera, and stay where they are when it moves.

@@ -2,21 +2,32 @@
 // What to render: the plain structs between the command line, scene files and the tracer.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
+#include "runtime/util/names.h"
+#include "runtime/util/pixel_size.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
 
 enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
+inline constexpr std::array kIntegratorNames = {Name{"phong", Integrator::kPhong},
+                                                Name{"whitted", Integrator::kWhitted}, Name{"path", Integrator::kPath},
+                                                Name{"normal", Integrator::kNormal}, Name{"depth", Integrator::kDepth}};
 /// The others show surfaces as they are, whatever lights them.
 constexpr bool showsLight(Integrator integrator) {
     return integrator != Integrator::kNormal && integrator != Integrator::kDepth;
 }
 
 enum class Room { kNone, kMirror, kMatte };
+inline constexpr std::array kRoomNames = {Name{"none", Room::kNone}, Name{"mirror", Room::kMirror},
+                                          Name{"matte", Room::kMatte}};
+
 enum class DenoiseChoice { kAuto, kOn, kOff };
+inline constexpr std::array kDenoiseNames = {Name{"on", DenoiseChoice::kOn}, Name{"off", DenoiseChoice::kOff},
+                                             Name{"auto", DenoiseChoice::kAuto}};
 
 /// What the user said of the camera, in input coordinates; what is missing is framed by frameCamera.
 struct CameraRequest {
@@ -37,23 +48,42 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
+/// The most samples a pixel can have: sums of them in 32-bit floats still gain by one more.
+constexpr std::uint32_t kMaxSpp = 65536;
+
+/// What decides a picture besides its scene. render_setting_table.h has what each may be, and where users say it.
 struct RenderSettings {
-    std::uint32_t width = 512, height = 512; ///< pixels, 1 to 16384
-    std::uint32_t spp = 4;                   ///< samples a pixel, at least 1
+    std::uint32_t width = 512, height = 512; ///< pixels
+    std::uint32_t spp = 4;                   ///< samples a pixel
     std::uint32_t seed = 0;
     CameraRequest camera;
     Integrator integrator = Integrator::kPhong;
-    std::uint32_t bounces = 4;           ///< secondary rays in a path, 0 to 64
+    std::uint32_t bounces = 4;           ///< secondary rays in a path
     std::optional<Room> room;            ///< a box around the scene
-    std::optional<std::uint32_t> lights; ///< point lights on the ring, 0 to 16
+    std::optional<std::uint32_t> lights; ///< point lights on the ring
     bool shadows = true;
     bool caustics = true;              ///< light bundled by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
-    std::optional<float> reflectivity; ///< overrules every material's, 0 to 1
+    std::optional<float> reflectivity; ///< overrules every material's
     bool first_hits = false;           ///< also fill the Film's depth, normal and position
     bool light_parts = true;           ///< also fill its direct, indirect and caustic: to go on later, or to keep
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
+};
+
+/// What the command line or a scene file says of them; empty where it is silent.
+struct RenderChoices {
+    std::optional<PixelSize> size;
+    std::optional<std::uint32_t> spp, seed;
+    std::optional<Integrator> integrator;
+    std::optional<std::uint32_t> bounces;
+    std::optional<Room> room;
+    std::optional<std::uint32_t> lights;
+    std::optional<bool> shadows, caustics, blend;
+    std::optional<float> reflectivity;
+    std::optional<DenoiseChoice> denoise;
+    std::optional<float> exposure;
+    bool operator==(const RenderChoices&) const = default;
 };
 
 } // namespace pointrt

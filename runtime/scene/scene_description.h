@@ -143,16 +143,9 @@ struct SceneDescription {
     std::optional<Vec3> up; ///< unit vector, of the scene: rooms, sky and sun stand on it
     CameraRequest camera;
     std::vector<NamedView> views;
-    std::optional<Room> room;
+    RenderChoices render;
     /// The eye that the viewer's room, ring of lights or studio is put up for; else the camera's.
     std::optional<Vec3> staged_for;
-    // as in RenderSettings
-    std::optional<Integrator> integrator;
-    std::optional<std::uint32_t> bounces, spp, width, height, seed;
-    std::optional<std::uint32_t> ring_lights; ///< RenderSettings::lights
-    std::optional<bool> shadows, caustics, blend;
-    std::optional<float> reflectivity, exposure;
-    std::optional<DenoiseChoice> denoise;
     bool operator==(const SceneDescription&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_file/values.h"
 
 namespace pointrt {
@@ -18,6 +19,10 @@ struct SceneReading {
     std::set<std::uint32_t> uncolored_materials; ///< which have splats' colours only
 };
 
+/// Keys of the render settings in a table of the file, in the order of messages.
+std::vector<std::string_view> settingKeys(FileTable table);
+/// What values, which are such a table, say of them.
+void readSettings(const SceneValue& values, FileTable table, RenderChoices& choices);
 /// [render], which needs nothing of the rest.
 void readRender(const SceneValue& file, SceneDescription& scene);
 void readMaterials(const SceneValue& file, SceneReading& reading);

@@ -68,11 +68,12 @@ void readViews(const SceneValue& file, SceneDescription& scene) {
 }
 
 void readWhole(const SceneValue& file, SceneDescription& scene) {
-    requireKnownKeys(
-        file, "a scene",
-        {"up", "room", "staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
-    constexpr Room rooms[] = {Room::kNone, Room::kMirror, Room::kMatte};
-    if (const auto room = find(file, "room")) scene.room = rooms[choiceOf(*room, {"none", "mirror", "matte"})];
+    std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
+    keys.insert(keys.begin(), "up");
+    keys.insert(keys.end(),
+                {"staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
+    requireKnownKeys(file, "a scene", keys);
+    readSettings(file, FileTable::kScene, scene.render);
     if (const auto up = find(file, "up")) scene.up = directionOf(*up);
     if (const auto eye = find(file, "staged_for")) scene.staged_for = vectorOf(*eye);
     readCamera(file, scene);

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "format/base/error.h"
-#include "runtime/scene/option_values.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/scene_file/write_parts.h"
 #include "runtime/util/output_file.h"
@@ -17,11 +16,6 @@ namespace {
 template <typename Value>
 void putOptional(SceneWriting& writing, const char* key, const std::optional<Value>& value) {
     if (value) put(writing, key, tomlOf(*value));
-}
-
-template <typename Value>
-void putName(SceneWriting& writing, const char* key, const Names<Value>& names, const std::optional<Value>& value) {
-    if (value) put(writing, key, tomlOf(std::string(nameOf(names, *value))));
 }
 
 void putCamera(SceneWriting& writing, const CameraRequest& camera) {
@@ -40,27 +34,6 @@ void writeViews(SceneWriting& writing) {
         put(writing, "name", tomlOf(view.name));
         putCamera(writing, view.camera);
     }
-}
-
-void writeRender(SceneWriting& writing) {
-    const SceneDescription& scene = writing.scene;
-    begin(writing, "[render]");
-    putName(writing, "integrator", kIntegratorNames, scene.integrator);
-    putOptional(writing, "bounces", scene.bounces);
-    putOptional(writing, "spp", scene.spp);
-    if (scene.width || scene.height) {
-        const RenderSettings defaults;
-        put(writing, "size",
-            listOf({tomlOf(scene.width.value_or(defaults.width)), tomlOf(scene.height.value_or(defaults.height))}));
-    }
-    putOptional(writing, "seed", scene.seed);
-    putName(writing, "denoise", kDenoiseNames, scene.denoise);
-    putOptional(writing, "exposure", scene.exposure);
-    putOptional(writing, "lights", scene.ring_lights);
-    putOptional(writing, "shadows", scene.shadows);
-    putOptional(writing, "caustics", scene.caustics);
-    putOptional(writing, "blend", scene.blend);
-    putOptional(writing, "reflectivity", scene.reflectivity);
 }
 
 void writeSky(SceneWriting& writing) {
@@ -95,7 +68,7 @@ std::string pathFrom(const std::string& folder, const std::string& path) {
 std::string sceneText(const SceneDescription& scene, const std::string& scene_dir) {
     SceneWriting writing{scene, scene_dir, materialNames(scene), "# Written by pointrt-view.\n"};
     putOptional(writing, "up", scene.up);
-    putName(writing, "room", kRoomNames, scene.room);
+    writeSettings(writing, FileTable::kScene);
     putOptional(writing, "staged_for", scene.staged_for);
     begin(writing, "[camera]");
     putCamera(writing, scene.camera);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "runtime/scene/scene_description.h"
+#include "runtime/util/names.h"
 
 namespace pointrt {
 
@@ -93,6 +94,11 @@ Color colorOf(const SceneValue& value, Range range = kShare);
 std::array<std::uint8_t, 3> bytesOf(const SceneValue& value);
 /// Position of the text among names.
 std::size_t choiceOf(const SceneValue& value, const std::vector<std::string_view>& names);
+/// What the text names in a list of Name (runtime/util/names.h).
+template <typename List>
+NamedBy<List> nameChoiceOf(const SceneValue& value, const List& names) {
+    return names[choiceOf(value, wordsOf(names))].value;
+}
 
 /// These set what is there and leave the default where it is not.
 template <typename Number>

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/scene/scene_description.h"
 
 namespace pointrt {
@@ -25,6 +26,9 @@ std::vector<std::string> materialNames(const SceneDescription& scene);
 /// How path, as the viewer opens it, is called in a scene file in folder.
 std::string pathFrom(const std::string& folder, const std::string& path);
 
+/// The render settings of a table of the file.
+void writeSettings(SceneWriting& writing, FileTable table);
+void writeRender(SceneWriting& writing);
 void writeMaterials(SceneWriting& writing);
 void writeInstances(SceneWriting& writing);
 void writeShapes(SceneWriting& writing);

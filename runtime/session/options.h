@@ -11,24 +11,15 @@
 
 namespace pointrt {
 
-/// What a scene file may say too; empty where the command line is silent.
-struct SceneChoices {
-    std::optional<Integrator> integrator;
-    std::optional<std::uint32_t> bounces, spp, width, height;
-    std::optional<double> fov_deg;
-    std::optional<std::uint32_t> seed;
-    std::optional<bool> shadows, caustics, blend;
-    std::optional<DenoiseChoice> denoise;
-    std::optional<float> exposure; ///< stops, for PNG
-};
-
+/// What the command line says; resolveSettings (settings.h) puts it together with what a scene file says.
 struct Options {
     std::string scene;
-    std::string output;    ///< ends in .png or .exr; empty for a window, with bench_frames or with list_devices
-    std::string device;    ///< a selector, see DeviceRequest
-    std::string stats;     ///< file for the report, "-" for standard output, empty for none
-    RenderSettings render; ///< but for what choices has: resolveSettings (settings.h) puts them together
-    SceneChoices choices;
+    std::string output;            ///< ends in .png or .exr; empty for a window, with bench_frames or with list_devices
+    std::string device;            ///< a selector, see DeviceRequest
+    std::string stats;             ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices;         ///< the rows of render_setting_table.h
+    CameraRequest camera;          ///< but for its fov_deg
+    std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
     std::string view;               ///< name of a view in the scene file, empty: its camera
     std::uint32_t turntable = 0;    ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "runtime/scene/option_values.h"
 #include "runtime/session/load_request.h"
 #include "runtime/session/settings.h"
 

@@ -6,6 +6,7 @@
 
 #include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_file/scene_file.h"
 
 namespace pointrt {
@@ -27,15 +28,18 @@ const NamedView& viewNamed(const SceneDescription& scene, const std::string& nam
                 "--view: " + scene.path + " has no view \"" + name + "\"; it has " + (known.empty() ? "none" : known)};
 }
 
-void resolveCamera(const SceneChoices& said, const CameraRequest& filed, CameraRequest& camera) {
+/// Part by part, options' word or else filed's.
+CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) {
+    CameraRequest camera = options.camera;
     if (!camera.eye) camera.eye = filed.eye;
     if (!camera.target) camera.target = filed.target;
     if (!camera.up) camera.up = filed.up;
-    camera.fov_deg = said.fov_deg.value_or(filed.fov_deg);
-    if (!camera.ortho && !camera.ortho_height && !said.fov_deg) {
+    camera.fov_deg = options.fov_deg.value_or(filed.fov_deg);
+    if (!camera.ortho && !camera.ortho_height && !options.fov_deg) {
         camera.ortho = filed.ortho;
         camera.ortho_height = filed.ortho_height;
     }
+    return camera;
 }
 
 } // namespace
@@ -66,28 +70,14 @@ SceneDescription describeScene(const Options& options) {
 }
 
 RenderSettings resolveSettings(const Options& options, const SceneDescription& scene) {
-    const SceneChoices& said = options.choices;
-    RenderSettings settings = options.render;
-    const auto resolve = [](const auto& first, const auto& second, auto& value) {
-        value = first ? *first : second.value_or(value);
-    };
-    resolve(said.integrator, scene.integrator, settings.integrator);
-    resolve(said.bounces, scene.bounces, settings.bounces);
-    resolve(said.width, scene.width, settings.width);
-    resolve(said.height, scene.height, settings.height);
-    const bool limited = options.limits.seconds || options.limits.noise;
-    resolve(said.spp, limited ? std::optional(kMaxSpp) : scene.spp, settings.spp);
-    resolve(said.seed, scene.seed, settings.seed);
-    resolve(said.shadows, scene.shadows, settings.shadows);
-    resolve(said.caustics, scene.caustics, settings.caustics);
-    resolve(said.blend, scene.blend, settings.blend);
-    resolve(said.denoise, scene.denoise, settings.denoise);
-    resolve(said.exposure, scene.exposure, settings.exposure);
-    if (!settings.room) settings.room = scene.room;
-    if (!settings.lights) settings.lights = scene.ring_lights;
-    if (!settings.reflectivity) settings.reflectivity = scene.reflectivity;
+    RenderSettings settings;
+    RenderChoices filed = scene.render;
+    if (options.limits.seconds || options.limits.noise) filed.spp = kMaxSpp;
+    applyChoices(filed, settings);
+    applyChoices(options.choices, settings);
+    settings.first_hits = options.output.ends_with(".exr");
     const NamedView* view = options.view.empty() ? nullptr : &viewNamed(scene, options.view);
-    resolveCamera(said, view ? view->camera : scene.camera, settings.camera);
+    settings.camera = resolveCamera(options, view ? view->camera : scene.camera);
     return settings;
 }
 
@@ -97,20 +87,7 @@ SceneDescription describeRun(SceneDescription scene, const RenderSettings& setti
     if (scene.camera.up) scene.camera.up = normalize(*scene.camera.up);
     scene.staged_for.reset();
     if (scene.camera.eye != staged_for) scene.staged_for = staged_for;
-    scene.integrator = settings.integrator;
-    scene.bounces = settings.bounces;
-    scene.spp = settings.spp;
-    scene.width = settings.width;
-    scene.height = settings.height;
-    scene.seed = settings.seed;
-    scene.shadows = settings.shadows;
-    scene.caustics = settings.caustics;
-    scene.blend = settings.blend;
-    scene.denoise = settings.denoise;
-    scene.exposure = settings.exposure;
-    scene.room = settings.room;
-    scene.ring_lights = settings.lights;
-    scene.reflectivity = settings.reflectivity;
+    scene.render = choicesOf(settings);
     return scene;
 }
 

@@ -29,8 +29,9 @@ HostRequest hostRequest(const Options& options, const std::optional<Replay>& rep
     request.verbose = options.verbose;
     request.offscreen = options.offscreen;
     request.title = "pointrt";
-    request.width = options.choices.width.value_or(request.width);
-    request.height = options.choices.height.value_or(request.height);
+    const PixelSize size = options.choices.size.value_or(PixelSize{request.width, request.height});
+    request.width = size.width;
+    request.height = size.height;
     if (!replay) return request;
     request.width = replay->window().width;
     request.height = replay->window().height;

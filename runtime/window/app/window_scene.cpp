@@ -44,12 +44,11 @@ void Window::startLoad(const std::string& path) {
     Options options = options_;
     options.scene = path;
     if (loaded_) { // what the command line says of the camera is of its scene
-        options.render.camera = {};
+        options.camera = {};
+        options.fov_deg.reset();
         options.view.clear();
-        options.choices.fov_deg.reset();
     }
-    options.choices.width = host_.pixels().width;
-    options.choices.height = host_.pixels().height;
+    options.choices.size = host_.pixels();
     load_ = std::make_unique<LoadJob>(host_.device(), options);
     host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
 }
@@ -141,7 +140,8 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
                                   scene.bounds.hi, sceneUp(scene.description, work_.settings));
     work_.look = {SHOWN_BEAUTY, work_.settings.exposure, 4 * length(scene.bounds.hi - scene.bounds.lo),
                   scene.space.scale};
-    work_.samples_wanted = options_.choices.spp || scene.description.spp ? work_.settings.spp : kCleanSamplesOfLight;
+    work_.samples_wanted =
+        options_.choices.spp || scene.description.render.spp ? work_.settings.spp : kCleanSamplesOfLight;
     work_.denoise = work_.settings.denoise == DenoiseChoice::kOn ||
                     (work_.settings.denoise == DenoiseChoice::kAuto && isNoisy(work_.settings, work_.scene));
     flight_.reset();

@@ -5,11 +5,10 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "format/base/error.h"
-#include "runtime/scene/option_values.h"
+#include "runtime/util/parse.h"
 #include "runtime/window/input/recording_words.h"
 
 namespace pointrt {
@@ -59,7 +58,9 @@ bool takeDown(Arguments& arguments) {
 ResizeEvent takeSize(Arguments& arguments) {
     const std::string word = arguments.word();
     ResizeEvent size;
-    if (word != "0x0") std::tie(size.width, size.height) = parseSize(word, kMaxWindowSide);
+    const PixelSize pixels = word == "0x0" ? PixelSize{} : parseSize(word, kMaxWindowSide);
+    size.width = pixels.width;
+    size.height = pixels.height;
     arguments.requireWord("scale");
     size.scale = takeReal(arguments, kMinWindowScale, kMaxWindowScale);
     return size;

@@ -27,6 +27,7 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/util/pixel_size.h"
 #include "runtime/window/input/events.h"
 
 namespace pointrt {
@@ -57,7 +58,7 @@ struct Recording {
 constexpr std::uint32_t kMaxRecordedFrame = 10'000'000; // four days of 30 a second
 constexpr std::size_t kMaxRecordedEvents = 1'000'000;
 constexpr std::size_t kMaxRecordingBytes = std::size_t(64) << 20;
-constexpr std::uint32_t kMaxWindowSide = 16384;
+constexpr std::uint32_t kMaxWindowSide = kMaxPixelSide;
 constexpr double kMinWindowScale = 0.1, kMaxWindowScale = 16;
 constexpr double kMaxCursor = 1e6; // window units
 constexpr double kMaxWheel = 1000;

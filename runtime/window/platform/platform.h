@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/gpu/device.h"
+#include "runtime/util/pixel_size.h"
 #include "runtime/window/input/events.h"
 
 struct GLFWwindow;
@@ -30,11 +31,6 @@ struct PlatformWindow {
     std::unique_ptr<PlatformInbox> inbox; ///< at a fixed address, which the callbacks know
     std::array<GLFWcursor*, kCursorShapes> cursors{};
     CursorShape cursor = CursorShape::kArrow;
-};
-
-/// Pixels.
-struct PixelSize {
-    std::uint32_t width = 0, height = 0;
 };
 
 /// Opens a window of width x height window units. Throws Error kCannotRun with what is missing: GLFW, a display, or

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/scene/turntable.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_edit.h"
 #include "runtime/window/widgets/panel_widgets.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kPictures = 36; // one every 10 degrees
 constexpr std::uint32_t kMaxPictures = 3600;
+static_assert(kMaxPictures <= kMaxTurntable);
 
 } // namespace
 

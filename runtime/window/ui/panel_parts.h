@@ -2,7 +2,9 @@
 // The parts that drawUi (panel_ui.h) is made of.
 #pragma once
 
+#include "runtime/scene/render_setting_table.h"
 #include "runtime/window/edit/workspace.h"
+#include "runtime/window/widgets/panel_widgets.h"
 
 namespace pointrt {
 
@@ -10,6 +12,11 @@ namespace pointrt {
 double sceneSize(const Workspace& w);
 /// What the scene stands on: unit length.
 Vec3 sceneUpright(const Workspace& w);
+
+/// What a slider may take of a setting (render_setting_table.h).
+constexpr SlideRange slideRange(CountRange range, bool logarithmic = false) {
+    return {static_cast<double>(range.low), static_cast<double>(range.high), logarithmic};
+}
 
 /// Sections of the panel, each within its header.
 void drawLights(Workspace& w);

@@ -13,11 +13,16 @@ namespace {
 constexpr const char* kShown[] = {"Picture",      "Colours only",   "Normals",  "Depth",
                                   "Direct light", "Indirect light", "Caustics", "Noise"};
 
+/// Of the exposures that there are, those that a slider is fine enough for.
+constexpr SlideRange kExposures{-8, 8};
+static_assert(rowOf<&RenderSettings::exposure>().limits.low <= kExposures.low &&
+              kExposures.high <= rowOf<&RenderSettings::exposure>().limits.high);
+
 } // namespace
 
 void drawPicture(Workspace& w) {
     const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kLook, changed); };
-    note(slideRow("Exposure", w.look.exposure, {-8, 8}, "%+.2f stops", "one stop more is twice as bright"));
+    note(slideRow("Exposure", w.look.exposure, kExposures, "%+.2f stops", "one stop more is twice as bright"));
     note(switchRow("Denoise", w.denoise, "smooths what the samples so far leave noisy"));
     int shown = static_cast<int>(w.look.shown);
     if (note(chooseRow("Show", shown, kShown, "the picture, or one of the parts it is made of")))

@@ -15,9 +15,6 @@ namespace {
 constexpr const char* kIntegrators[] = {"Direct light (phong)", "With mirrors (whitted)", "Full light (path)",
                                         "Normals", "Depth"};
 
-/// More than this is finer than 8 bits show.
-constexpr double kMaxSamples = 65536;
-
 } // namespace
 
 void drawRender(Workspace& w) {
@@ -30,13 +27,15 @@ void drawRender(Workspace& w) {
         settings.integrator = static_cast<Integrator>(integrator);
     const bool follows = settings.integrator == Integrator::kWhitted || settings.integrator == Integrator::kPath;
     ImGui::BeginDisabled(!follows);
-    note(slideRow("Bounces", settings.bounces, {0, 64, true}, "turns that light may take on its way"));
+    note(slideRow("Bounces", settings.bounces, slideRange(rowOf<&RenderSettings::bounces>().limits, true),
+                  "turns that light may take on its way"));
     note(switchRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
     ImGui::EndDisabled();
     note(switchRow("Shadows", settings.shadows));
     note(switchRow("Blend", settings.blend, "points melt into a smooth surface; off: each is a flat disc"));
     noteEdit(w.requests, Edit::kLook,
-             slideRow("Samples", w.samples_wanted, {1, kMaxSamples, true}, "a pixel, until the picture is done"));
+             slideRow("Samples", w.samples_wanted, slideRange(rowOf<&RenderSettings::spp>().limits, true),
+                      "a pixel, until the picture is done"));
     noteEdit(w.requests, Edit::kLook, switchRow("Pause", w.paused, "Space"));
 }
 

@@ -2,15 +2,13 @@
 // What stands around the scan.
 #include <imgui.h>
 
+#include "runtime/scene/default_lighting.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_edit.h"
 #include "runtime/window/widgets/panel_widgets.h"
 
 namespace pointrt {
 namespace {
-
-/// Lamps that a room has where nothing is said of them.
-constexpr std::uint32_t kRingLights = 3, kMaxRingLights = 16;
 
 void wish(Workspace& w, std::optional<Room> room) {
     w.settings.room = room;
@@ -51,7 +49,7 @@ void drawRoom(Workspace& w) {
     if (!w.settings.room) return;
     std::uint32_t lamps = w.settings.lights.value_or(kRingLights);
     if (noteEdit(w.requests, Edit::kSettings,
-                 slideRow("Lamps", lamps, {0, kMaxRingLights},
+                 slideRow("Lamps", lamps, slideRange(rowOf<&RenderSettings::lights>().limits),
                           "on a ring above the scan, the first over your left shoulder")))
         w.settings.lights = lamps;
 }

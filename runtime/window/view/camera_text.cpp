@@ -9,7 +9,7 @@
 
 #include "format/base/error.h"
 #include "runtime/scene/camera.h"
-#include "runtime/scene/option_values.h"
+#include "runtime/util/parse.h"
 #include "runtime/window/view/turntable_turn.h"
 
 namespace pointrt {

@@ -54,23 +54,23 @@ TEST_F(SceneFile, ReadsTheWholeFile) {
                                          "[[instance]]\nfile = 'statue.pro'");
     EXPECT_EQ(scene.path, path("scene.toml"));
     expectVector(*scene.up, 0, 0, 1);
-    EXPECT_EQ(scene.room, Room::kMirror);
+    EXPECT_EQ(scene.render.room, Room::kMirror);
     expectVector(*scene.camera.eye, 1, 2, 3.5);
     expectVector(*scene.camera.target, -1, 0, 0);
     expectVector(*scene.camera.up, 0, 1, 0);
     EXPECT_EQ(scene.camera.fov_deg, 55);
-    EXPECT_EQ(scene.integrator, Integrator::kWhitted);
-    EXPECT_EQ(scene.bounces, 7u);
-    EXPECT_EQ(scene.spp, 16u);
-    EXPECT_EQ(scene.width, 640u);
-    EXPECT_EQ(scene.height, 480u);
+    EXPECT_EQ(scene.render.integrator, Integrator::kWhitted);
+    EXPECT_EQ(scene.render.bounces, 7u);
+    EXPECT_EQ(scene.render.spp, 16u);
+    EXPECT_EQ(scene.render.size, (PixelSize{640, 480}));
     ASSERT_EQ(scene.instances.size(), 1u);
     EXPECT_EQ(scene.instances[0].path, path("statue.pro"));
 }
 
 TEST_F(SceneFile, LeavesOpenWhatItDoesNotSay) {
     const SceneDescription scene = parseMore("");
-    EXPECT_FALSE(scene.up || scene.room || scene.integrator || scene.bounces || scene.spp || scene.width || scene.sky);
+    EXPECT_FALSE(scene.up || scene.sky);
+    EXPECT_EQ(scene.render, RenderChoices{});
     EXPECT_FALSE(scene.camera.eye || scene.camera.target || scene.camera.up);
     EXPECT_TRUE(scene.materials.empty() && scene.shapes.empty() && scene.lights.empty());
     EXPECT_FALSE(scene.instances[0].material);
@@ -307,14 +307,14 @@ TEST_F(SceneFile, ReadsAllThatDecidesThePicture) {
         parseMore("staged_for = [1, 2, 3]\n[render]\nseed=7\ndenoise='off'\nexposure=-1.5\nlights=4\nshadows=false\n"
                   "caustics=false\nblend=false\nreflectivity=0.25");
     expectVector(*scene.staged_for, 1, 2, 3);
-    EXPECT_EQ(scene.seed, 7u);
-    EXPECT_EQ(scene.denoise, DenoiseChoice::kOff);
-    EXPECT_EQ(scene.exposure, -1.5f);
-    EXPECT_EQ(scene.ring_lights, 4u);
-    EXPECT_EQ(scene.shadows, false);
-    EXPECT_EQ(scene.caustics, false);
-    EXPECT_EQ(scene.blend, false);
-    EXPECT_EQ(scene.reflectivity, 0.25f);
+    EXPECT_EQ(scene.render.seed, 7u);
+    EXPECT_EQ(scene.render.denoise, DenoiseChoice::kOff);
+    EXPECT_EQ(scene.render.exposure, -1.5f);
+    EXPECT_EQ(scene.render.lights, 4u);
+    EXPECT_EQ(scene.render.shadows, false);
+    EXPECT_EQ(scene.render.caustics, false);
+    EXPECT_EQ(scene.render.blend, false);
+    EXPECT_EQ(scene.render.reflectivity, 0.25f);
 }
 
 TEST_F(SceneFile, ReadsViews) {
@@ -351,7 +351,7 @@ TEST_F(SceneFile, ReadsTheExample) {
     EXPECT_EQ(scene.instances.size(), 2u);
     EXPECT_EQ(scene.instances[1].overrides.size(), 2u);
     EXPECT_EQ(scene.lights.size(), 5u);
-    EXPECT_EQ(scene.integrator, Integrator::kPath);
+    EXPECT_EQ(scene.render.integrator, Integrator::kPath);
     std::set<ShapeKind> shapes;
     std::set<MaterialKind> materials;
     for (const ShapeDescription& each : scene.shapes) shapes.insert(each.kind);

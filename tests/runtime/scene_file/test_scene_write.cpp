@@ -28,7 +28,7 @@ public:
         scene.camera = camera(scene.up);
         for (std::uint32_t v = below(4); v > 0; --v)
             scene.views.push_back({"view \"" + std::to_string(v) + "\"", camera(scene.up)});
-        addRender(scene);
+        addRender(scene.render);
         addMaterials(scene);
         for (std::uint32_t i = 1 + below(3); i > 0; --i) scene.instances.push_back(instance());
         for (std::uint32_t s = below(6); s > 0; --s) scene.shapes.push_back(shape());
@@ -71,23 +71,20 @@ private:
         return camera;
     }
 
-    void addRender(SceneDescription& scene) {
-        maybe(scene.room, Room{static_cast<int>(below(3))});
-        maybe(scene.integrator, Integrator{static_cast<int>(below(5))});
-        maybe(scene.bounces, below(65));
-        maybe(scene.spp, 1 + below(65536));
-        if (chance()) {
-            scene.width = 1 + below(16384);
-            scene.height = 1 + below(16384);
-        }
-        maybe(scene.seed, static_cast<std::uint32_t>(random_()));
-        maybe(scene.ring_lights, below(17));
-        maybe(scene.shadows, chance());
-        maybe(scene.caustics, chance());
-        maybe(scene.blend, chance());
-        maybe(scene.reflectivity, single(1));
-        maybe(scene.exposure, single(40) - 20);
-        maybe(scene.denoise, DenoiseChoice{static_cast<int>(below(3))});
+    void addRender(RenderChoices& said) {
+        maybe(said.room, Room{static_cast<int>(below(3))});
+        maybe(said.integrator, Integrator{static_cast<int>(below(5))});
+        maybe(said.bounces, below(65));
+        maybe(said.spp, 1 + below(65536));
+        maybe(said.size, PixelSize{1 + below(16384), 1 + below(16384)});
+        maybe(said.seed, static_cast<std::uint32_t>(random_()));
+        maybe(said.lights, below(17));
+        maybe(said.shadows, chance());
+        maybe(said.caustics, chance());
+        maybe(said.blend, chance());
+        maybe(said.reflectivity, single(1));
+        maybe(said.exposure, single(40) - 20);
+        maybe(said.denoise, DenoiseChoice{static_cast<int>(below(3))});
     }
 
     MaterialDescription material(const std::string& name) {
@@ -357,16 +354,16 @@ void expectSame(const Picture& a, const Picture& b) {
 /// The surroundings of a run's first camera, which then moved.
 TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
     std::vector<Options> runs(4);
-    runs[1].render.room = Room::kMirror;
-    runs[2].render.lights = 5;
-    runs[3].render.camera.up = Vec3{0, 0.1, 1};
-    runs[3].render.camera.eye = Vec3{1, -9, 2};
+    runs[1].choices.room = Room::kMirror;
+    runs[2].choices.lights = 5;
+    runs[3].camera.up = Vec3{0, 0.1, 1};
+    runs[3].camera.eye = Vec3{1, -9, 2};
     for (Options& options : runs) {
         options.choices.seed = 7;
         options.choices.exposure = 0.1f;
         options.choices.denoise = DenoiseChoice::kOff;
         options.choices.shadows = false;
-        options.render.reflectivity = 0.3f;
+        options.choices.reflectivity = 0.3f;
         Picture run = pictureOf(options, oneScan());
         const Vec3 first_eye = run.camera.eye;
         const auto readBack = [&] { return pictureOf({}, again(describeRun(oneScan(), run.settings, first_eye))); };
@@ -385,7 +382,7 @@ TEST_F(SceneWrite, ASavedRunShowsTheSamePicture) {
 TEST_F(SceneWrite, OwnedSurroundingsAreNotPutUpTwice) {
     for (const bool room : {false, true}) {
         Options options;
-        if (room) options.render.room = Room::kMatte;
+        if (room) options.choices.room = Room::kMatte;
         Picture run = pictureOf(options, oneScan());
         ownSurroundings(run.scene, run.settings);
         run.scene.lights.clear();

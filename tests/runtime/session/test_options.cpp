@@ -40,20 +40,19 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     const Options options = parse({"a.pro", "-o", "a.png"});
     EXPECT_EQ(options.scene, "a.pro");
     EXPECT_EQ(options.output, "a.png");
-    EXPECT_EQ(options.render.width, 512u);
-    EXPECT_EQ(options.render.height, 512u);
-    EXPECT_EQ(options.render.spp, 4u);
-    EXPECT_EQ(options.render.integrator, Integrator::kPhong);
-    EXPECT_EQ(options.render.camera.fov_deg, 40);
-    EXPECT_FALSE(options.render.camera.eye || options.render.camera.target || options.render.camera.up);
-    EXPECT_FALSE(options.choices.spp || options.choices.width || options.choices.fov_deg || options.render.room);
-    EXPECT_TRUE(options.render.shadows && options.render.blend && options.render.caustics);
-    EXPECT_FALSE(options.choices.shadows || options.choices.blend || options.choices.caustics || options.choices.seed);
-    EXPECT_FALSE(options.limits.seconds || options.limits.noise || options.choices.exposure || options.resume);
-    EXPECT_FALSE(options.choices.denoise);
+    EXPECT_EQ(options.choices, RenderChoices{}) << "nothing is said";
+    EXPECT_EQ(options.camera, CameraRequest{});
+    EXPECT_FALSE(options.fov_deg || options.limits.seconds || options.limits.noise || options.resume);
+    const RenderSettings settings;
+    EXPECT_EQ(settings.width, 512u);
+    EXPECT_EQ(settings.height, 512u);
+    EXPECT_EQ(settings.spp, 4u);
+    EXPECT_EQ(settings.integrator, Integrator::kPhong);
+    EXPECT_EQ(settings.camera.fov_deg, 40);
+    EXPECT_TRUE(settings.shadows && settings.blend && settings.caustics);
+    EXPECT_FALSE(settings.room || settings.lights || settings.reflectivity || settings.first_hits);
     EXPECT_EQ(options.view, "");
     EXPECT_EQ(options.turntable, 0u);
-    EXPECT_FALSE(options.render.reflectivity || options.render.first_hits);
     EXPECT_EQ(options.bench_frames, 0u);
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
 }
@@ -99,31 +98,30 @@ TEST(Options, TakesEveryOption) {
                                    "-v",
                                    "-o",
                                    "out.exr"});
-    EXPECT_EQ(options.choices.width, 64u);
-    EXPECT_EQ(options.choices.height, 48u);
+    EXPECT_EQ(options.choices.size, (PixelSize{64, 48}));
     EXPECT_EQ(options.choices.spp, 9u);
     EXPECT_EQ(options.choices.seed, 4294967295u);
-    EXPECT_EQ(options.choices.fov_deg, 12.5);
+    EXPECT_EQ(options.fov_deg, 12.5);
     EXPECT_EQ(options.choices.integrator, Integrator::kPath);
     EXPECT_EQ(options.choices.bounces, 7u);
-    EXPECT_EQ(options.render.room, Room::kMirror);
-    EXPECT_EQ(options.render.lights, 0u);
+    EXPECT_EQ(options.choices.room, Room::kMirror);
+    EXPECT_EQ(options.choices.lights, 0u);
     EXPECT_FALSE(*options.choices.shadows || *options.choices.blend || *options.choices.caustics);
     EXPECT_EQ(options.limits.seconds, 2.5);
     EXPECT_EQ(options.limits.noise, 0.02);
     EXPECT_EQ(options.choices.denoise, DenoiseChoice::kOn);
-    EXPECT_EQ(options.render.reflectivity, 0.25f);
+    EXPECT_EQ(options.choices.reflectivity, 0.25f);
     EXPECT_EQ(options.device, "H100");
     EXPECT_EQ(options.bench_frames, 3u);
     EXPECT_EQ(options.stats, "-");
-    EXPECT_TRUE(options.verbose && options.render.first_hits);
+    EXPECT_TRUE(options.verbose);
 }
 
 TEST(Options, TakesParallelProjection) {
-    const CameraRequest height = parse({"a.pro", "-o", "a.png", "--ortho", "2.5"}).render.camera;
+    const CameraRequest height = parse({"a.pro", "-o", "a.png", "--ortho", "2.5"}).camera;
     EXPECT_TRUE(height.ortho);
     EXPECT_EQ(height.ortho_height, 2.5);
-    const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).render.camera;
+    const CameraRequest fit = parse({"a.pro", "-o", "a.png", "--ortho", "fit"}).camera;
     EXPECT_TRUE(fit.ortho && !fit.ortho_height);
     EXPECT_EQ(refusal({"--ortho", "2", "--fov", "30"}),
               "--fov and --ortho exclude each other: a parallel projection has no field of view");
@@ -132,11 +130,11 @@ TEST(Options, TakesParallelProjection) {
 TEST(Options, TakesNegativeCoordinates) {
     const Options options =
         parse({"a.pro", "-o", "a.png", "--eye", "-1,-.5,1e3", "--target=500000.25,-2,0", "--up", "0,0,1"});
-    EXPECT_EQ(options.render.camera.eye->x, -1);
-    EXPECT_EQ(options.render.camera.eye->y, -0.5);
-    EXPECT_EQ(options.render.camera.eye->z, 1000);
-    EXPECT_EQ(options.render.camera.target->x, 500000.25);
-    EXPECT_EQ(options.render.camera.up->z, 1);
+    EXPECT_EQ(options.camera.eye->x, -1);
+    EXPECT_EQ(options.camera.eye->y, -0.5);
+    EXPECT_EQ(options.camera.eye->z, 1000);
+    EXPECT_EQ(options.camera.target->x, 500000.25);
+    EXPECT_EQ(options.camera.up->z, 1);
 }
 
 TEST(Options, TakesTheLastOfARepeatedOption) {

@@ -13,18 +13,18 @@ SceneDescription talkativeScene() {
     scene.camera.eye = Vec3{1, 2, 3};
     scene.camera.target = Vec3{4, 5, 6};
     scene.camera.fov_deg = 25;
-    scene.integrator = Integrator::kPath;
-    scene.bounces = 9;
-    scene.spp = 64;
-    scene.width = 800;
-    scene.height = 600;
-    scene.seed = 5;
-    scene.shadows = scene.caustics = scene.blend = false;
-    scene.denoise = DenoiseChoice::kOn;
-    scene.exposure = 1.5f;
-    scene.room = Room::kMatte;
-    scene.ring_lights = 2;
-    scene.reflectivity = 0.5f;
+    RenderChoices& said = scene.render;
+    said.integrator = Integrator::kPath;
+    said.bounces = 9;
+    said.spp = 64;
+    said.size = PixelSize{800, 600};
+    said.seed = 5;
+    said.shadows = said.caustics = said.blend = false;
+    said.denoise = DenoiseChoice::kOn;
+    said.exposure = 1.5f;
+    said.room = Room::kMatte;
+    said.lights = 2;
+    said.reflectivity = 0.5f;
     return scene;
 }
 
@@ -54,9 +54,9 @@ TEST(Settings, OfTheLookAreTheSceneFilesToo) {
     options.choices.shadows = options.choices.caustics = options.choices.blend = true;
     options.choices.denoise = DenoiseChoice::kAuto;
     options.choices.exposure = 0.0f;
-    options.render.room = Room::kNone;
-    options.render.lights = 0;
-    options.render.reflectivity = 0.0f;
+    options.choices.room = Room::kNone;
+    options.choices.lights = 0;
+    options.choices.reflectivity = 0.0f;
     settings = resolveSettings(options, talkativeScene());
     EXPECT_EQ(settings.seed, 0u);
     EXPECT_TRUE(settings.shadows && settings.caustics && settings.blend);
@@ -87,7 +87,7 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
     scene.views[1].name = "side";
     EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has front, side");
     scene.views[1] = {"top", {Vec3{0, 9, 0}, {}, {}, 30}};
-    options.render.camera.target = Vec3{1, 1, 1};
+    options.camera.target = Vec3{1, 1, 1};
     const CameraRequest camera = resolveSettings(options, scene).camera;
     EXPECT_EQ(camera.eye->y, 9);
     EXPECT_EQ(camera.target->y, 1) << "the command line's";
@@ -98,8 +98,12 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
 
 TEST(Settings, AreTheCommandLinesWhereItSpeaks) {
     Options options;
-    options.choices = {Integrator::kDepth, 1u, 2u, 30u, 20u, 60.0};
-    options.render.camera.eye = Vec3{7, 7, 7};
+    options.choices.integrator = Integrator::kDepth;
+    options.choices.bounces = 1;
+    options.choices.spp = 2;
+    options.choices.size = PixelSize{30, 20};
+    options.fov_deg = 60;
+    options.camera.eye = Vec3{7, 7, 7};
     const RenderSettings settings = resolveSettings(options, talkativeScene());
     EXPECT_EQ(settings.camera.eye->y, 7);
     EXPECT_EQ(settings.camera.target->y, 5) << "the file's, as nothing else was said";
@@ -117,8 +121,8 @@ TEST(Settings, TakeTheProjectionThatWasSaidLast) {
     parallel.camera.ortho_height = 3;
     EXPECT_EQ(resolveSettings({}, parallel).camera.ortho_height, 3);
     Options pinhole, fit;
-    pinhole.choices.fov_deg = 50;
-    fit.render.camera.ortho = true;
+    pinhole.fov_deg = 50;
+    fit.camera.ortho = true;
     const CameraRequest wide = resolveSettings(pinhole, parallel).camera;
     EXPECT_EQ(wide.fov_deg, 50);
     EXPECT_FALSE(wide.ortho || wide.ortho_height);

@@ -43,8 +43,7 @@ protected:
     Options optionsFor(const std::string& path) const {
         Options options;
         options.scene = path;
-        options.choices.width = 32;
-        options.choices.height = 24;
+        options.choices.size = PixelSize{32, 24};
         options.choices.integrator = integrator;
         options.choices.caustics = caustics;
         return options;

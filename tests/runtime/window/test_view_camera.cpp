@@ -484,8 +484,8 @@ TEST(CameraText, IsTakenByTheCommandLine) {
         for (const std::string& word : words) arguments.push_back(word.c_str());
         Options options;
         ASSERT_FALSE(parseOptions(static_cast<int>(arguments.size()), arguments.data(), options));
-        options.render.camera.fov_deg = options.choices.fov_deg.value_or(view.fov_deg);
-        EXPECT_EQ(options.render.camera, requestOf(view));
+        options.camera.fov_deg = options.fov_deg.value_or(view.fov_deg);
+        EXPECT_EQ(options.camera, requestOf(view));
     }
 }
 

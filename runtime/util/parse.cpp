@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/scene/option_values.h"
+#include "runtime/util/parse.h"
 
 #include <cmath>
 #include <cstdio>
 
 namespace pointrt {
-namespace {
-
-std::string plain(double value) {
+std::string plainText(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", value);
     return text;
 }
-
-} // namespace
-
-const Names<Integrator> kIntegratorNames = {{"phong", Integrator::kPhong},
-                                            {"whitted", Integrator::kWhitted},
-                                            {"path", Integrator::kPath},
-                                            {"normal", Integrator::kNormal},
-                                            {"depth", Integrator::kDepth}};
-const Names<Room> kRoomNames = {{"none", Room::kNone}, {"mirror", Room::kMirror}, {"matte", Room::kMatte}};
-const Names<bool> kSwitchNames = {{"on", true}, {"off", false}};
-const Names<DenoiseChoice> kDenoiseNames = {
-    {"on", DenoiseChoice::kOn}, {"off", DenoiseChoice::kOff}, {"auto", DenoiseChoice::kAuto}};
 
 std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high) {
     std::uint32_t value = 0;
@@ -35,21 +21,23 @@ std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32
 double parseReal(const std::string& text, double low, double high) {
     double value = 0;
     if (parseNumber(text, value) && value >= low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a number from " + plain(low) + " to " + plain(high));
+    throw std::invalid_argument("\"" + text + "\" is not a number from " + plainText(low) + " to " + plainText(high));
 }
 
 double parseRealAbove(const std::string& text, double low, double high) {
     double value = 0;
     if (parseNumber(text, value) && value > low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a number above " + plain(low) + " and up to " + plain(high));
+    throw std::invalid_argument("\"" + text + "\" is not a number above " + plainText(low) + " and up to " +
+                                plainText(high));
 }
 
-std::pair<std::uint32_t, std::uint32_t> parseSize(const std::string& text, std::uint32_t most) {
+PixelSize parseSize(const std::string& text, std::uint32_t most) {
     const std::size_t cross = text.find('x');
-    std::uint32_t width = 0, height = 0;
-    if (cross != std::string::npos && parseNumber(text.substr(0, cross), width) &&
-        parseNumber(text.substr(cross + 1), height) && width >= 1 && height >= 1 && width <= most && height <= most)
-        return {width, height};
+    const auto isSide = [most](std::uint32_t side) { return side >= 1 && side <= most; };
+    PixelSize size;
+    if (cross != std::string::npos && parseNumber(text.substr(0, cross), size.width) &&
+        parseNumber(text.substr(cross + 1), size.height) && isSide(size.width) && isSide(size.height))
+        return size;
     throw std::invalid_argument("\"" + text + "\" is not WxH with 1 to " + std::to_string(most) + " pixels each");
 }
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/render_setting_table.h"
+
+#include <algorithm>
+#include <array>
+
+#include "runtime/scene/default_lighting.h"
+
+namespace pointrt {
+namespace {
+
+template <typename Value, typename Member>
+void put(RenderSettings& settings, Member RenderSettings::*member, Value value) {
+    settings.*member = value;
+}
+
+void put(RenderSettings& settings, SizeMembers member, PixelSize size) {
+    settings.*member.width = size.width;
+    settings.*member.height = size.height;
+}
+
+template <typename Value>
+constexpr bool holds(const RenderSettings& settings, Value RenderSettings::*member, const void* address) {
+    return &(settings.*member) == address;
+}
+
+constexpr bool holds(const RenderSettings& settings, SizeMembers member, const void* address) {
+    return &(settings.*member.width) == address || &(settings.*member.height) == address;
+}
+
+/// Does not compile when a member comes or goes: name it here, too.
+constexpr bool everyMemberHasARow() {
+    const RenderSettings settings;
+    const auto& [width, height, spp, seed, camera, integrator, bounces, room, lights, shadows, caustics, blend,
+                 reflectivity, first_hits, light_parts, denoise, exposure] = settings;
+    const std::array<const void*, 17> members = {
+        &width,   &height,   &spp,   &seed,         &camera,     &integrator,  &bounces, &room,    &lights,
+        &shadows, &caustics, &blend, &reflectivity, &first_hits, &light_parts, &denoise, &exposure};
+    const auto has_row = [&](const void* member) {
+        bool found = false;
+        forEachRenderSetting([&](const auto& row) { found |= holds(settings, row.member, member); });
+        return found;
+    };
+    // the camera is resolved part by part; what else is filled of a film does not change what it has
+    const auto is_elsewhere = [&](const void* member) {
+        return member == &camera || member == &first_hits || member == &light_parts;
+    };
+    return std::all_of(members.begin(), members.end(),
+                       [&](const void* member) { return has_row(member) || is_elsewhere(member); });
+}
+static_assert(everyMemberHasARow(), "a member of RenderSettings is in no row of kRenderSettings");
+
+/// Places in films and scene files are each for one row.
+constexpr bool placesAreUnique() {
+    std::array<int, 64> film{}, scene{}, render{};
+    ++film[kCameraPlaceInFilm];
+    forEachRenderSetting([&](const auto& row) {
+        if (row.film.place != 0) ++film.at(static_cast<std::size_t>(row.film.place));
+        auto& table = row.scene_file.table == FileTable::kRender ? render : scene;
+        ++table.at(static_cast<std::size_t>(row.scene_file.place));
+    });
+    const auto is_unique = [](const auto& places) {
+        return std::all_of(places.begin(), places.end(), [](int rows) { return rows <= 1; });
+    };
+    return is_unique(film) && is_unique(scene) && is_unique(render);
+}
+static_assert(placesAreUnique(), "two rows of kRenderSettings have the same place");
+
+static_assert(kRingLights == 3, "the help of --lights and docs/SCENES.md name their number");
+
+} // namespace
+
+void applyChoices(const RenderChoices& choices, RenderSettings& settings) {
+    forEachRenderSetting([&](const auto& row) {
+        if (const auto& choice = choices.*row.choice) put(settings, row.member, *choice);
+    });
+}
+
+RenderChoices choicesOf(const RenderSettings& settings) {
+    RenderChoices choices;
+    forEachRenderSetting([&](const auto& row) { choices.*row.choice = settingOf(settings, row.member); });
+    return choices;
+}
+
+} // namespace pointrt

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a setting may be, a struct for each kind of value, and how limits and values read as text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "runtime/util/names.h"
+#include "runtime/util/parse.h"
+#include "runtime/util/pixel_size.h"
+
+namespace pointrt {
+
+struct CountRange {
+    using Value = std::uint32_t;
+    std::uint32_t low, high;
+};
+
+struct RealRange {
+    using Value = float;
+    double low, high;
+};
+
+/// Of width and height each, from 1.
+struct SizeRange {
+    using Value = PixelSize;
+    std::uint32_t longest;
+};
+
+/// With kSwitchNames a switch, which scene files spell true and false.
+template <typename Named>
+struct OneOf {
+    using Value = Named;
+    std::span<const Name<Named>> names;
+};
+template <typename Named, std::size_t kCount>
+OneOf(const std::array<Name<Named>, kCount>&) -> OneOf<Named>;
+
+/// "LOW to HIGH", or the names.
+std::string limitsText(CountRange range);
+std::string limitsText(RealRange range);
+std::string limitsText(SizeRange range);
+template <typename Named>
+std::string limitsText(OneOf<Named> choices) {
+    return joinedNames(choices.names, ", ");
+}
+
+/// value as the command line takes it.
+std::string valueText(CountRange, std::uint32_t value);
+std::string valueText(RealRange, float value);
+std::string valueText(SizeRange, PixelSize value);
+template <typename Named>
+std::string valueText(OneOf<Named> choices, Named value) {
+    return nameOf(choices.names, value);
+}
+
+/// These throw std::invalid_argument with the reason where text is no value within the limits.
+std::uint32_t parseValue(CountRange range, const std::string& text);
+float parseValue(RealRange range, const std::string& text);
+PixelSize parseValue(SizeRange range, const std::string& text);
+template <typename Named>
+Named parseValue(OneOf<Named> choices, const std::string& text) {
+    return parseName(choices.names, text);
+}
+
+} // namespace pointrt

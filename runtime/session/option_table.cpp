@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/option_table.h"
+
+#include "format/base/error.h"
+#include "runtime/scene/turntable.h"
+#include "runtime/util/parse.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::uint32_t kMaxBenchFrames = 100000;
+constexpr double kMaxSeconds = 1e7; // a third of a year
+constexpr double kMaxHeight = 1e12; // as scene files take lengths
+
+constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}};
+
+std::string imageFile(const std::string& path) {
+    if (path.ends_with(".png") || path.ends_with(".exr")) return path;
+    throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
+}
+
+void setOrtho(CameraRequest& camera, const std::string& text) {
+    camera.ortho = true;
+    if (text != "fit") camera.ortho_height = parseRealAbove(text, 0, kMaxHeight);
+}
+
+void setDevice(Options& options, const std::string& text) {
+    options.list_devices = text == "list";
+    options.device = options.list_devices ? "" : text;
+}
+
+OptionGroup imageOptions() {
+    return {"Image",
+            {{"-o,--output", "FILE",
+              "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light)",
+              [](Options& o, const std::string& text) { o.output = imageFile(text); }},
+             {"--turntable", "N",
+              "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
+              "to " +
+                  std::to_string(kMaxTurntable) + ")",
+              [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }}},
+            HelpGroup::kImage};
+}
+
+/// With one of the first two --spp is the most, and what a scene file says of samples is not asked.
+OptionGroup qualityOptions() {
+    return {
+        "How long",
+        {{"--time-limit", "SECONDS",
+          "Samples until the time is up, one at least (default: none; with it --spp is the most, and without --spp " +
+              std::to_string(kMaxSpp) + " are)",
+          [](Options& o, const std::string& text) { o.limits.seconds = parseRealAbove(text, 0, kMaxSeconds); }},
+         {"--noise", "TARGET",
+          "Samples until the relative noise of the picture is this or less, such as 0.02 (default: none; --spp as "
+          "above)",
+          [](Options& o, const std::string& text) { o.limits.noise = parseRealAbove(text, 0, 1); }},
+         {.names = "--resume",
+          .help = "Go on with the film in -o FILE.exr up to --spp samples in all; a new one where there is no such "
+                  "file (default: off)",
+          .flag = &Options::resume}},
+        {}};
+}
+
+OptionGroup cameraOptions() {
+    return {"Camera (in the coordinates of the input scan)",
+            {{"--view", "NAME", "A view of the scene file, in place of its camera; the options below overrule it",
+              [](Options& o, const std::string& text) { o.view = text; }},
+             {"--eye", "X,Y,Z", "Where it stands (default: +Z of the scene, far enough to see all of it)",
+              [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
+             {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
+              [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},
+             {"--up", "X,Y,Z", "What is up in the image (default 0,1,0)",
+              [](Options& o, const std::string& text) { o.camera.up = parseVector(text); }},
+             {"--fov", "DEG",
+              "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
+              [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
+             {"--ortho", "HEIGHT|fit",
+              "Parallel projection that shows this height of the scene, or with fit all of it (default: off; not with "
+              "--fov)",
+              [](Options& o, const std::string& text) { setOrtho(o.camera, text); }}},
+            {}};
+}
+
+OptionGroup windowOptions() {
+    return {"Window (without -o and --bench; H in it lists keys)",
+            {{"--record", "FILE", "Write what you do in the window to FILE (default: none)",
+              [](Options& o, const std::string& text) { o.record = text; }},
+             {"--replay", "FILE", "Do what FILE says, then quit; its screenshots become NAME.png (default: none)",
+              [](Options& o, const std::string& text) { o.replay = text; }},
+             {.names = "--offscreen",
+              .help = "Replay without showing a window or needing a display (default: off)",
+              .flag = &Options::offscreen}},
+            {}};
+}
+
+OptionGroup runOptions() {
+    return {
+        "Run",
+        {{"--device", "list|N|NAME", "Vulkan device by number or part of its name; list shows them (default: best)",
+          setDevice},
+         {"--bench", "N",
+          "Render N frames after a warm-up, print JSON (default: none, 1 to " + std::to_string(kMaxBenchFrames) + ")",
+          [](Options& o, const std::string& text) { o.bench_frames = parseCount(text, 1, kMaxBenchFrames); }},
+         {"--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
+          [](Options& o, const std::string& text) { o.stats = text; }},
+         {"--progress", "auto|lines",
+          "On standard error; lines: 'progress SHARE DETAIL' for programs (default auto: for people)",
+          [](Options& o, const std::string& text) { o.progress_lines = parseName(kProgressNames, text); }},
+         {.names = "-q,--quiet", .help = "No progress (default: off)", .flag = &Options::quiet},
+         {.names = "-v,--verbose", .help = "More detail on standard error (default: off)", .flag = &Options::verbose}},
+        {}};
+}
+
+} // namespace
+
+std::vector<OptionGroup> optionGroups() {
+    return {imageOptions(),  qualityOptions(),
+            cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
+            windowOptions(), runOptions()};
+}
+
+} // namespace pointrt

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the command line, or of a recording, as values. Each function takes all of text and throws
+// std::invalid_argument with the reason where it is not what it should be.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "runtime/util/pixel_size.h"
+#include "runtime/util/vec.h"
+
+namespace pointrt {
+
+/// All of text as a number; false, not an exception, where it is not one or out of T's range.
+template <typename T>
+bool parseNumber(const std::string& text, T& value) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc() && rest == end;
+}
+
+/// A whole number from low to high.
+std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high);
+
+/// A number from low to high.
+double parseReal(const std::string& text, double low, double high);
+
+/// A number above low and up to high.
+double parseRealAbove(const std::string& text, double low, double high);
+
+/// "WxH", each from 1 to most.
+PixelSize parseSize(const std::string& text, std::uint32_t most);
+
+/// Degrees above 0 and below 180.
+double parseAngle(const std::string& text);
+
+/// "X,Y,Z" as three finite numbers.
+Vec3 parseVector(const std::string& text);
+
+/// A number with as many digits as a message needs.
+std::string plainText(double value);
+
+} // namespace pointrt
