@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which samples a frame takes, with a tracer that only counts and a clock that runs by its samples.
 #include "runtime/renderer/frame_schedule.h"
+#include "runtime/scene/render_settings.h"
 
 #include <gtest/gtest.h>
 

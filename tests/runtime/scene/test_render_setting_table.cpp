@@ -97,12 +97,15 @@ TEST(RenderSettingTable, IsWhatTheDocumentationOfSceneFilesSays) {
         const std::string key = row.scene_file.key;
         const std::vector<std::string> doc = docOf(key);
         EXPECT_TRUE(contains(doc[0], key)) << key;
-        if (settingOf(RenderSettings{}, row.member)) EXPECT_EQ(doc[1], " " + defaults[key] + " ") << key;
+        if (settingOf(RenderSettings{}, row.member)) {
+            EXPECT_EQ(doc[1], " " + defaults[key] + " ") << key;
+        }
         EXPECT_GT(doc[1].size(), 2u) << key;
-        if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(row)>::Value, bool>)
+        if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(row)>::Value, bool>) {
             EXPECT_TRUE(contains(doc[2], "false")) << key;
-        else
+        } else {
             for (const std::string& word : limitWords(row.limits)) EXPECT_TRUE(contains(doc[2], word)) << key << word;
+        }
     });
 }
 
