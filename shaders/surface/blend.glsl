@@ -12,7 +12,8 @@
 // surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
 // Surfaces from Points, 2003); two Newton steps along the ray find it.
 
-struct Surface {
+// In the instance's cube.
+struct BlendedSurface {
     float t;      // along the ray
     vec3 normal;  // unit length, towards the ray's origin
     vec3 color;   // sRGB
@@ -150,11 +151,11 @@ float newtonStep(Field field, vec3 direction, float radius) {
     return clamp(step, -radius, radius);
 }
 
-Surface flatSurface(SplatHit hit, vec3 direction) {
-    vec3 normal = normalize(splatDirection(hit.words));
+BlendedSurface flatSurface(uint splat, uvec4 words, float t, vec3 direction) {
+    vec3 normal = normalize(splatDirection(words));
     bool back = dot(normal, direction) > 0.0;
-    return Surface(hit.t, back ? -normal : normal, splatColor(hit.words), splatRadius(hit.words, instance.splat),
-                   splatMaterial(hit.words), hit.splat, back && kOriented);
+    return BlendedSurface(t, back ? -normal : normal, splatColor(words), splatRadius(words, instance.splat),
+                          splatMaterial(words), splat, back && kOriented);
 }
 
 // At rims the blended normal may lean away from the viewer, who sees the surface all the same: it is brought back to
@@ -167,11 +168,11 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
 }
 
 // The surface at a traced hit, its words as stored, of the ray.
-Surface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
-    SplatHit exact = exactHit(hit, origin, direction);
-    uvec4 words = exact.words;
-    float t = exact.t;
-    Surface surface = flatSurface(exact, direction);
+BlendedSurface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
+    uint splat = loadListed(hit.z);
+    uvec4 words = loadSplat(splat);
+    float t = exactDistance(hit, words, origin, direction);
+    BlendedSurface surface = flatSurface(splat, words, t, direction);
     if ((ofLane(params.options) & OPTION_BLEND) == 0u) return surface;
     vec3 side = surface.normal;
     float front = kOriented ? (dot(side, splatDirection(words)) < 0.0 ? -1.0 : 1.0) : 0.0;

@@ -17,7 +17,7 @@ bool between(vec3 v, uint low, uint high) {
 }
 
 // The scene's number of a surface's material.
-uint materialOf(Surface surface) {
+uint materialOf(BlendedSurface surface) {
     uint material = instance.materials.y + surface.material;
     uint ranges = ofLane(instance.materials.z);
     for (uint i = 0u; i < ranges; i++) {
@@ -34,7 +34,7 @@ void main() {
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
-    Surface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), hit);
+    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), hit);
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
     Material row = loadMaterial(material);

@@ -48,23 +48,14 @@ vec3 splatColor(uvec4 words) { return unpackUnorm4x8(words.w & PRO_COLOR_MASK).r
 
 uint splatMaterial(uvec4 words) { return words.z >> PRO_MATERIAL_SHIFT; }
 
-// A traced hit's splat and the distance to its disc.
-struct SplatHit {
-    uint splat;
-    uvec4 words;
-    float t;
-};
-
-// hit: a TraceHit's words as stored. Its distance is rounded with its cell disc (pointrt/pro_index_layout.h), by less than
-// a hundredth of a radius unless the ray grazes the disc. The exact one is measured from there, because from a distant
-// origin too few bits would be left.
-SplatHit exactHit(uvec4 hit, vec3 origin, vec3 direction) {
-    uint splat = loadListed(hit.z);
-    uvec4 words = loadSplat(splat);
+// Distance to the disc of a traced hit, which are the TraceHit's words as stored and its splat's. What is stored is
+// rounded with the cell disc (pointrt/pro_index_layout.h), by less than a hundredth of a radius unless the ray grazes
+// it. The exact one is measured from there, because from a distant origin too few bits would be left.
+float exactDistance(uvec4 hit, uvec4 words, vec3 origin, vec3 direction) {
     float t = uintBitsToFloat(hit.x), radius = splatRadius(words, instance.splat);
     vec3 normal = splatDirection(words);
     float correction = dot(normal, splatPosition(words) - (origin + t * direction)) / dot(normal, direction);
-    return SplatHit(splat, words, t + clamp(correction, -radius, radius));
+    return t + clamp(correction, -radius, radius);
 }
 
 #endif

@@ -12,7 +12,7 @@
 // conditions of the lane's own (values that merely were computed in a do-while are wrong for such lanes).
 
 struct TraceHit {
-    float t;   // along the ray to the cell disc: rounded, exactHit knows better; t_max when nothing is hit
+    float t;   // along the ray to the cell disc: rounded, exactDistance knows better; t_max when nothing is hit
     uint cell; // whose list the hit's surroundings are in
     uint disc; // the cell disc, NO_INDEX when nothing is hit
 };

@@ -13,7 +13,7 @@ void main() {
     if (i >= control.queued[0]) return;
     uvec4 hit = loadHit(i);
     if (hit.z == NO_INDEX) return;
-    Surface surface = surfaceAt(paths[i].origin.xyz, paths[i].direction.xyz, hit);
+    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, hit);
     first_hits[i] = vec4(surface.normal, surface.t);
     film[i] = vec4(surface.radius);
 }

@@ -96,7 +96,7 @@ bool mayBeFirst(std::span<const CubeSplat> splats, const NearRounding& rounding,
         const Meeting m = meet(splat, rounding, ray);
         if (m.surelyHit()) surely_before = std::min(surely_before, m.at.t + m.along);
         if (!t || m.surelyMissed()) continue;
-        // distances of hits that rounding moves by more than a radius are not exact (exactHit in
+        // distances of hits that rounding moves by more than a radius are not exact (exactDistance in
         // shaders/trace/splat.glsl)
         const double exactly = kFloatError * (1 + *t) / m.at.slope;
         if (std::abs(m.at.t - *t) <= (m.along < splat.radius ? exactly : m.along))

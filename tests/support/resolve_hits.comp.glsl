@@ -13,6 +13,7 @@ void main() {
     uvec4 hit = loadHit(i);
     first_hits[i] = vec4(0.0, uintBitsToFloat(NO_INDEX), 0.0, 0.0);
     if (hit.z == NO_INDEX) return;
-    SplatHit exact = exactHit(hit, paths[i].origin.xyz, paths[i].direction.xyz);
-    first_hits[i] = vec4(exact.t, uintBitsToFloat(exact.splat), 0.0, 0.0);
+    uint splat = loadListed(hit.z);
+    float t = exactDistance(hit, loadSplat(splat), paths[i].origin, paths[i].direction);
+    first_hits[i] = vec4(t, uintBitsToFloat(splat), 0.0, 0.0);
 }
