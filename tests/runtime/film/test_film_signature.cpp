@@ -23,7 +23,7 @@ TEST(FilmSignature, OfDefaultsIsTheTextThatItWas) {
     Camera camera = testCamera();
     camera.eye = {0.1, -2, 5};
     EXPECT_EQ(settingsPart({}, camera),
-              "; size=512x512; camera=0.10000000000000001,-2,5 1,0,-0 0,1,0 0,0,-1 40; integrator=phong; bounces=4; "
+              "; size=512x512; camera=0.10000000000000001,-2,5 1,-0,0 0,1,0 0,0,-1 40; integrator=phong; bounces=4; "
               "seed=0; pixel=area; room=default; lights=default; shadows=on; blend=on; caustics=on; "
               "reflectivity=default");
 }
@@ -46,7 +46,7 @@ TEST(FilmSignature, OfEverySettingIsTheTextThatItWas) {
     camera.eye = {0, 0, 5};
     camera.ortho_height = 0.25;
     EXPECT_EQ(settingsPart(settings, camera),
-              "; size=30x20; camera=0,0,5 1,0,-0 0,1,0 0,0,-1 ortho 0.25; integrator=depth; bounces=64; "
+              "; size=30x20; camera=0,0,5 1,-0,0 0,1,0 0,0,-1 ortho 0.25; integrator=depth; bounces=64; "
               "seed=4294967295; pixel=centre; room=matte; lights=16; shadows=off; blend=off; caustics=off; "
               "reflectivity=0.10000000149011612");
 }

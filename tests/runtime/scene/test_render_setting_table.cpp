@@ -39,7 +39,7 @@ const std::vector<std::string>& helpLines() {
 /// The line of --help for an option.
 std::string helpOf(const std::string& option) {
     for (const std::string& line : helpLines())
-        if (contains(line, " " + option + " ")) return line;
+        if (line.starts_with("  " + option + " ")) return line;
     return "";
 }
 
