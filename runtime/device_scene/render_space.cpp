@@ -24,54 +24,32 @@ Vec3 placed(const Placement& placement, Vec3 input) {
     return placement.translation + placement.scale * applied(placement.rotation, input);
 }
 
-gpu::vec4 packColor(const Color& color, float w = 0) { return {color[0], color[1], color[2], w}; }
-
-gpu::vec4 packColor(const Color& color, double factor, float w) {
-    return packColor({static_cast<float>(factor * color[0]), static_cast<float>(factor * color[1]),
-                      static_cast<float>(factor * color[2])},
-                     w);
-}
-
 /// Half edges of the box around the ellipsoid (or ellipse) that u, v and w span.
 Vec3 roundHalf(Vec3 u, Vec3 v, Vec3 w) {
     return {std::hypot(u.x, v.x, w.x), std::hypot(u.y, v.y, w.y), std::hypot(u.z, v.z, w.z)};
 }
 
-double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
+/// Brings a light's values to render units, each as what it is.
+struct ToRenderUnits {
+    RenderSpace space;
 
-gpu::Light packed(const RenderSpace& space, const PointLight& light) {
-    return {pack(renderPoint(space, light.position), LIGHT_POINT),
-            packColor(light.intensity, 1.0 / (space.scale * space.scale), 0),
-            {},
-            {},
-            {}};
-}
-
-gpu::Light packed(const RenderSpace& space, const SpotLight& light) {
-    return {pack(renderPoint(space, light.position), LIGHT_SPOT),
-            packColor(light.intensity, 1.0 / (space.scale * space.scale), 0),
-            pack(light.direction, cosineOf(light.outer_deg)),
-            pack({cosineOf(light.inner_deg), 0, 0}),
-            {}};
-}
-
-gpu::Light packed(const RenderSpace&, const SunLight& light) {
-    return {pack({}, LIGHT_SUN), packColor(light.irradiance), pack(light.towards, cosineOf(light.radius_deg)), {}, {}};
-}
-
-gpu::Light packed(const RenderSpace& space, const SphereLight& light) {
-    return {pack(renderPoint(space, light.center), LIGHT_SPHERE),
-            packColor(light.radiance),
-            pack({}, light.radius / space.scale),
-            {},
-            {}};
-}
-
-gpu::Light packed(const RenderSpace& space, const QuadLight& light) {
-    const double units = 1.0 / space.scale;
-    return {pack(renderPoint(space, light.center), LIGHT_QUAD), packColor(light.radiance),
-            pack(normalize(cross(light.u, light.v))), pack(units * light.u), pack(units * light.v)};
-}
+    void operator()(const PositionField& field) const { field.value = renderPoint(space, field.value); }
+    void operator()(const AimField&) const {}
+    void operator()(const SunwardField&) const {}
+    void operator()(const ConeField&) const {}
+    void operator()(const AngularRadiusField&) const {}
+    void operator()(const RadiusField& field) const { field.value = field.value / space.scale; }
+    void operator()(const HalfEdgesField& field) const {
+        const double units = 1.0 / space.scale;
+        field.u = units * field.u;
+        field.v = units * field.v;
+    }
+    void operator()(const VisibleField&) const {}
+    void operator()(const EmissionField& field) const {
+        if (field.quantity == EmissionField::Quantity::kIntensity)
+            field.value = scaled(field.value, 1.0 / (space.scale * space.scale));
+    }
+};
 
 constexpr std::array<std::uint32_t, 5> kShapeKinds = {SHAPE_PLANE, SHAPE_DISC, SHAPE_QUAD, SHAPE_BOX, SHAPE_SPHERE};
 constexpr std::array<float, 5> kMaterialKinds = {MATERIAL_MATTE, MATERIAL_METAL, MATERIAL_PLASTIC, MATERIAL_MIRROR,
@@ -80,6 +58,21 @@ constexpr std::array<float, 5> kMaterialKinds = {MATERIAL_MATTE, MATERIAL_METAL,
 template <typename Kind, typename Number, std::size_t N>
 Number numberOf(const std::array<Number, N>& numbers, Kind kind) {
     return numbers.at(static_cast<std::size_t>(kind));
+}
+
+/// A shape's unit form as surface puts it.
+gpu::Shape placedForm(const RenderSpace& space, const LampSurface& surface, std::uint32_t material,
+                      std::uint32_t bits) {
+    const auto& [kind, center, u, v, w, seen_by_camera] = surface;
+    const Vec3 vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
+    // rows of the inverse of the matrix with columns u, v, w
+    const double inverse = 1.0 / dot(u, vw);
+    const Rows local_from_world{inverse * vw, inverse * wu, inverse * uv};
+    const Vec3 origin = applied(local_from_world, space.origin - center);
+    return {pack(space.scale * local_from_world[0], origin.x),
+            pack(space.scale * local_from_world[1], origin.y),
+            pack(space.scale * local_from_world[2], origin.z),
+            {kind, material, (seen_by_camera ? 0 : SHAPE_UNSEEN_BY_CAMERA) | bits, 0}};
 }
 
 } // namespace
@@ -95,10 +88,6 @@ RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro
     const Vec3 size = bounds->hi - bounds->lo;
     const double longest = std::max({size.x, size.y, size.z});
     return longest > 0 ? RenderSpace{bounds->lo, longest} : RenderSpace{};
-}
-
-gpu::vec4 pack(Vec3 v, double w) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
 }
 
 Vec3 renderPoint(const RenderSpace& space, Vec3 world) { return (world - space.origin) * (1.0 / space.scale); }
@@ -158,20 +147,15 @@ std::optional<Bounds> boundsOfShapes(const SceneDescription& scene) {
 }
 
 gpu::Shape packShape(const RenderSpace& space, const ShapeDescription& shape) {
-    const Vec3 vw = cross(shape.v, shape.w), wu = cross(shape.w, shape.u), uv = cross(shape.u, shape.v);
-    // rows of the inverse of the matrix with columns u, v, w
-    const double inverse = 1.0 / dot(shape.u, vw);
-    const Rows local_from_world{inverse * vw, inverse * wu, inverse * uv};
-    const Vec3 origin = applied(local_from_world, space.origin - shape.center);
-    return {pack(space.scale * local_from_world[0], origin.x),
-            pack(space.scale * local_from_world[1], origin.y),
-            pack(space.scale * local_from_world[2], origin.z),
-            {numberOf(kShapeKinds, shape.kind), shape.material,
-             (shape.seen_by_camera ? 0 : SHAPE_UNSEEN_BY_CAMERA) | (shape.backdrop ? SHAPE_BACKDROP : 0), 0}};
+    return placedForm(
+        space, {numberOf(kShapeKinds, shape.kind), shape.center, shape.u, shape.v, shape.w, shape.seen_by_camera},
+        shape.material, shape.backdrop ? SHAPE_BACKDROP : 0);
 }
 
 gpu::Light packLight(const RenderSpace& space, const LightDescription& light) {
-    return std::visit([&](const auto& kind) { return packed(space, kind); }, light);
+    LightDescription rendered = light;
+    std::visit([&](auto& kind) { kind.eachField(ToRenderUnits{space}); }, rendered);
+    return rowOf(rendered);
 }
 
 gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& material) {
@@ -181,28 +165,19 @@ gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& 
             {numberOf(kMaterialKinds, material.kind), material.roughness, material.index, material.mirror_share},
             {material.specular, material.shininess, 0, 0},
             packColor(material.emission, std::bit_cast<float>(NO_LIGHT)),
-            packColor(material.absorption, space.scale, 0)};
+            packColor(scaled(material.absorption, space.scale))};
 }
 
 std::optional<gpu::Shape> lampShape(const RenderSpace& space, const LightDescription& light, std::uint32_t material) {
-    if (const auto* sphere = std::get_if<SphereLight>(&light)) {
-        const double r = sphere->radius;
-        return packShape(
-            space,
-            {ShapeKind::kSphere, sphere->center, {r, 0, 0}, {0, r, 0}, {0, 0, r}, material, sphere->seen_by_camera});
-    }
-    if (const auto* quad = std::get_if<QuadLight>(&light))
-        return packShape(space, {ShapeKind::kQuad, quad->center, quad->u, quad->v, normalize(cross(quad->u, quad->v)),
-                                 material, quad->seen_by_camera});
-    return std::nullopt;
+    const auto surface = surfaceOf(light);
+    return surface ? std::optional(placedForm(space, *surface, material, 0)) : std::nullopt;
 }
 
 std::optional<gpu::Material> lampMaterial(const LightDescription& light, std::uint32_t number) {
-    const auto* sphere = std::get_if<SphereLight>(&light);
-    const auto* quad = std::get_if<QuadLight>(&light);
-    if (!sphere && !quad) return std::nullopt;
+    if (!hasSurface(light.index())) return std::nullopt;
+    LightDescription lamp = light;
     gpu::Material material{};
-    material.emission = packColor(sphere ? sphere->radiance : quad->radiance, std::bit_cast<float>(number));
+    material.emission = packColor(emissionField(lamp).value, std::bit_cast<float>(number));
     return material;
 }
 

@@ -11,6 +11,7 @@
 
 #include "pointrt/pro.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/util/pack.h"
 #include "shaders/shared/scene_layout.h"
 
 namespace pointrt {
@@ -47,8 +48,6 @@ Bounds joined(const Bounds& a, const Bounds& b);
 /// Around all shapes that are not planes; none without such.
 std::optional<Bounds> boundsOfShapes(const SceneDescription& scene);
 
-/// The device's vector of v and w, rounded to float.
-gpu::vec4 pack(Vec3 v, double w = 0);
 /// u, v and w of the description span space, whatever the kind.
 gpu::Shape packShape(const RenderSpace& space, const ShapeDescription& shape);
 /// The light in render units: lengths and radiant intensities change, radiance and the sun's irradiance do not.
@@ -56,7 +55,7 @@ gpu::Light packLight(const RenderSpace& space, const LightDescription& light);
 /// Absorption is by render units. The material stands for no light.
 gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& material);
 
-/// The surface of a sphere or quad light, with a material of this number; none for the other kinds.
+/// The surface of a light that has one, with a material of this number.
 std::optional<gpu::Shape> lampShape(const RenderSpace& space, const LightDescription& light, std::uint32_t material);
 /// The material of that surface, which shines and reflects nothing; light: its number.
 std::optional<gpu::Material> lampMaterial(const LightDescription& light, std::uint32_t number);

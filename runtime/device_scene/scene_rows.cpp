@@ -74,7 +74,7 @@ private:
     void addLight(const LightDescription& light) {
         gpu::Light row = packLight(scene_.space, light);
         if (const auto shape = lampShape(scene_.space, light, static_cast<std::uint32_t>(rows.materials.size()))) {
-            row.edge_v.w = std::bit_cast<float>(static_cast<std::uint32_t>(rows.shapes.size()));
+            LIGHT_SHAPE(row) = std::bit_cast<float>(static_cast<std::uint32_t>(rows.shapes.size()));
             rows.shapes.push_back(*shape);
             rows.materials.push_back(lampMaterial(light, static_cast<std::uint32_t>(rows.lights.size())).value());
         }
@@ -84,7 +84,7 @@ private:
     void addSkyLight() {
         rows.sky_light = static_cast<std::uint32_t>(rows.lights.size());
         gpu::Light light{};
-        light.position.w = LIGHT_SKY;
+        LIGHT_KIND(light) = LIGHT_SKY;
         rows.lights.push_back(light);
     }
 
@@ -133,7 +133,7 @@ bool sendsOn(const gpu::Material& material, Integrator integrator) {
 std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
     std::uint32_t bits = 0;
     for (const gpu::Light& light : rows.lights)
-        if (light.position.w != LIGHT_SKY) bits |= FEATURE_LIGHT(light.position.w);
+        if (LIGHT_KIND(light) != LIGHT_SKY) bits |= FEATURE_LIGHT(LIGHT_KIND(light));
     for (const gpu::Material& material : rows.materials) {
         bits |= FEATURE_MATERIAL(material.gloss.x);
         if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;

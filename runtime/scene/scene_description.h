@@ -10,13 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/light/light.h"
 #include "runtime/scene/render_settings.h"
+#include "runtime/util/color.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
-
-/// Linear RGB: reflectance in [0, 1], or light from 0 up.
-using Color = std::array<float, 3>;
 
 enum class MaterialKind { kMatte, kMetal, kPlastic, kMirror, kGlass };
 
@@ -80,39 +79,6 @@ struct ShapeDescription {
     bool backdrop = false; ///< not of the scene: first hits and coverage pass through it
     bool operator==(const ShapeDescription&) const = default;
 };
-
-struct PointLight {
-    Vec3 position;
-    Color intensity; ///< irradiance on a facing surface at unit distance
-    bool operator==(const PointLight&) const = default;
-};
-struct SpotLight {
-    Vec3 position, direction; ///< direction: unit length
-    double outer_deg = 30;    ///< half angle of the cone, in (0, 90]
-    double inner_deg = 25;    ///< undimmed inside of this half angle, at most outer_deg
-    Color intensity;
-    bool operator==(const SpotLight&) const = default;
-};
-struct SunLight {
-    Vec3 towards;               ///< unit vector to the sun
-    double radius_deg = 0.2665; ///< angular radius of its disc, 0 to 45; 0 gives hard shadows
-    Color irradiance;           ///< on a surface that faces it
-    bool operator==(const SunLight&) const = default;
-};
-struct SphereLight {
-    Vec3 center;
-    double radius = 1;
-    Color radiance;
-    bool seen_by_camera = true;
-    bool operator==(const SphereLight&) const = default;
-};
-struct QuadLight {
-    Vec3 center, u, v; ///< half edges at right angles; both sides shine
-    Color radiance;
-    bool seen_by_camera = true;
-    bool operator==(const QuadLight&) const = default;
-};
-using LightDescription = std::variant<PointLight, SpotLight, SunLight, SphereLight, QuadLight>;
 
 /// Radiance from all around.
 struct SkyDescription {

@@ -2,19 +2,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include "runtime/scene/sun.h"
 #include "runtime/scene_file/read_parts.h"
+#include "runtime/util/pack.h"
 #include "shaders/shared/scene_layout.h"
 
 namespace pointrt {
 namespace {
-
-Color scaled(Color color, double factor) {
-    for (float& channel : color) channel = static_cast<float>(channel * factor);
-    return color;
-}
 
 /// The light's colour times its strength, under key: a number that multiplies "color", or a colour itself.
 Color strengthOf(const SceneValue& table, std::string_view key) {
@@ -32,32 +27,6 @@ Color strengthOrPower(const SceneValue& table, std::string_view key, double watt
     Color color{1, 1, 1};
     takeColor(table, "color", kShare, color);
     return scaled(color, numberOf(require(table, "power"), kLight) / watts_of_one);
-}
-
-PointLight readPoint(const SceneValue& table) {
-    requireKnownKeys(table, "a point light", {"type", "position", "color", "intensity", "power"});
-    return {vectorOf(require(table, "position")), strengthOrPower(table, "intensity", 4 * std::numbers::pi)};
-}
-
-SpotLight readSpot(const SceneValue& table) {
-    requireKnownKeys(table, "a spot light",
-                     {"type", "position", "target", "direction", "outer", "inner", "color", "intensity"});
-    SpotLight light;
-    light.position = vectorOf(require(table, "position"));
-    if (hasFirst(table, "target", "direction")) {
-        const SceneValue target = require(table, "target");
-        const Vec3 ahead = vectorOf(target) - light.position;
-        if (length(ahead) < kSmallest) refuse(target, "must be another point than \"position\"");
-        light.direction = normalize(ahead);
-    } else {
-        light.direction = directionOf(require(table, "direction"));
-    }
-    const double undimmed = light.inner_deg / light.outer_deg;
-    takeNumber(table, "outer", {0.1, 90}, light.outer_deg);
-    light.inner_deg = undimmed * light.outer_deg;
-    takeNumber(table, "inner", {0, light.outer_deg}, light.inner_deg);
-    light.intensity = strengthOf(table, "intensity");
-    return light;
 }
 
 double unixSecondsOf(const SceneValue& value) {
@@ -95,64 +64,87 @@ Vec3 sunSeenFrom(const SceneValue& table, Vec3 up) {
     return sunDirection(sun, up, northOf(table, up));
 }
 
-SunLight readSun(const SceneValue& table, Vec3 up) {
-    requireKnownKeys(
-        table, "a sun",
-        {"type", "towards", "time", "latitude", "longitude", "north", "angular_radius", "color", "irradiance"});
-    SunLight light;
-    if (hasFirst(table, "towards", "time")) {
-        forbid(table, {"latitude", "longitude", "north"}, "says nothing without \"time\"");
-        light.towards = directionOf(require(table, "towards"));
-    } else {
-        light.towards = sunSeenFrom(table, up);
+/// Reads each value of a light as what it is.
+struct FieldReader {
+    const SceneValue& table;
+    Vec3 up; ///< of the scene
+
+    void operator()(const PositionField& field) const { field.value = vectorOf(require(table, field.key)); }
+
+    void operator()(const AimField& field) const {
+        if (!hasFirst(table, "target", field.key)) {
+            field.value = directionOf(require(table, field.key));
+            return;
+        }
+        const SceneValue target = require(table, "target");
+        const Vec3 ahead = vectorOf(target) - field.from.value;
+        if (length(ahead) < kSmallest)
+            refuse(target, "must be another point than \"" + std::string(field.from.key) + "\"");
+        field.value = normalize(ahead);
     }
-    takeNumber(table, "angular_radius", {0, 45}, light.radius_deg);
-    light.irradiance = strengthOf(table, "irradiance");
+
+    void operator()(const SunwardField& field) const {
+        if (!hasFirst(table, "towards", "time")) {
+            field.value = sunSeenFrom(table, up);
+            return;
+        }
+        forbid(table, {"latitude", "longitude", "north"}, "says nothing without \"time\"");
+        field.value = directionOf(require(table, "towards"));
+    }
+
+    void operator()(const ConeField& field) const {
+        const double undimmed = field.inner_deg / field.outer_deg;
+        takeNumber(table, "outer", {ConeField::kNarrowest, ConeField::kWidest}, field.outer_deg);
+        field.inner_deg = undimmed * field.outer_deg;
+        takeNumber(table, "inner", {0, field.outer_deg}, field.inner_deg);
+    }
+
+    void operator()(const AngularRadiusField& field) const {
+        takeNumber(table, "angular_radius", {0, AngularRadiusField::kWidest}, field.degrees);
+    }
+
+    void operator()(const RadiusField& field) const { field.value = numberOf(require(table, "radius"), kLengths); }
+
+    void operator()(const HalfEdgesField& field) const {
+        const HalfEdges edges = halfEdgesOf(table);
+        field.u = edges.u;
+        field.v = edges.v;
+    }
+
+    void operator()(const VisibleField& field) const { takeFlag(table, "seen_by_camera", field.value); }
+
+    void operator()(const EmissionField& field) const {
+        field.value = field.watts_of_one ? strengthOrPower(table, field.key(), *field.watts_of_one)
+                                         : strengthOf(table, field.key());
+    }
+};
+
+template <typename L>
+LightDescription readKind(const SceneValue& table, const SceneReading& reading) {
+    L light;
+    FieldKeys keys{"type"};
+    light.eachField([&](const auto& field) {
+        for (const std::string_view key : field.keys()) keys.push_back(key);
+    });
+    requireKnownKeys(table, L::kNames.called, keys);
+    light.eachField(FieldReader{table, reading.scene.up.value_or(Vec3{0, 1, 0})});
     return light;
 }
 
-SphereLight readSphere(const SceneValue& table) {
-    requireKnownKeys(table, "a sphere light",
-                     {"type", "center", "radius", "color", "radiance", "power", "seen_by_camera"});
-    SphereLight light;
-    light.center = vectorOf(require(table, "center"));
-    light.radius = numberOf(require(table, "radius"), kLengths);
-    const double area = 4 * std::numbers::pi * light.radius * light.radius;
-    light.radiance = strengthOrPower(table, "radiance", std::numbers::pi * area);
-    takeFlag(table, "seen_by_camera", light.seen_by_camera);
-    return light;
-}
-
-QuadLight readQuad(const SceneValue& table) {
-    requireKnownKeys(table, "a quad light",
-                     {"type", "center", "u", "v", "color", "radiance", "power", "seen_by_camera"});
-    const HalfEdges edges = halfEdgesOf(table);
-    const double both_sides = 2 * 4 * length(edges.u) * length(edges.v);
-    QuadLight light;
-    light.center = vectorOf(require(table, "center"));
-    light.u = edges.u;
-    light.v = edges.v;
-    light.radiance = strengthOrPower(table, "radiance", std::numbers::pi * both_sides);
-    takeFlag(table, "seen_by_camera", light.seen_by_camera);
-    return light;
+std::size_t kindOf(const SceneValue& type) {
+    std::vector<std::string_view> types;
+    for (std::size_t kind = 0; kind < kLightKinds; ++kind) types.push_back(namesOf(kind).type);
+    return choiceOf(type, types);
 }
 
 LightDescription lightOf(const SceneValue& table, const SceneReading& reading) {
-    const std::size_t type = choiceOf(require(table, "type"), {"point", "spot", "sun", "sphere", "quad"});
-    constexpr std::size_t sphere = 3; // it and what follows have a surface
-    if (type >= sphere) requireRoomForShape(table, reading);
-    switch (type) {
-    case 0:
-        return readPoint(table);
-    case 1:
-        return readSpot(table);
-    case 2:
-        return readSun(table, reading.scene.up.value_or(Vec3{0, 1, 0}));
-    case sphere:
-        return readSphere(table);
-    default:
-        return readQuad(table);
-    }
+    const std::size_t kind = kindOf(require(table, "type"));
+    if (hasSurface(kind)) requireRoomForShape(table, reading);
+    LightDescription light;
+    eachLightKind([&](auto type, std::size_t number) {
+        if (number == kind) light = readKind<typename decltype(type)::type>(table, reading);
+    });
+    return light;
 }
 
 } // namespace

@@ -54,7 +54,7 @@ HalfEdges halfEdgesOf(const SceneValue& table);
 /// Puts a flat shape into the plane of normal, a unit vector; u and v get length half.
 void layFlat(ShapeDescription& shape, Vec3 normal, double half);
 
-/// Refuses value where its shape is one more than MAX_SHAPES: shapes, sphere and quad lights together.
+/// Refuses value where its shape is one more than MAX_SHAPES: shapes and lights with a surface together.
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading);
 
 } // namespace pointrt

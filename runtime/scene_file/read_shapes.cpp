@@ -145,6 +145,16 @@ ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
     return shape;
 }
 
+/// "sphere and quad lights": those with a surface.
+std::string lampsInWords() {
+    std::vector<std::string_view> types;
+    for (std::size_t kind = 0; kind < kLightKinds; ++kind)
+        if (hasSurface(kind)) types.push_back(namesOf(kind).type);
+    const std::string last(types.back());
+    types.pop_back();
+    return joined(types) + " and " + last + " lights";
+}
+
 } // namespace
 
 void layFlat(ShapeDescription& shape, Vec3 normal, double half) {
@@ -165,10 +175,8 @@ HalfEdges halfEdgesOf(const SceneValue& table) {
 }
 
 void requireRoomForShape(const SceneValue& value, const SceneReading& reading) {
-    std::size_t shapes = reading.scene.shapes.size();
-    for (const LightDescription& light : reading.scene.lights)
-        if (std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light)) ++shapes;
-    if (shapes >= MAX_SHAPES) refuse(value, "there are at most 64 shapes, sphere and quad lights counted");
+    const std::size_t shapes = reading.scene.shapes.size() + countSurfaces(reading.scene.lights);
+    if (shapes >= MAX_SHAPES) refuse(value, "there are at most 64 shapes, " + lampsInWords() + " counted");
 }
 
 void readShapes(const SceneValue& file, SceneReading& reading) {

@@ -4,51 +4,36 @@
 namespace pointrt {
 namespace {
 
-void putLight(SceneWriting& writing, const PointLight& light) {
-    put(writing, "type", "\"point\"");
-    put(writing, "position", tomlOf(light.position));
-    put(writing, "intensity", tomlOf(light.intensity));
-}
+/// Writes each value of a light as FieldReader takes it.
+struct FieldWriter {
+    SceneWriting& writing;
 
-void putLight(SceneWriting& writing, const SpotLight& light) {
-    put(writing, "type", "\"spot\"");
-    put(writing, "position", tomlOf(light.position));
-    put(writing, "direction", tomlOf(light.direction));
-    put(writing, "outer", tomlOf(light.outer_deg));
-    put(writing, "inner", tomlOf(light.inner_deg));
-    put(writing, "intensity", tomlOf(light.intensity));
-}
-
-void putLight(SceneWriting& writing, const SunLight& light) {
-    put(writing, "type", "\"sun\"");
-    put(writing, "towards", tomlOf(light.towards));
-    put(writing, "angular_radius", tomlOf(light.radius_deg));
-    put(writing, "irradiance", tomlOf(light.irradiance));
-}
-
-void putLight(SceneWriting& writing, const SphereLight& light) {
-    put(writing, "type", "\"sphere\"");
-    put(writing, "center", tomlOf(light.center));
-    put(writing, "radius", tomlOf(light.radius));
-    put(writing, "radiance", tomlOf(light.radiance));
-    if (!light.seen_by_camera) put(writing, "seen_by_camera", "false");
-}
-
-void putLight(SceneWriting& writing, const QuadLight& light) {
-    put(writing, "type", "\"quad\"");
-    put(writing, "center", tomlOf(light.center));
-    put(writing, "u", tomlOf(light.u));
-    put(writing, "v", tomlOf(light.v));
-    put(writing, "radiance", tomlOf(light.radiance));
-    if (!light.seen_by_camera) put(writing, "seen_by_camera", "false");
-}
+    void operator()(const PositionField& field) const { put(writing, field.key, tomlOf(field.value)); }
+    void operator()(const AimField& field) const { put(writing, field.key, tomlOf(field.value)); }
+    void operator()(const SunwardField& field) const { put(writing, "towards", tomlOf(field.value)); }
+    void operator()(const ConeField& field) const {
+        put(writing, "outer", tomlOf(field.outer_deg));
+        put(writing, "inner", tomlOf(field.inner_deg));
+    }
+    void operator()(const AngularRadiusField& field) const { put(writing, "angular_radius", tomlOf(field.degrees)); }
+    void operator()(const RadiusField& field) const { put(writing, "radius", tomlOf(field.value)); }
+    void operator()(const HalfEdgesField& field) const {
+        put(writing, "u", tomlOf(field.u));
+        put(writing, "v", tomlOf(field.v));
+    }
+    void operator()(const VisibleField& field) const {
+        if (!field.value) put(writing, "seen_by_camera", "false");
+    }
+    void operator()(const EmissionField& field) const { put(writing, field.key(), tomlOf(field.value)); }
+};
 
 } // namespace
 
 void writeLights(SceneWriting& writing) {
-    for (const LightDescription& light : writing.scene.lights) {
+    for (LightDescription light : writing.scene.lights) {
         begin(writing, "[[light]]");
-        std::visit([&](const auto& kind) { putLight(writing, kind); }, light);
+        put(writing, "type", tomlOf(std::string(namesOf(light.index()).type)));
+        std::visit([&](auto& kind) { kind.eachField(FieldWriter{writing}); }, light);
     }
 }
 

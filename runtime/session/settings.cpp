@@ -2,7 +2,6 @@
 #include "runtime/session/settings.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "format/base/error.h"
 #include "runtime/scene/default_lighting.h"
@@ -11,12 +10,6 @@
 
 namespace pointrt {
 namespace {
-
-/// Lights with a size cast soft shadows, which are sampled.
-bool isSoft(const LightDescription& light) {
-    if (const auto* sun = std::get_if<SunLight>(&light)) return sun->radius_deg > 0;
-    return std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light);
-}
 
 const NamedView& viewNamed(const SceneDescription& scene, const std::string& name) {
     std::string known;

@@ -6,24 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/util/vec.h"
+#include "runtime/light/photon.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
-
-/// Something that throws caustics, in a sphere around it; render units.
-struct PhotonTarget {
-    Vec3 center;
-    double radius = 0;
-    std::uint32_t code =
-        0; ///< as shaders/integrator/photon.comp.glsl compares it: owner, and a shape's number above it
-};
-
-/// Around everything; photons of suns start outside of it.
-struct RenderSphere {
-    Vec3 center;
-    double radius = 0;
-};
 
 /// About count paths, each with its flux, from all lights with a place or direction (no sky images) to all targets,
 /// in proportion to the light that each light sends to each target. Directions are quasi-random: the same for the same

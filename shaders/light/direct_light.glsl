@@ -47,18 +47,14 @@ LightSample sampleTurn(DirectLightQuery query, uint path, uint turn, out Light l
     if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
     light = loadLight(lightOfTurn(turn, path, bounce));
     vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
-    // a sun's or a ball's middle is its cone's axis
-    vec2 middle = vec2(lightKind(light) == LIGHT_QUAD ? 0.5 : 0.0, 0.5);
-    u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? middle : u;
+    u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? lightMiddle(lightKind(light)) : u;
     if (kSkyImage && lightKind(light) == LIGHT_SKY) return sampleSky(u);
     return sampleLight(light, query.position, u);
 }
 
 // The shape of a lamp with an area, NO_INDEX of other lights.
 uint lampOf(Light light) {
-    uint kind = lightKind(light);
-    bool has_area = mayHaveLight(LIGHT_SPHERE) && kind == LIGHT_SPHERE || mayHaveLight(LIGHT_QUAD) && kind == LIGHT_QUAD;
-    return has_area ? floatBitsToUint(light.edge_v.w) : NO_INDEX;
+    return hasSurface(lightKind(light)) ? floatBitsToUint(LIGHT_SHAPE(light)) : NO_INDEX;
 }
 
 bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.normal, to.direction) > 0.0; }

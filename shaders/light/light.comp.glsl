@@ -14,7 +14,7 @@ layout(local_size_x = WORKGROUP_SIZE) in;
 vec3 scatteredLight(SurfaceMaterial matter, vec3 normal, vec3 view, LightSample to, uint kind, float chance) {
     if (isClassic()) return classicBsdf(matter, normal, view, to.direction, to.pdf > 0.0);
     float scatter_pdf = bsdfPdf(matter, normal, view, to.direction), light_pdf = to.pdf * chance;
-    float share = light_pdf > 0.0 && kind != LIGHT_SUN ? light_pdf / (light_pdf + scatter_pdf) : 1.0;
+    float share = light_pdf > 0.0 && isFoundByChance(kind) ? light_pdf / (light_pdf + scatter_pdf) : 1.0;
     return evaluateBsdf(matter, normal, view, to.direction) * (share / chance);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials, shapes, lights and instances as the shaders read them: one header for C++ and GLSL.
+// Materials, shapes and instances as the shaders read them: one header for C++ and GLSL (lights: light_layout.h).
 // Lengths are in render units, the frame that all instances and shapes share (runtime/device_scene/render_space.h).
 #ifndef POINTRT_SHADERS_SCENE_LAYOUT_H
 #define POINTRT_SHADERS_SCENE_LAYOUT_H
 
+#include "shaders/shared/light_layout.h"
 #ifdef __cplusplus
 #include "shaders/shared/vectors.h"
 namespace pointrt::gpu {
@@ -28,8 +29,6 @@ struct Material {
 };
 #define MATERIAL_VECTORS 5
 
-#define NO_LIGHT 0xFFFFFFFFu
-
 #define SHAPE_PLANE 0  // z = 0
 #define SHAPE_DISC 1   // z = 0, x^2 + y^2 <= 1
 #define SHAPE_QUAD 2   // z = 0, |x| <= 1, |y| <= 1
@@ -49,27 +48,6 @@ struct Shape {
 #define SHAPE_UNSEEN_BY_CAMERA 1u // lamps that light without being seen
 #define SHAPE_BACKDROP 2u         // not of the scene: first hits and coverage pass through it
 #define SHAPE_CASTS_CAUSTICS 4u
-
-#define LIGHT_POINT 0
-#define LIGHT_SPOT 1
-#define LIGHT_SUN 2 // a distant disc, or a direction where its angle is 0
-#define LIGHT_SPHERE 3
-#define LIGHT_QUAD 4 // shines on both sides
-#define LIGHT_SKY 5  // the environment image
-
-#define MAX_LIGHTS 32
-
-struct Light {
-    vec4 position; // of points, spots, the centres of spheres and quads; w: LIGHT_* as a number
-    // point, spot: radiant intensity (W/sr in the frame's units: irradiance times squared distance);
-    // sun: irradiance on a surface that faces it; sphere, quad: radiance
-    vec4 power;
-    vec4 axis;   // spot: where it points; sun: towards it; quad: unit normal; w: cosine of the outer angle (spot), of
-                 // the disc's angular radius (sun); sphere: radius
-    vec4 edge_u; // quad: half edge; spot: x is the cosine of the inner angle, inside of which it is not dimmed
-    vec4 edge_v; // quad: the other half edge, at right angles to the first; w: sphere, quad: as bits, the lamp's shape
-};
-#define LIGHT_VECTORS 5
 
 #define MAX_COLOR_RANGES 8
 

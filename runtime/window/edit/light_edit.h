@@ -6,10 +6,6 @@
 
 namespace pointrt {
 
-/// In the order of LightDescription's alternatives.
-enum class LightKind { kPoint, kSpot, kSun, kSphere, kQuad };
-constexpr const char* kLightNames[] = {"Point", "Spot", "Sun", "Sphere", "Softbox"};
-
 /// What the light gives, in its own unit: intensity, irradiance or radiance.
 Color& emissionOf(LightDescription& light);
 const Color& emissionOf(const LightDescription& light);
@@ -25,9 +21,17 @@ double brightnessOf(const LightDescription& light, double reach);
 /// Keeps the tint. brightness: from 0 up; the light's own number stays within what scene files take.
 void setBrightness(LightDescription& light, double brightness, double reach);
 
-/// Keep the brightness; lengths in world units, above 0.
-void setRadius(SphereLight& light, double radius);
-void setHalfEdges(QuadLight& light, double width, double height);
+/// The colour times factor, within what scene files take.
+Color strengthened(const Color& color, double factor);
+
+/// What change() makes of the light's size, as bright as before.
+template <Light L, typename Change>
+void resize(L& light, Change&& change) {
+    const double seen_before = light.emission().seen_area;
+    change();
+    const EmissionField emission = light.emission();
+    emission.value = strengthened(emission.value, seen_before / emission.seen_area);
+}
 
 /// A direction as a compass and a spirit level have it.
 struct Bearing {
@@ -38,21 +42,13 @@ struct Bearing {
 Bearing bearingOf(Vec3 direction, Vec3 up);
 Vec3 directionOf(Bearing bearing, Vec3 up);
 
-/// The side of the softbox that bearingOf is about.
-Vec3 normalOf(const QuadLight& light);
-/// Turns it to normal (unit length), its width level with up; keeps its size.
-void setNormal(QuadLight& light, Vec3 normal, Vec3 up);
-
-/// Where the position of a light is kept; null for suns.
-Vec3* positionOf(LightDescription& light);
-
 /// The scene that a light is made for: a sphere around it, and from where it is looked at.
 struct LitScene {
     Vec3 centre, up;                  ///< up: unit length
     double radius = 1;                ///< above 0
     Vec3 eye_right, eye_up, eye_back; ///< orthonormal
 };
-/// A light of this kind above the viewer's left shoulder, turned to the scene, of brightness 0.7 there.
-LightDescription newLight(LightKind kind, const LitScene& scene);
+/// A light of this kind, by number, above the viewer's left shoulder, turned to the scene, of brightness 0.7 there.
+LightDescription newLight(std::size_t kind, const LitScene& scene);
 
 } // namespace pointrt

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <numeric>
 
 #include "runtime/window/edit/light_edit.h"
 #include "runtime/window/ui/panel_parts.h"
@@ -17,16 +19,11 @@ namespace {
 /// Rows of the list before it scrolls.
 constexpr int kMaxRows = 5;
 
-bool hasSurface(const LightDescription& light) {
-    return std::holds_alternative<SphereLight>(light) || std::holds_alternative<QuadLight>(light);
-}
-
 /// Lamps with a size are shapes as well, and a sky's image is a light.
 bool isRoomFor(const SceneDescription& scene, bool surface) {
     const std::size_t sky = scene.sky && !scene.sky->image.empty() ? 1 : 0;
     if (scene.lights.size() + sky >= MAX_LIGHTS) return false;
-    const auto surfaces = std::count_if(scene.lights.begin(), scene.lights.end(), hasSurface);
-    return !surface || scene.shapes.size() + static_cast<std::size_t>(surfaces) < MAX_SHAPES;
+    return !surface || scene.shapes.size() + countSurfaces(scene.lights) < MAX_SHAPES;
 }
 
 LitScene litScene(const Workspace& w) {
@@ -71,7 +68,7 @@ void drawList(Workspace& w) {
     for (int l = 0; l < count; ++l) {
         const LightDescription& light = w.scene.lights[static_cast<std::size_t>(l)];
         char name[32];
-        std::snprintf(name, sizeof name, "%s %d", kLightNames[light.index()], l + 1);
+        std::snprintf(name, sizeof name, "%s %d", namesOf(light.index()).label, l + 1);
         ImGui::PushID(l);
         drawSwatch(light);
         if (ImGui::Selectable(name, l == selectedLight(w))) selectedLight(w) = l;
@@ -81,15 +78,20 @@ void drawList(Workspace& w) {
     ImGui::EndChild();
 }
 
+/// Lamps with a surface, then what gets harder and harder.
+std::array<std::size_t, kLightKinds> kindsBySoftness() {
+    std::array<std::size_t, kLightKinds> kinds;
+    std::iota(kinds.begin(), kinds.end(), std::size_t{0});
+    const auto hard = std::stable_partition(kinds.begin(), kinds.end(), hasSurface);
+    std::reverse(hard, kinds.end());
+    return kinds;
+}
+
 void drawAddMenu(Workspace& w) {
     if (!ImGui::BeginPopup("add light")) return;
-    for (const LightKind kind :
-         {LightKind::kSphere, LightKind::kQuad, LightKind::kSun, LightKind::kSpot, LightKind::kPoint}) {
-        const bool surface = kind == LightKind::kSphere || kind == LightKind::kQuad;
-        constexpr const char* hints[] = {"no size, hard shadows", "a cone, hard shadows", "from far away, parallel",
-                                         "a ball, soft shadows", "a rectangle, soft shadows"};
-        const auto k = static_cast<std::size_t>(kind);
-        if (ImGui::MenuItem(kLightNames[k], hints[k], false, isRoomFor(w.scene, surface)))
+    for (const std::size_t kind : kindsBySoftness()) {
+        const LightNames& names = namesOf(kind);
+        if (ImGui::MenuItem(names.label, names.hint, false, isRoomFor(w.scene, hasSurface(kind))))
             addLight(w, newLight(kind, litScene(w)));
     }
     ImGui::EndPopup();
@@ -98,7 +100,7 @@ void drawAddMenu(Workspace& w) {
 void drawButtons(Workspace& w) {
     const bool any = !w.scene.lights.empty();
     const auto selected = static_cast<std::size_t>(selectedLight(w));
-    const bool surface = any && hasSurface(w.scene.lights[selected]);
+    const bool surface = any && hasSurface(w.scene.lights[selected].index());
     if (shareButton("Add", 3)) ImGui::OpenPopup("add light");
     drawAddMenu(w);
     ImGui::SameLine();

@@ -35,18 +35,8 @@ bool bearingRows(Workspace& w, Vec3& direction, const char* tip) {
     return changed;
 }
 
-/// Where the light stands, and two ways to put it in order.
 bool aimButton(Workspace& w, const char* name, const char* tip, int share) {
     return noteScene(w, shareButton(name, share, false, tip));
-}
-
-void positionRows(Workspace& w, Vec3& position) {
-    noteScene(w, moveRow("Position", position, sceneSize(w), "in the scan's own coordinates"));
-}
-
-void drawKind(Workspace& w, PointLight& light) {
-    positionRows(w, light.position);
-    if (aimButton(w, "Bring it here", "to where the camera is", 1)) light.position = w.camera.eye;
 }
 
 Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
@@ -54,60 +44,89 @@ Vec3 towardsPivot(const Workspace& w, Vec3 from, Vec3 otherwise) {
     return length(ahead) > 1e-9 * sceneSize(w) ? normalize(ahead) : otherwise;
 }
 
-void drawKind(Workspace& w, SpotLight& light) {
-    positionRows(w, light.position);
-    if (aimButton(w, "Bring it here", "to where the camera is, looking the same way", 2)) {
-        light.position = w.camera.eye;
-        light.direction = axesOf(w.camera).forward;
+constexpr const char* kFaceTip = "where its face looks, from north by way of east; both sides shine";
+constexpr const char* kSizeTip = "scene units; larger is softer, as bright as before";
+
+/// A row, or a few, for each value of a light, by what it is.
+template <Light L>
+struct FieldRows {
+    Workspace& w;
+    L& light;
+    Vec3* sunward = nullptr;
+
+    void operator()(const PositionField& field) const {
+        noteScene(w, moveRow("Position", field.value, sceneSize(w), "in the scan's own coordinates"));
+        const char* tip = field.turns ? "to where the camera is, looking the same way" : "to where the camera is";
+        if (aimButton(w, "Bring it here", tip, Turns<L> ? 2 : 1)) {
+            field.value = w.camera.eye;
+            if constexpr (Turns<L>)
+                if (field.turns) light.face(axesOf(w.camera).forward, sceneUpright(w));
+        }
+        if constexpr (Turns<L>) {
+            ImGui::SameLine();
+            if (aimButton(w, "Aim", "at the middle of the picture", 2))
+                light.face(towardsPivot(w, field.value, light.facing()), sceneUpright(w));
+        }
     }
-    ImGui::SameLine();
-    if (aimButton(w, "Aim", "at the middle of the picture", 2))
-        light.direction = towardsPivot(w, light.position, light.direction);
-    bearingRows(w, light.direction, "where it points, from north by way of east");
-    const double outer_deg = std::max(0.0, std::min(light.outer_deg, 90.0)); // 0 where it is no number
-    const double undimmed = std::clamp(light.inner_deg / light.outer_deg, 0.0, 1.0);
-    if (noteScene(w, slideRow("Cone", light.outer_deg, {0.1, 90}, kDegrees, "half of its opening angle")))
-        light.inner_deg = undimmed * light.outer_deg;
-    noteScene(w, slideRow("Full inside", light.inner_deg, {0, outer_deg}, kDegrees,
-                          "undimmed up to this angle; the rest of the cone is its soft edge"));
-}
 
-void drawKind(Workspace& w, SunLight& light) {
-    bearingRows(w, light.towards, "where it stands, from north by way of east");
-    noteScene(w, slideRow("Softness", light.radius_deg, {0, 45}, kDegrees,
-                          "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
-    drawSunByDate(w, light);
-}
-
-void drawKind(Workspace& w, SphereLight& light) {
-    positionRows(w, light.center);
-    if (aimButton(w, "Bring it here", "to where the camera is", 1)) light.center = w.camera.eye;
-    double radius = light.radius;
-    if (noteScene(w,
-                  slideRow("Radius", radius, sizesIn(w), kSize, "scene units; larger is softer, as bright as before")))
-        setRadius(light, radius);
-    noteScene(w, switchRow("Visible", light.seen_by_camera, "whether the lamp itself is in the picture"));
-}
-
-void drawKind(Workspace& w, QuadLight& light) {
-    positionRows(w, light.center);
-    const Vec3 up = sceneUpright(w);
-    Vec3 normal = normalOf(light);
-    bool turned = false;
-    if (aimButton(w, "Bring it here", "to where the camera is", 2)) light.center = w.camera.eye;
-    ImGui::SameLine();
-    if (aimButton(w, "Aim", "at the middle of the picture", 2)) {
-        normal = towardsPivot(w, light.center, normal);
-        turned = true;
+    void operator()(const AimField& field) const {
+        static_assert(Turns<L>, "a light that points somewhere has facing() and face()");
+        bearingRows(w, field.value, field.flat ? kFaceTip : "where it points, from north by way of east");
     }
-    turned |= bearingRows(w, normal, "where its face looks, from north by way of east; both sides shine");
-    if (turned) setNormal(light, normal, up);
-    double width = 2 * length(light.u), height = 2 * length(light.v);
-    const char* tip = "scene units; larger is softer, as bright as before";
-    bool sized = noteScene(w, slideRow("Width", width, sizesIn(w), kSize, tip));
-    sized |= noteScene(w, slideRow("Length", height, sizesIn(w), kSize, tip));
-    if (sized) setHalfEdges(light, 0.5 * width, 0.5 * height);
-    noteScene(w, switchRow("Visible", light.seen_by_camera, "whether the lamp itself is in the picture"));
+
+    void operator()(const SunwardField& field) {
+        bearingRows(w, field.value, "where it stands, from north by way of east");
+        sunward = &field.value;
+    }
+
+    void operator()(const ConeField& field) const {
+        const double outer_deg =
+            std::max(0.0, std::min(field.outer_deg, ConeField::kWidest)); // 0 where it is no number
+        const double undimmed = std::clamp(field.inner_deg / field.outer_deg, 0.0, 1.0);
+        if (noteScene(w, slideRow("Cone", field.outer_deg, {ConeField::kNarrowest, ConeField::kWidest}, kDegrees,
+                                  "half of its opening angle")))
+            field.inner_deg = undimmed * field.outer_deg;
+        noteScene(w, slideRow("Full inside", field.inner_deg, {0, outer_deg}, kDegrees,
+                              "undimmed up to this angle; the rest of the cone is its soft edge"));
+    }
+
+    void operator()(const AngularRadiusField& field) const {
+        noteScene(w, slideRow("Softness", field.degrees, {0, AngularRadiusField::kWidest}, kDegrees,
+                              "angular radius: 0.27\xC2\xB0 is the real sun, more makes shadows softer"));
+    }
+
+    void operator()(const RadiusField& field) const {
+        double radius = field.value;
+        if (noteScene(w, slideRow("Radius", radius, sizesIn(w), kSize, kSizeTip)))
+            resize(light, [&] { field.value = radius; });
+    }
+
+    void operator()(const HalfEdgesField& field) const {
+        Vec3 normal = light.facing();
+        if (bearingRows(w, normal, kFaceTip)) light.face(normal, sceneUpright(w));
+        const double old_width = length(field.u), old_height = length(field.v);
+        double width = 2 * old_width, height = 2 * old_height;
+        bool sized = noteScene(w, slideRow("Width", width, sizesIn(w), kSize, kSizeTip));
+        sized |= noteScene(w, slideRow("Length", height, sizesIn(w), kSize, kSizeTip));
+        if (sized)
+            resize(light, [&] {
+                field.u = field.u * (0.5 * width / old_width);
+                field.v = field.v * (0.5 * height / old_height);
+            });
+    }
+
+    void operator()(const VisibleField& field) const {
+        noteScene(w, switchRow("Visible", field.value, "whether the lamp itself is in the picture"));
+    }
+
+    void operator()(const EmissionField&) const {} // above all rows, for every light alike
+};
+
+template <Light L>
+void drawFields(Workspace& w, L& light) {
+    FieldRows<L> rows{w, light};
+    light.eachField(rows);
+    if (rows.sunward) drawSunByDate(w, *rows.sunward);
 }
 
 } // namespace
@@ -119,7 +138,7 @@ void drawLightValues(Workspace& w, LightDescription& light) {
     if (noteScene(w, slideRow("Brightness", brightness, {1e-3, 1e3, true}, "%.3f",
                               "1: a white surface that faces it, one scene's diagonal away, shows white")))
         setBrightness(light, brightness, sceneSize(w));
-    std::visit([&](auto& kind) { drawKind(w, kind); }, light);
+    std::visit([&](auto& kind) { drawFields(w, kind); }, light);
 }
 
 } // namespace pointrt

@@ -33,8 +33,8 @@ void drawAbout(Workspace& w);
 
 /// The values of one light.
 void drawLightValues(Workspace& w, LightDescription& light);
-/// Where a sun stands, by place and time.
-void drawSunByDate(Workspace& w, SunLight& sun);
+/// Where a sun stands, by place and time. towards: unit vector to it.
+void drawSunByDate(Workspace& w, Vec3& towards);
 /// The values that this material's kind has.
 void drawMaterialValues(Workspace& w, MaterialDescription& material);
 

@@ -77,7 +77,7 @@ bool dateRows(Requests& requests, SunDate& date) {
 
 } // namespace
 
-void drawSunByDate(Workspace& w, SunLight& sun) {
+void drawSunByDate(Workspace& w, Vec3& towards) {
     if (!ImGui::TreeNode("By place and date")) return;
     SunDate date = keptDate();
     bool changed = dateRows(w.requests, date);
@@ -85,7 +85,7 @@ void drawSunByDate(Workspace& w, SunLight& sun) {
     keep(date);
     const SunPosition position = positionAt(date);
     const Vec3 up = sceneUpright(w);
-    if (changed && position.elevation_deg > 0) sun.towards = normalize(sunDirection(position, up, defaultNorth(up)));
+    if (changed && position.elevation_deg > 0) towards = normalize(sunDirection(position, up, defaultNorth(up)));
     if (position.elevation_deg > 0)
         ImGui::TextDisabled("%.1f\xC2\xB0 high, azimuth %.1f\xC2\xB0", position.elevation_deg, position.azimuth_deg);
     else

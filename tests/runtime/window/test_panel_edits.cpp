@@ -15,8 +15,11 @@ namespace {
 
 constexpr Vec3 kUp{0, 1, 0};
 const LitScene kScene{{1, 2, 3}, kUp, 4, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-constexpr LightKind kKinds[] = {LightKind::kPoint, LightKind::kSpot, LightKind::kSun, LightKind::kSphere,
-                                LightKind::kQuad};
+
+template <typename L>
+L newLight() {
+    return std::get<L>(newLight(LightDescription(L{}).index(), kScene));
+}
 
 void expectNear(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LT(length(a - b), tolerance); }
 
@@ -32,9 +35,9 @@ TEST(LightEdit, BrightnessOneShowsWhite) {
 }
 
 TEST(LightEdit, TintAndBrightnessAreSeparate) {
-    for (const LightKind kind : kKinds) {
+    for (std::size_t kind = 0; kind < kLightKinds; ++kind) {
         LightDescription light = newLight(kind, kScene);
-        EXPECT_EQ(light.index(), static_cast<std::size_t>(kind));
+        EXPECT_EQ(light.index(), kind);
         EXPECT_NEAR(brightnessOf(light, 8), 0.7, 1e-6);
         setTint(light, {0.5f, 0.25f, 0});
         EXPECT_NEAR(brightnessOf(light, 8), 0.7, 1e-6);
@@ -57,25 +60,27 @@ TEST(LightEdit, StaysWithinWhatSceneFilesTake) {
 }
 
 TEST(LightEdit, SizeKeepsTheBrightness) {
-    LightDescription sphere = newLight(LightKind::kSphere, kScene), quad = newLight(LightKind::kQuad, kScene);
-    setRadius(std::get<SphereLight>(sphere), 3);
-    setHalfEdges(std::get<QuadLight>(quad), 3, 0.1);
+    auto sphere = newLight<SphereLight>();
+    auto quad = newLight<QuadLight>();
+    resize(sphere, [&] { sphere.radius = 3; });
+    resize(quad, [&] {
+        quad.u = 3 * normalize(quad.u);
+        quad.v = 0.1 * normalize(quad.v);
+    });
     EXPECT_NEAR(brightnessOf(sphere, 8), 0.7, 1e-6);
     EXPECT_NEAR(brightnessOf(quad, 8), 0.7, 1e-6);
-    EXPECT_NEAR(length(std::get<QuadLight>(quad).u), 3, 1e-9);
-    EXPECT_NEAR(length(std::get<QuadLight>(quad).v), 0.1, 1e-9);
 }
 
 TEST(LightEdit, NewLightsLookAtTheScene) {
     const auto towards = [](Vec3 from) { return normalize(kScene.centre - from); };
-    const auto spot = std::get<SpotLight>(newLight(LightKind::kSpot, kScene));
+    const auto spot = newLight<SpotLight>();
     expectNear(spot.direction, towards(spot.position));
     EXPECT_NEAR(spot.outer_deg, 30, 1e-9); // the scene's sphere from twice its radius away
-    const auto quad = std::get<QuadLight>(newLight(LightKind::kQuad, kScene));
-    expectNear(normalOf(quad), towards(quad.center));
+    const auto quad = newLight<QuadLight>();
+    expectNear(quad.facing(), towards(quad.center));
     EXPECT_NEAR(dot(quad.u, quad.v), 0, 1e-9);
     EXPECT_NEAR(quad.u.y, 0, 1e-9);
-    const auto sun = std::get<SunLight>(newLight(LightKind::kSun, kScene));
+    const auto sun = newLight<SunLight>();
     expectNear(sun.towards, normalize(Vec3{-1, 1, 1}));
 }
 
@@ -96,8 +101,8 @@ TEST(LightEdit, BearingsAreACompass) {
 
 TEST(LightEdit, TurnsASoftboxStraightDown) {
     QuadLight light{{}, {2, 0, 0}, {0, 3, 0}, {1, 1, 1}, true};
-    setNormal(light, {0, -1, 0}, kUp);
-    expectNear(normalOf(light), {0, -1, 0});
+    light.face({0, -1, 0}, kUp);
+    expectNear(light.facing(), {0, -1, 0});
     EXPECT_NEAR(length(light.u), 2, 1e-9);
     EXPECT_NEAR(length(light.v), 3, 1e-9);
 }

@@ -68,9 +68,8 @@ TEST(Panels, ShowAnythingAndChangeNothing) {
     showAll({});
     showAll(busyScan());
     Workspace many = busyScan();
-    for (int i = 0; i < 300; ++i)
-        many.scene.lights.push_back(
-            newLight(static_cast<LightKind>(i % 5), {{}, {0, 1, 0}, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+    for (std::size_t i = 0; i < 300; ++i)
+        many.scene.lights.push_back(newLight(i % kLightKinds, {{}, {0, 1, 0}, 1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
     many.scene.instances.resize(254, many.scene.instances.front());
     many.scene.materials.resize(256);
     showAll(many);
