@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/light/disc_light.h"
 #include "runtime/light/point_light.h"
 #include "runtime/light/quad_light.h"
 #include "runtime/light/sphere_light.h"
@@ -21,8 +22,8 @@
 
 namespace pointrt {
 
-/// In the order of LIGHT_KINDS; panels list the kinds in this order.
-using LightDescription = std::variant<PointLight, SpotLight, SunLight, SphereLight, QuadLight>;
+/// In the order of LIGHT_KINDS.
+using LightDescription = std::variant<PointLight, SpotLight, SunLight, SphereLight, QuadLight, DiscLight>;
 constexpr std::size_t kLightKinds = std::variant_size_v<LightDescription>;
 
 /// Stands for whatever asks for fields.
@@ -33,7 +34,7 @@ struct AnyFieldVisitor {
 template <typename L>
 concept HasSurface = std::same_as<decltype(std::declval<const L&>().surface()), LampSurface>;
 
-/// A kind of light: plain values that can be compared, and of these
+/// What a kind of light has, besides plain values that can be compared.
 template <typename L>
 concept Light = std::equality_comparable<L> && requires(L light, const L& given, const gpu::Light& row) {
     { L::kNames } -> std::same_as<const LightNames&>;

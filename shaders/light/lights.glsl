@@ -12,6 +12,7 @@
 #ifndef POINTRT_SHADERS_LIGHTS_GLSL
 #define POINTRT_SHADERS_LIGHTS_GLSL
 
+#include "shaders/light/disc_light.glsl"
 #include "shaders/light/point_light.glsl"
 #include "shaders/light/quad_light.glsl"
 #include "shaders/light/sphere_light.glsl"

@@ -19,6 +19,7 @@ namespace pointrt::gpu {
 #define LIGHT_SUN 2 // a distant disc, or a direction where its angle is 0
 #define LIGHT_SPHERE 3
 #define LIGHT_QUAD 4 // shines on both sides
+#define LIGHT_DISC 5 // likewise
 
 // clang-format off
 // row(number, name, whether it has a surface, which then is a shape as well)
@@ -27,7 +28,8 @@ namespace pointrt::gpu {
     row(LIGHT_SPOT, Spot, false) \
     row(LIGHT_SUN, Sun, false) \
     row(LIGHT_SPHERE, Sphere, true) \
-    row(LIGHT_QUAD, Quad, true)
+    row(LIGHT_QUAD, Quad, true) \
+    row(LIGHT_DISC, Disc, true)
 // clang-format on
 
 #define MAX_LIGHT_KINDS 8 // FEATURE_LIGHT has a bit for each
@@ -43,8 +45,8 @@ struct Light {
     // sun: irradiance on a surface that faces it; those with a surface: radiance
     vec4 power;
     vec4 axis;   // unit length: spot: where it points; sun: towards it; flat ones: their normal
-    vec4 edge_u; // quad: half edge
-    vec4 edge_v; // quad: the other half edge, at right angles to the first
+    vec4 edge_u; // quad: half edge; disc: a radius
+    vec4 edge_v; // the other one, at right angles to the first
 };
 #define LIGHT_VECTORS 5
 
@@ -73,6 +75,7 @@ LIGHT_FUNCTION LIGHT_REAL spotFalloff(LIGHT_REAL cosine, LIGHT_REAL outer_cosine
 }
 
 #ifdef __cplusplus
+POINTRT_ROWS(Light, LIGHT_VECTORS);
 } // namespace pointrt::gpu
 #endif
 

@@ -419,6 +419,93 @@ TEST(Lights, QuadInItsOwnPlaneGivesNothing) {
         }
 }
 
+/// What one gets of the light, over its radiance: the solid angle, where corners that send nothing do not count.
+double seenAngle(Span answers, double radiance) {
+    return mean(answers, [&](const Answer& a) { return a.radiance_over_pdf.x / radiance; });
+}
+
+/// View factor of a disc from a point beside its axis, for a surface that is parallel to it.
+double discFactor(double radius, double aside, double depth) {
+    const double sum = aside * aside + depth * depth + radius * radius, product = 2 * aside * radius;
+    return 0.5 * (1 - (sum - 2 * radius * radius) / std::sqrt(sum * sum - product * product));
+}
+
+const DiscLight kDisc{{0.5, 1.0, 3.0}, normalize({0.3, -0.5, 0.8}), 0.7, {5, 5, 5}, true};
+
+TEST(Lights, DiscGivesItsViewFactor) {
+    const Vec3 along = normalize(cross(kDisc.normal, Vec3{0, 0, 1}));
+    std::vector<Vec3> points;
+    std::vector<double> expected;
+    for (const double depth : {-60.0, -7.0, -2.0, -1.05, -0.95, -0.3, -0.01, 0.01, 0.3, 1.05, 7.0})
+        for (const double aside : {0.0, 0.2, 0.9, 1.5, 4.0}) {
+            points.push_back(kDisc.center + kDisc.radius * (aside * along + depth * kDisc.normal));
+            expected.push_back(5 * pi * discFactor(1, aside, depth));
+        }
+    const auto answers = askFrom(kDisc, points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 point = vecOf(receiverAt(points[i]).point);
+        const Vec3 facing = dot(kDisc.center - point, kDisc.normal) > 0 ? kDisc.normal : -1 * kDisc.normal;
+        const Span samples = samplesOf(answers, i);
+        SCOPED_TRACE(testing::Message() << "point " << i);
+        EXPECT_NEAR(irradiance(samples, facing), expected[i], 4e-3 * expected[i] + 1e-4);
+        for (const Answer& a : samples) {
+            ASSERT_NEAR(length(vecOf(a.direction)), 1, 1e-6);
+            ASSERT_NEAR(a.pdf.x / a.radiance_over_pdf.w, 1, 2e-3);
+            ASSERT_EQ(a.free.w, 5);
+            if (a.radiance_over_pdf.x == 0) continue;
+            ASSERT_NEAR(a.radiance_over_pdf.x * a.radiance_over_pdf.w, 5, 0.01);
+            const Vec3 at = point + a.direction.w * vecOf(a.direction) - kDisc.center;
+            ASSERT_NEAR(dot(at, kDisc.normal), 0, 2e-6 * (1 + a.direction.w));
+            ASSERT_LE(length(at), kDisc.radius * (1 + 1e-4));
+        }
+    }
+}
+
+// pi L r^2 / (r^2 + d^2), and 2 pi (1 - d / sqrt(r^2 + d^2)) of solid angle.
+TEST(Lights, DiscOnItsAxis) {
+    const std::vector<double> distances{0.01, 0.2, 0.6, 0.8, 2, 30};
+    std::vector<Vec3> points;
+    for (const double d : distances) points.push_back(kDisc.center + d * kDisc.normal);
+    const auto answers = askFrom(kDisc, points);
+    const double squared = kDisc.radius * kDisc.radius;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double d = distances[i];
+        expectShare(irradiance(samplesOf(answers, i), -1 * kDisc.normal), 5 * pi * squared / (squared + d * d), 3e-3);
+        expectShare(seenAngle(samplesOf(answers, i), 5), 2 * pi * (1 - d / std::sqrt(squared + d * d)), 3e-3);
+    }
+}
+
+// What lightPdf says of the directions that meet it adds up to the share of samples that it sends light to: all, but
+// for those at the corners of the square that stands for it from nearby.
+TEST(Lights, DensitiesOfADiscAddUp) {
+    for (const double distance : {0.2, 0.65, 0.75, 3.0}) {
+        const Vec3 aside = normalize(cross(kDisc.normal, Vec3{0, 0, 1}));
+        const Vec3 point = kDisc.center + distance * normalize(kDisc.normal + 0.4 * aside);
+        std::vector<Receiver> receivers;
+        for (std::uint32_t seed = 0; seed < 16; ++seed)
+            receivers.push_back(receiverAt(point)), receivers.back().light.z = seed;
+        const auto answers = ask({packLight({}, kDisc)}, receivers);
+        const double sum = mean(answers, [&](const Answer& a) {
+            const Vec3 direction = vecOf(a.free);
+            const double t = dot(kDisc.center - point, kDisc.normal) / dot(direction, kDisc.normal);
+            return t > 0 && length(point + t * direction - kDisc.center) < kDisc.radius ? double{a.pdf.y} : 0.0;
+        });
+        const double lit = mean(answers, [](const Answer& a) { return a.radiance_over_pdf.x > 0 ? 1.0 : 0.0; });
+        EXPECT_GT(lit, distance > kDisc.radius ? 0.9999 : 0.6);
+        EXPECT_NEAR(4 * pi * sum / lit, 1, 0.015) << distance;
+    }
+}
+
+TEST(Lights, DiscInItsOwnPlaneGivesNothing) {
+    const DiscLight disc{{0, 0, 1}, {0, 0, 1}, 1, {5, 5, 5}, true};
+    const auto answers = askFrom(disc, {{3, 0, 1}, {30, 0, 1}});
+    for (const Answer& a : answers) {
+        ASSERT_NEAR(a.radiance_over_pdf.x, 0, 1e-5);
+        ASSERT_TRUE(std::isfinite(a.radiance_over_pdf.w * a.radiance_over_pdf.w));
+        ASSERT_TRUE(std::isfinite(a.direction.x + a.direction.y + a.direction.z + a.direction.w));
+    }
+}
+
 /// Whether a ray from point meets the lamp.
 bool meets(const LightDescription& light, Vec3 point, Vec3 direction) {
     if (const auto* sphere = std::get_if<SphereLight>(&light)) {

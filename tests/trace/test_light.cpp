@@ -269,15 +269,54 @@ TEST(Light, LampsGiveWhatTheirShapesGiveByChance) {
     floor.scene.materials.push_back(shining);
     const Color radiance{3, 3, 3};
     SceneDescription asked = floor.scene, met = floor.scene;
-    asked.lights = {SphereLight{{-0.8, 1.2, 0}, 0.5, radiance},
+    asked.lights = {SphereLight{{-0.8, 1.2, 0}, 0.5, radiance}, DiscLight{{0, 1, 0.8}, {0, -1, 0}, 0.4, radiance},
                     QuadLight{{1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, radiance}};
     met.shapes = {{ShapeKind::kSphere, {-0.8, 1.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, 1},
+                  {ShapeKind::kDisc, {0, 1, 0.8}, {0.4, 0, 0}, {0, 0, 0.4}, {0, -1, 0}, 1},
                   {ShapeKind::kQuad, {1, 1.2, 0}, {0.4, 0.3, 0}, {0, 0, 0.6}, normalize({0.18, -0.24, 0}), 1}};
     const double by_lamps = meanLight(renderScene(asked, aboveFloor(256)).film),
                  by_chance = meanLight(renderScene(met, aboveFloor(1024)).film);
     std::printf("asked for %.5f, met by chance %.5f\n", by_lamps, by_chance);
     EXPECT_GT(by_lamps, 0.1);
     EXPECT_NEAR(by_lamps, by_chance, 0.004 * by_chance);
+}
+
+TEST(Light, DiscLampGivesItsViewFactor) {
+    // below its middle pi L r^2 / (r^2 + d^2), of which the floor gives back 0.6 / pi; its other side shines too
+    for (const Vec3 normal : {Vec3{0, -1, 0}, Vec3{0, 1, 0}})
+        for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
+            WhiteFloor floor;
+            floor.scene.lights = {DiscLight{{0, 1.5, 0}, normal, 0.5, {4, 4, 4}, false}};
+            RenderSettings settings = aboveFloor(64);
+            settings.integrator = integrator;
+            const Film film = renderScene(floor.scene, settings).film;
+            double seen = 0, known = 0;
+            for (std::size_t i = 0; i < film.samples.size(); ++i) {
+                const float* at = film.position.data() + 3 * i;
+                if (film.rgba[4 * i + 3] < 1) continue;
+                const double aside = std::hypot(at[0], at[2]), sum = aside * aside + 1.5 * 1.5 + 0.25;
+                seen += film.rgba[4 * i];
+                known += 0.6 * 4 * 0.5 * (1 - (sum - 0.5) / std::sqrt(sum * sum - aside * aside));
+            }
+            EXPECT_GT(known, 1);
+            EXPECT_NEAR(seen / known, 1, 0.01) << static_cast<int>(integrator);
+        }
+}
+
+TEST(Light, CameraSeesADiscLamp) {
+    for (const bool visible : {true, false}) {
+        WhiteFloor floor;
+        floor.scene.lights = {DiscLight{{0, 1, 0}, {0, 1, 0}, 0.3, {7, 6, 5}, visible}};
+        RenderSettings settings = square(33);
+        settings.camera.eye = Vec3{0, 3, 0};
+        settings.camera.target = Vec3{0, 0, 0};
+        settings.camera.up = Vec3{0, 0, -1};
+        settings.integrator = Integrator::kPath;
+        const Film film = renderScene(floor.scene, settings).film;
+        const std::size_t middle = 16 * 33 + 16;
+        EXPECT_EQ(std::abs(film.rgba[4 * middle] - 7) < 1e-4, visible);
+        EXPECT_EQ(std::abs(film.rgba[4 * middle + 2] - 5) < 1e-4, visible);
+    }
 }
 
 TEST(Light, SkyPictureGivesWhatTheEvenSkyGives) {

@@ -56,6 +56,19 @@ double quadBehindEdge(double x, double z) {
     return rectangleIrradiance(left - x, kLampSize - x, -kLampSize - z, kLampSize - z, kLamp);
 }
 
+/// In strips.
+double discBehindEdge(double x, double z) {
+    const double left = std::clamp(x - x * kLamp / kEdge, -kLampSize, kLampSize);
+    const int strips = 200;
+    const double width = (kLampSize - left) / strips;
+    double sum = 0;
+    for (int i = 0; i < strips; ++i) {
+        const double at = left + (i + 0.5) * width, half = std::sqrt(kLampSize * kLampSize - at * at);
+        sum += rectangleIrradiance(at - 0.5 * width - x, at + 0.5 * width - x, -half - z, half - z, kLamp);
+    }
+    return sum;
+}
+
 struct Floor {
     Floor() : path(temporaryPath("floor.pro")) {
         writeScene(path, squareSplats(150, Vec3f(0, 0, 0), Vec3f(0, 0, kHalfFloor), Vec3f(kHalfFloor, 0, 0), 1.2f), {});
@@ -129,7 +142,8 @@ struct Case {
 std::vector<Case> lamps() {
     const Color one{1, 1, 1};
     return {{"sphere", SphereLight{{0, kLamp, 0}, kLampSize, one}, sphereBehindEdge},
-            {"quad", QuadLight{{0, kLamp, 0}, {kLampSize, 0, 0}, {0, 0, kLampSize}, one}, quadBehindEdge}};
+            {"quad", QuadLight{{0, kLamp, 0}, {kLampSize, 0, 0}, {0, 0, kLampSize}, one}, quadBehindEdge},
+            {"disc", DiscLight{{0, kLamp, 0}, {0, -1, 0}, kLampSize, one}, discBehindEdge}};
 }
 
 void checkProfile(const char* blind, const Case& each, const SceneDescription& scene) {

@@ -286,6 +286,24 @@ TEST(PackLight, KeepsIrradianceAndRadiance) {
     EXPECT_EQ(quad.power.z, 7);
 }
 
+TEST(PackLight, PutsDiscsInTheirPlane) {
+    const RenderSpace space{{10, 0, 0}, 4};
+    const LightDescription disc = DiscLight{{14, 0, 0}, {0, 0, 1}, 2, {5, 6, 7}, false};
+    const gpu::Light row = packLight(space, disc);
+    expectRow(row.position, 1, 0, 0, LIGHT_DISC);
+    expectRow(row.axis, 0, 0, 1, 0);
+    for (const gpu::vec4& edge : {row.edge_u, row.edge_v}) {
+        EXPECT_NEAR(std::hypot(edge.x, edge.y), 0.5, 1e-7);
+        EXPECT_EQ(edge.z, 0);
+    }
+    const gpu::Shape shape = lampShape(space, disc, 3).value();
+    EXPECT_EQ(shape.kind.x, std::uint32_t{SHAPE_DISC});
+    EXPECT_EQ(shape.kind.z, SHAPE_UNSEEN_BY_CAMERA);
+    // a point of the rim, half a unit from the middle, is 1 from it in the unit form
+    EXPECT_NEAR(std::hypot(shape.row_x.x * 1.5 + shape.row_x.w, shape.row_y.x * 1.5 + shape.row_y.w), 1, 1e-6);
+    EXPECT_EQ(lampMaterial(disc, 9).value().emission.z, 7);
+}
+
 TEST(PackLight, GivesSpheresAndQuadsASurface) {
     const RenderSpace space{{10, 0, 0}, 4};
     const LightDescription sphere = SphereLight{{14, 0, 0}, 2, {5, 6, 7}, false};

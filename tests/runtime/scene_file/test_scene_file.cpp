@@ -267,6 +267,23 @@ TEST_F(SceneFile, ReadsAreaLights) {
     expectColor(std::get<QuadLight>(scene.lights[3]).radiance, 10 / kPi, 10 / kPi, 10 / kPi);
 }
 
+TEST_F(SceneFile, ReadsDiscLights) {
+    const SceneDescription scene =
+        parseMore("[[light]]\ntype = 'disc'\ncenter = [1, 2, 3]\nnormal = [0, 0, -4]\nradius = 2\nradiance = 3\n"
+                  "[[light]]\ntype = 'disc'\ncenter = [1, 2, 3]\ntarget = [1, -2, 0]\nradius = 2\npower = 80\n"
+                  "color = [1, 0.5, 0]\nseen_by_camera = false\n");
+    const auto &plain = std::get<DiscLight>(scene.lights[0]), &aimed = std::get<DiscLight>(scene.lights[1]);
+    expectVector(plain.center, 1, 2, 3);
+    expectVector(plain.normal, 0, 0, -1);
+    EXPECT_EQ(plain.radius, 2);
+    expectColor(plain.radiance, 3, 3, 3);
+    EXPECT_TRUE(plain.seen_by_camera);
+    expectVector(aimed.normal, 0, -0.8, -0.6);
+    // pi * radiance * area, of both sides: 8 pi
+    expectColor(aimed.radiance, 10 / (kPi * kPi), 5 / (kPi * kPi), 0);
+    EXPECT_FALSE(aimed.seen_by_camera);
+}
+
 TEST_F(SceneFile, PutsTheSunWhereItIs) {
     const std::string place = "latitude = 39.742476\nlongitude = -105.1786\nirradiance = 2\n";
     const std::string when = "[[light]]\ntype = 'sun'\ntime = 2003-10-17T12:30:30-07:00\n" + place;

@@ -191,7 +191,7 @@ TEST_F(SceneFile, HoldsItsLimits) {
     const std::string lamp = "[[light]]\ntype = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nradiance = 1\n";
     EXPECT_EQ(parse(repeated(shape, 32) + repeated(lamp, 32)).lights.size(), 32u);
     EXPECT_EQ(refusal(repeated(shape, 33) + repeated(lamp, 32)),
-              "scene.toml:288: key \"light[31]\": there are at most 64 shapes, sphere and quad lights counted");
+              "scene.toml:288: key \"light[31]\": there are at most 64 shapes, sphere, quad and disc lights counted");
     EXPECT_EQ(refusal(repeated(shape, 1) + repeated(lamp, 33)),
               "scene.toml:165: key \"light[32]\": there are at most 32 lights");
     EXPECT_EQ(refusal(repeated(lamp, 32) + shape + "[sky]\nimage = 'sky.hdr'\n"),

@@ -168,7 +168,7 @@ private:
     LightDescription light() {
         const std::array<Vec3, 3> turn = rotation();
         const double outer = 0.1 + 89 * share();
-        switch (below(5)) {
+        switch (below(kLightKinds)) {
         case 0:
             return PointLight{point(), color(1e6)};
         case 1:
@@ -177,6 +177,8 @@ private:
             return sun();
         case 3:
             return SphereLight{point(), length(), color(100), chance()};
+        case 4:
+            return DiscLight{point(), direction(), length(), color(100), chance()};
         default:
             return QuadLight{point(), length() * turn[0], length() * turn[1], color(100), chance()};
         }

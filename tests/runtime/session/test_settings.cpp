@@ -166,6 +166,8 @@ TEST(Settings, DenoiseWhatIsNoisy) {
     EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
     scene.lights = {QuadLight{}};
     EXPECT_TRUE(wantsDenoising(options, settings, scene, 4));
+    scene.lights = {DiscLight{}};
+    EXPECT_TRUE(wantsDenoising(options, settings, scene, 4));
     settings.integrator = Integrator::kNormal;
     EXPECT_FALSE(wantsDenoising(options, settings, scene, 4));
 }

@@ -167,6 +167,26 @@ TEST(PhotonEmission, OfAQuad) {
     expectFlux(inside, kBall, 2 * area(inside) * 2 * pi);
 }
 
+TEST(PhotonEmission, OfADisc) {
+    const auto ringPoint = [](const DiscLight& light, double u, double v) {
+        const double ring = light.radius * std::sqrt(u), angle = 2 * pi * v;
+        return light.center + ring * Vec3{std::cos(angle), 0, std::sin(angle)};
+    };
+    const DiscLight above{{0.5, 2, 2}, {0, -1, 0}, 1.2, kColor};
+    expectFlux(above, kBall, 2 * pi * 1.2 * 1.2 * integral(400, [&](double u, double v) {
+                                 const Vec3 way = kBall.center - ringPoint(above, u, v);
+                                 const double squared = dot(way, way);
+                                 return pi * kBall.radius * kBall.radius / squared * std::abs(way.y) /
+                                        std::sqrt(squared);
+                             }));
+    // both sides shine
+    const DiscLight below{{0.5, -6, 2}, {0, -1, 0}, 1.2, kColor}, turned{{0.5, -6, 2}, {0, 1, 0}, 1.2, kColor};
+    EXPECT_NEAR(emittedFlux(below, kBall) / emittedFlux(turned, kBall), 1, 0.003);
+    // a lamp in the target
+    const DiscLight inside{kBall.center, {0, 1, 0}, 0.2, kColor};
+    expectFlux(inside, kBall, 2 * pi * 0.2 * 0.2 * 2 * pi);
+}
+
 TEST(PhotonEmission, OfASun) {
     const Vec3 towards = normalize(Vec3{1, 2, -1});
     for (const double radius_deg : {0.0, 0.2665, 10.0, 45.0}) {

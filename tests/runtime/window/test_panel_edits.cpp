@@ -34,6 +34,15 @@ TEST(LightEdit, BrightnessOneShowsWhite) {
     EXPECT_NEAR(brightnessOf(QuadLight{{}, {1, 0, 0}, {0, 1, 0}, {100, 0, 0}, true}, 10), 4 / std::numbers::pi, 1e-6);
 }
 
+TEST(LightEdit, BrightnessOfADisc) {
+    // area pi
+    EXPECT_NEAR(brightnessOf(DiscLight{{}, kUp, 1, {100, 0, 0}, true}, 10), 1, 1e-6);
+    auto disc = newLight<DiscLight>();
+    expectNear(disc.normal, normalize(kScene.centre - disc.center));
+    resize(disc, [&] { disc.radius *= 3; });
+    EXPECT_NEAR(brightnessOf(disc, 8), 0.7, 1e-6);
+}
+
 TEST(LightEdit, TintAndBrightnessAreSeparate) {
     for (std::size_t kind = 0; kind < kLightKinds; ++kind) {
         LightDescription light = newLight(kind, kScene);

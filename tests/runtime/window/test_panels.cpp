@@ -88,9 +88,12 @@ TEST(Panels, ShowAbsurdNumbers) {
         const Vec3 point{absurd, absurd, absurd};
         const Color color{number, number, number};
         Workspace w = busyScan();
-        w.scene.lights = {PointLight{point, color}, SpotLight{point, point, absurd, absurd, color},
-                          SunLight{point, absurd, color}, SphereLight{point, absurd, color, true},
-                          QuadLight{point, point, point, color, true}};
+        w.scene.lights = {PointLight{point, color},
+                          SpotLight{point, point, absurd, absurd, color},
+                          SunLight{point, absurd, color},
+                          SphereLight{point, absurd, color, true},
+                          QuadLight{point, point, point, color, true},
+                          DiscLight{point, point, absurd, color, true}};
         w.scene.up = w.scene_max = w.camera.eye = w.picks[0].position = point;
         w.scene.sky = SkyDescription{color, color, color, "", absurd, number, number};
         w.scene.instances[0].material = 0;
