@@ -122,12 +122,12 @@ private:
     const RenderSettings& settings_;
 };
 
-/// Whether a surface of the material may send rays on: with path all do, with phong what mirrors, and whitted lets
-/// matte ones with a highlight mirror as well.
+/// Whether a surface of the material may send rays on: with integrators by chance all do, with others what mirrors, and
+/// where they gloss highlights matte ones with a highlight as well.
 bool sendsOn(const gpu::Material& material, Integrator integrator) {
     const bool mirrors = material.gloss.x != MATERIAL_MATTE || material.gloss.w > 0;
-    return integrator == Integrator::kPath || (mirrors && showsLight(integrator)) ||
-           (material.phong.x > 0 && integrator == Integrator::kWhitted);
+    return hasTrait(integrator, INTEGRATOR_BY_CHANCE) || (mirrors && showsLight(integrator)) ||
+           (material.phong.x > 0 && hasTrait(integrator, INTEGRATOR_GLOSSES_HIGHLIGHTS));
 }
 
 std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {

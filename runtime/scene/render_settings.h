@@ -6,20 +6,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "runtime/scene/integrator.h"
 #include "runtime/util/names.h"
 #include "runtime/util/pixel_size.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
-
-enum class Integrator { kPhong, kWhitted, kPath, kNormal, kDepth };
-inline constexpr std::array kIntegratorNames = {Name{"phong", Integrator::kPhong},
-                                                Name{"whitted", Integrator::kWhitted}, Name{"path", Integrator::kPath},
-                                                Name{"normal", Integrator::kNormal}, Name{"depth", Integrator::kDepth}};
-/// The others show surfaces as they are, whatever lights them.
-constexpr bool showsLight(Integrator integrator) {
-    return integrator != Integrator::kNormal && integrator != Integrator::kDepth;
-}
 
 enum class Room { kNone, kMirror, kMatte };
 inline constexpr std::array kRoomNames = {Name{"none", Room::kNone}, Name{"mirror", Room::kMirror},

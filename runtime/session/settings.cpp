@@ -38,16 +38,9 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
 } // namespace
 
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
-    switch (settings.integrator) {
-    case Integrator::kPath:
-        return true;
-    case Integrator::kPhong:
-    case Integrator::kWhitted:
-        return std::any_of(scene.lights.begin(), scene.lights.end(), isSoft) ||
-               (scene.sky && !scene.sky->image.empty());
-    default:
-        return false;
-    }
+    if (hasTrait(settings.integrator, INTEGRATOR_BY_CHANCE)) return true;
+    if (!showsLight(settings.integrator)) return false;
+    return std::any_of(scene.lights.begin(), scene.lights.end(), isSoft) || (scene.sky && !scene.sky->image.empty());
 }
 
 SceneDescription describeScene(const Options& options) {

@@ -125,7 +125,7 @@ private:
         params.options = OPTION_BLEND;
         params.shape_count = scene_.shape_count;
         params.sky_light = NO_LIGHT;
-        params.integrator = INTEGRATOR_PATH;
+        params.integrator = static_cast<std::uint32_t>(Integrator::kPath);
         params.bounces = kPhotonBounces;
         setReach(scene_, params);
         uploadBuffer(device_, buffers_.params, &params, sizeof params);

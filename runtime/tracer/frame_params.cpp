@@ -13,11 +13,6 @@ namespace pointrt {
 
 namespace {
 
-constexpr bool isCalled(Integrator integrator, int in_shaders) { return static_cast<int>(integrator) == in_shaders; }
-static_assert(isCalled(Integrator::kPhong, INTEGRATOR_PHONG) && isCalled(Integrator::kWhitted, INTEGRATOR_WHITTED) &&
-              isCalled(Integrator::kPath, INTEGRATOR_PATH) && isCalled(Integrator::kNormal, INTEGRATOR_NORMAL) &&
-              isCalled(Integrator::kDepth, INTEGRATOR_DEPTH));
-
 gpu::vec3 scaled(Color color, float strength) {
     return {color[0] * strength, color[1] * strength, color[2] * strength};
 }

@@ -3,10 +3,11 @@
 // code, so that what is there costs time whether it is met or not.
 #ifndef POINTRT_SHADERS_FEATURES_GLSL
 #define POINTRT_SHADERS_FEATURES_GLSL
+#include "shaders/shared/integrators.h"
 #include "shaders/shared/params.h"
 #include "shaders/shared/spec_constants.h"
 
-layout(constant_id = SPEC_INTEGRATOR) const uint kIntegrator = INTEGRATOR_PHONG;
+layout(constant_id = SPEC_INTEGRATOR) const uint kIntegrator = 0u; // number of one of INTEGRATORS
 // FEATURE_* bits
 layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 

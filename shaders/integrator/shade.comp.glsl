@@ -13,11 +13,12 @@
 #include "shaders/frame/append.glsl"
 #include "shaders/integrator/shade_classic.glsl"
 #include "shaders/integrator/shade_path.glsl"
+#include "shaders/integrator/shade_view.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// Glass alone sends on two rays at once, and path follows one of them.
-const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && kIntegrator != INTEGRATOR_PATH;
+// Glass alone sends on two rays at once, one of which integrators by chance follow.
+const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && !integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE);
 
 void appendLightQuery(bool wants, uint index, SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
     appendEntry(APPEND_LIGHT_QUERY, wants, index);
@@ -49,11 +50,19 @@ bool covers(SurfaceInteraction point) {
     return point.t >= 0.0 && !backdrop;
 }
 
-Shading shadeAny(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint index) {
-    if (kIntegrator == INTEGRATOR_NORMAL || kIntegrator == INTEGRATOR_DEPTH) return shadeView(point);
-    if (kIntegrator == INTEGRATOR_PATH) return shadePath(path, point, row, matter, imagePixel(index));
-    uint pair = dimensionPair(bounceOf(path.bits), PAIR_DIRECTION);
-    return shadeClassic(path, point, row, matter, sample2(imagePixel(index), push.sample_index, pair, params.seed));
+// The numbers of SHADINGS, and that of each integrator in one number.
+#define SHADING_NUMBER(number, NAME, function) const uint SHADING_##NAME = number;
+SHADINGS(SHADING_NUMBER)
+#define SHADING_OF_ROW(number, Name, word, label, SHADING, traits) | SHADING_##SHADING << (INTEGRATOR_BITS * number)
+const uint kShadings = 0u INTEGRATORS(SHADING_OF_ROW);
+const uint kShading = kShadings >> (INTEGRATOR_BITS * kIntegrator) & ((1u << INTEGRATOR_BITS) - 1u);
+
+// As the integrator does that the program is built for.
+Shading shadeHit(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
+#define SHADE(number, NAME, function) \
+    if (kShading == number) return function(path, point, row, matter, pixel);
+    SHADINGS(SHADE)
+    return onlyLight(vec3(0.0));
 }
 
 // Queues the path's next ray: of two the other one waits, and where there is none, the last that waited is taken up.
@@ -84,7 +93,7 @@ void main() {
     Material row = loadMaterial(materialOf(point));
     SurfaceMaterial matter = matterOf(row, point.albedo, back, -dot(point.normal, path.direction));
     path.throughput *= back ? transmittance(row, point.t) : vec3(1.0);
-    Shading shading = shadeAny(path, point, row, matter, index);
+    Shading shading = shadeHit(path, point, row, matter, imagePixel(index));
     if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
     if (live && !kCameraPass) addLight(index, shading.added, bounce);
     appendLightQuery(live && largest(shading.direct_weight) > 0.0 && params.light_count > 0u, index, point,

@@ -3,6 +3,7 @@
 // Illumination Model for Shaded Display, 1980). whitted lets matte surfaces with a highlight mirror by Fresnel as well.
 #ifndef POINTRT_SHADERS_SHADE_CLASSIC_GLSL
 #define POINTRT_SHADERS_SHADE_CLASSIC_GLSL
+#include "shaders/math/sampler.glsl"
 
 // Of rays weaker than half a display's last step only some are followed, with this weight: chance keeps their sum.
 const float kMinWeight = 1.0 / 512.0;
@@ -14,13 +15,14 @@ NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 a
     return NextRay(direction, !last && u < chance ? weight / chance : vec3(0.0), 0.0);
 }
 
-// u: two numbers in [0, 1).
-Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, vec2 u) {
+Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
     vec3 throughput = path.throughput, view = -path.direction;
+    uint bounce = bounceOf(path.bits);
+    vec2 u = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_DIRECTION), params.seed);
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     SpecularPair pair = specularPair(matter, point.normal, view);
     vec3 added = throughput * (row.emission.rgb + smoothAlbedo(matter) * ambientLight(point.normal));
-    bool last = bounceOf(path.bits) >= ofLane(params.bounces);
+    bool last = bounce >= ofLane(params.bounces);
     NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
     NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
     return Shading(added, hasSmoothLobe(matter) ? throughput : vec3(0.0), reflected, refracted);

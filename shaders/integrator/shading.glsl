@@ -20,15 +20,6 @@ NextRay noRay() { return NextRay(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0); }
 
 Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay()); }
 
-// The normal and depth views.
-Shading shadeView(SurfaceInteraction point) {
-    vec3 color = vec3(0.0);
-    if (point.t >= 0.0)
-        color = kIntegrator == INTEGRATOR_NORMAL ? linearFromSrgb(point.normal * 0.5 + 0.5)
-                                                   : vec3(max(0.0, 1.0 - point.t / params.depth_black));
-    return onlyLight(color);
-}
-
 bool isThin(Material row) { return (floatBitsToUint(row.base.w) & MATERIAL_THIN) != 0u; }
 
 // Of light that came t through a material; a pane has no inside.

@@ -23,16 +23,18 @@ DirectLightQuery currentLightQuery(out uint path) {
     return loadLightQuery(live ? path : 0u);
 }
 
-// path asks one light by chance, the others each in turn.
+// Integrators by chance ask one light of all, the others each in turn.
+const bool kAsksOne = integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE);
+
 uint lightTurns() {
     uint lights = ofLane(params.light_count);
-    return kIntegrator == INTEGRATOR_PATH ? min(lights, 1u) : lights;
+    return kAsksOne ? min(lights, 1u) : lights;
 }
 
-float lightChance() { return kIntegrator == INTEGRATOR_PATH ? 1.0 / float(params.light_count) : 1.0; }
+float lightChance() { return kAsksOne ? 1.0 / float(params.light_count) : 1.0; }
 
 uint lightOfTurn(uint turn, uint path, uint bounce) {
-    if (kIntegrator != INTEGRATOR_PATH) return turn;
+    if (!kAsksOne) return turn;
     float u = sample1(imagePixel(path), push.sample_index, dimensionPair(bounce, PAIR_LIGHT_CHOICE), params.seed);
     return min(uint(u * float(params.light_count)), params.light_count - 1u);
 }
@@ -44,7 +46,7 @@ LightSample sampleTurn(DirectLightQuery query, uint path, uint turn, out Light l
     uint bounce = query.bounce;
     uint pair = dimensionPair(bounce, PAIR_LIGHT);
     // each light has its own numbers
-    if (kIntegrator != INTEGRATOR_PATH) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
+    if (!kAsksOne) pair = FIRST_LIGHT_PAIR + bounce * MAX_LIGHTS + turn;
     light = loadLight(lightOfTurn(turn, path, bounce));
     vec2 u = sample2(imagePixel(path), push.sample_index, pair, params.seed);
     u = hasStep(STEP_PREVIEW) && lightKind(light) != LIGHT_SKY ? lightMiddle(lightKind(light)) : u;

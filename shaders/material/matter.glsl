@@ -5,7 +5,7 @@
 #include "shaders/frame/bindings.glsl"
 #include "shaders/material/material.glsl"
 
-bool isClassic() { return kIntegrator != INTEGRATOR_PATH; }
+bool isClassic() { return !integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE); }
 
 // Whether photons bring it the light of caustics. They tell how much arrives but not from where, which is what metals
 // show: path leaves those to rays that find lamps by chance.
@@ -13,7 +13,7 @@ bool gathersPhotons(Material row) { return isClassic() || int(row.gloss.x) != MA
 
 // cosine: of the angle between normal and view.
 SurfaceMaterial matterOf(Material row, vec3 albedo, bool back, float cosine) {
-    if (kIntegrator == INTEGRATOR_WHITTED) row.gloss.w = glossedMirrorShare(row, cosine);
+    if (integratorHas(kIntegrator, INTEGRATOR_GLOSSES_HIGHLIGHTS)) row.gloss.w = glossedMirrorShare(row, cosine);
     return surfaceMaterial(row, albedo, back, cosine);
 }
 

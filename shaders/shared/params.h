@@ -20,12 +20,6 @@ namespace pointrt::gpu {
 // Its length where it passes everything.
 #define BEAM_MISSES 1e30f
 
-#define INTEGRATOR_PHONG 0
-#define INTEGRATOR_WHITTED 1
-#define INTEGRATOR_PATH 2
-#define INTEGRATOR_NORMAL 3
-#define INTEGRATOR_DEPTH 4
-
 // Kinds that a scene has (shaders/frame/features.glsl).
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
@@ -71,7 +65,7 @@ struct FrameParams {
     uint film_first;  // the first of the band in it
     uint unused_3;
     uint unused_4;
-    uint integrator; // INTEGRATOR_*
+    uint integrator; // number of one of INTEGRATORS
     uint bounces;
     uint unused_5;
     uint seed;

@@ -112,7 +112,7 @@ struct RayCaster::State {
     void createPrograms() {
         const SpecConstant traits[] = {{SPEC_UNEVEN, file().index.uneven},
                                        {SPEC_ORIENTED, scene.instances[0].oriented},
-                                       {SPEC_INTEGRATOR, INTEGRATOR_PHONG},
+                                       {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0}};
         const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {

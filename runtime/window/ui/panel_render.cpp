@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_edit.h"
@@ -11,9 +12,11 @@
 namespace pointrt {
 namespace {
 
-/// In the order of Integrator.
-constexpr const char* kIntegrators[] = {"Direct light (phong)", "With mirrors (whitted)", "Full light (path)",
-                                        "Normals", "Depth"};
+constexpr auto kLabels = [] {
+    std::array<const char*, kIntegrators.size()> labels{};
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = kIntegrators[i].label;
+    return labels;
+}();
 
 } // namespace
 
@@ -21,12 +24,11 @@ void drawRender(Workspace& w) {
     RenderSettings& settings = w.settings;
     const auto note = [&](bool changed) { return noteEdit(w.requests, Edit::kSettings, changed); };
     int integrator = static_cast<int>(settings.integrator);
-    if (note(chooseRow("Light", integrator, kIntegrators,
+    if (note(chooseRow("Light", integrator, kLabels,
                        "direct light: quick; with mirrors: reflections and glass as well; full light: also what "
                        "surfaces throw on each other")))
         settings.integrator = static_cast<Integrator>(integrator);
-    const bool follows = settings.integrator == Integrator::kWhitted || settings.integrator == Integrator::kPath;
-    ImGui::BeginDisabled(!follows);
+    ImGui::BeginDisabled(!hasTrait(settings.integrator, INTEGRATOR_OFFERS_BOUNCES));
     note(slideRow("Bounces", settings.bounces, slideRange(rowOf<&RenderSettings::bounces>().limits, true),
                   "turns that light may take on its way"));
     note(switchRow("Caustics", settings.caustics, "light bundled by glass and mirrors"));
