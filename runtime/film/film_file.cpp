@@ -49,7 +49,7 @@ template <typename T>
 void readPart(const std::string& path, const ExrPicture& picture, const FilmPart& part, std::vector<T>& values) {
     const auto& planes = planesOf<T>(picture);
     const auto has = [&](const std::string& name) { return planes.count(name) != 0; };
-    if (!part.required && std::none_of(part.channels.begin(), part.channels.end(), has)) return;
+    if (!isRequired(part) && std::none_of(part.channels.begin(), part.channels.end(), has)) return;
     const std::size_t stride = part.channels.size();
     values.resize(stride * picture.width * picture.height);
     for (std::size_t c = 0; c < stride; ++c) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -12,30 +13,48 @@
 
 namespace pointrt {
 
-struct FilmPart {
-    std::vector<std::string> channels; ///< as they follow each other within a pixel
-    bool required = false;
+/// When a film has a part.
+enum class FilmGroup {
+    kPicture,    ///< always, and its file too
+    kAlways,     ///< its file may do without
+    kLightParts, ///< where the parts of the light are asked for
+    kFirstHits,  ///< where they are asked for
 };
 
-inline FilmPart colorPart(const std::string& layer) { return {{layer + ".R", layer + ".G", layer + ".B"}}; }
-inline FilmPart vectorPart(const std::string& layer) { return {{layer + ".X", layer + ".Y", layer + ".Z"}}; }
+struct FilmPart {
+    std::vector<std::string> channels; ///< as they follow each other within a pixel
+    FilmGroup group = FilmGroup::kAlways;
+};
+
+inline bool isRequired(const FilmPart& part) { return part.group == FilmGroup::kPicture; }
+
+// As the rows of FILM_PARTS name channels.
+#define CHANNELS(...) __VA_ARGS__
+#define COLOR(layer) layer ".R", layer ".G", layer ".B"
+#define VECTOR(layer) layer ".X", layer ".Y", layer ".Z"
+
+constexpr std::size_t countOf(std::initializer_list<const char*> channels) { return channels.size(); }
+
+/// Values that each array has of a pixel: film_values::ARRAY.
+namespace film_values {
+#define POINTRT_COUNT(array, Value, channels, group, nothing, source, view)                                            \
+    constexpr std::size_t array = countOf({channels});
+FILM_PARTS(POINTRT_COUNT)
+#undef POINTRT_COUNT
+} // namespace film_values
 
 /// Calls visit(part, film.ARRAY) for every array; FilmType is Film or const Film.
 template <typename FilmType, typename Visit>
 void forEachFilmPart(FilmType& film, Visit&& visit) {
-    visit(FilmPart{{"R", "G", "B", "A"}, true}, film.rgba);
-    visit(FilmPart{{"Z"}}, film.depth);
-    visit(vectorPart("N"), film.normal);
-    visit(vectorPart("P"), film.position);
-    visit(colorPart("direct"), film.direct);
-    visit(colorPart("indirect"), film.indirect);
-    visit(colorPart("caustic"), film.caustic);
-    visit(colorPart("albedo"), film.albedo);
-    visit(FilmPart{{"id.splat"}}, film.splat_id);
-    visit(FilmPart{{"id.instance"}}, film.instance_id);
-    visit(FilmPart{{"samples"}}, film.samples);
-    visit(FilmPart{{"variance"}}, film.variance);
+#define POINTRT_VISIT(array, Value, channels, group, nothing, source, view)                                            \
+    visit(FilmPart{{channels}, FilmGroup::group}, film.array);
+    FILM_PARTS(POINTRT_VISIT)
+#undef POINTRT_VISIT
 }
+
+#undef CHANNELS
+#undef COLOR
+#undef VECTOR
 
 template <typename T>
 constexpr ExrPixel exrPixelOf(const std::vector<T>&) {

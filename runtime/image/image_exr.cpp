@@ -160,7 +160,7 @@ void writeExr(const std::string& path, const Film& film, std::span<const ExrText
     const std::size_t pixels = std::size_t{film.width} * film.height;
     std::vector<ExrChannel> channels;
     forEachFilmPart(film, [&](const FilmPart& part, const auto& values) {
-        if (values.empty() && !part.required) return;
+        if (values.empty() && !isRequired(part)) return;
         const std::size_t stride = part.channels.size();
         if (values.size() != stride * pixels) throw std::logic_error("writeExr: pixel count does not fit the size");
         for (std::size_t c = 0; c < stride; ++c)

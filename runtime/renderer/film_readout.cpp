@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "format/base/parallel.h"
+#include "runtime/image/film_parts.h"
 #include "runtime/tracer/frame_params.h"
 #include "shaders/shared/luminance.h"
 
@@ -29,14 +30,6 @@ const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t c
     return copy.data();
 }
 
-void storeMean(const gpu::vec4& sum, float share, float* rgb) {
-    rgb[0] = sum.x * share;
-    rgb[1] = sum.y * share;
-    rgb[2] = sum.z * share;
-}
-
-gpu::vec4 restored(const float* rgb, float sum, float w) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, w}; }
-
 /// Of the mean of samples with this sum and this sum of squares.
 float varianceOfMean(double sum, double squares, double samples) {
     if (samples < 2) return std::numeric_limits<float>::infinity();
@@ -44,51 +37,175 @@ float varianceOfMean(double sum, double squares, double samples) {
     return static_cast<float>(std::max(squares / samples - mean * mean, 0.0) / (samples - 1));
 }
 
+/// What the device knows of a pixel's light: sums over samples.
+struct PixelLight {
+    gpu::vec4 layers[FILM_LAYERS];
+    gpu::vec4 sum; ///< of the light's parts; w: of the share covered
+    std::uint32_t samples;
+    float share; ///< of one of them
+};
+
+/// What its centre ray has hit.
+struct PixelHit {
+    gpu::vec4 vectors[FIRST_HIT_VECTORS];
+    double distance; ///< input units
+    Vec3 position;
+};
+
+void storeMean(const gpu::vec4& sum, float share, float* rgb) {
+    rgb[0] = sum.x * share;
+    rgb[1] = sum.y * share;
+    rgb[2] = sum.z * share;
+}
+
+gpu::vec4 restored(const float* rgb, float sum) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, 0}; }
+
+// The sources that rows of FILM_PARTS name: each stores its values from a pixel's light, or from what it has hit.
+
+struct Beauty {
+    static void store(const PixelLight& pixel, float* rgba) {
+        storeMean(pixel.sum, pixel.share, rgba);
+        rgba[3] = pixel.sum.w * pixel.share;
+    }
+};
+
+/// A layer of the film on the device, which can be restored.
+template <std::uint32_t kLayer>
+struct Mean {
+    static constexpr std::uint32_t layer = kLayer;
+    static void store(const PixelLight& pixel, float* rgb) { storeMean(pixel.layers[kLayer], pixel.share, rgb); }
+};
+
+struct Samples {
+    static void store(const PixelLight& pixel, float* count) { *count = static_cast<float>(pixel.samples); }
+};
+
+struct Variance {
+    static void store(const PixelLight& pixel, float* variance) {
+        // the last sample is not squared yet
+        const float last = pixel.layers[LAYER_INDIRECT].w;
+        const double squares = double{pixel.layers[LAYER_CAUSTIC].w} + double{last} * last;
+        *variance = varianceOfMean(luminance(pixel.sum.x, pixel.sum.y, pixel.sum.z), squares, pixel.samples);
+    }
+};
+
+struct Depth {
+    static void store(const PixelHit& pixel, float* depth) { *depth = static_cast<float>(pixel.distance); }
+};
+
+struct Normal {
+    static void store(const PixelHit& pixel, float* normal) {
+        const gpu::vec4& hit = pixel.vectors[0];
+        normal[0] = hit.x;
+        normal[1] = hit.y;
+        normal[2] = hit.z;
+    }
+};
+
+struct Position {
+    static void store(const PixelHit& pixel, float* position) {
+        position[0] = static_cast<float>(pixel.position.x);
+        position[1] = static_cast<float>(pixel.position.y);
+        position[2] = static_cast<float>(pixel.position.z);
+    }
+};
+
+struct InstanceId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) {
+        *id = std::bit_cast<std::uint32_t>(pixel.vectors[1].y);
+    }
+};
+
+struct SplatId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) {
+        if (std::bit_cast<std::uint32_t>(pixel.vectors[1].y) != OWNER_SHAPES)
+            *id = std::bit_cast<std::uint32_t>(pixel.vectors[1].x);
+    }
+};
+
+template <typename Source, typename Value>
+concept StoresLight = requires(const PixelLight& pixel, Value* values) {
+    Source::store(pixel, values);
+};
+template <typename Source, typename Value>
+concept StoresHit = requires(const PixelHit& pixel, Value* values) {
+    Source::store(pixel, values);
+};
+
+/// Stores a pixel's values of an array, where the film has it and they come from such a pixel.
+template <typename Source, std::size_t kValues, typename Pixel, typename Value>
+void storeValues(const Pixel& pixel, std::size_t at, std::vector<Value>& values) {
+    static_assert(StoresLight<Source, Value> != StoresHit<Source, Value>, "a source stores one or the other");
+    if constexpr (requires { Source::store(pixel, values.data()); })
+        if (!values.empty()) Source::store(pixel, values.data() + kValues * at);
+}
+
+template <typename Pixel>
+void storePixel(const Pixel& pixel, std::size_t at, Film& film) {
+#define POINTRT_STORE(array, Value, channels, group, nothing, source, view)                                            \
+    storeValues<source, film_values::array>(pixel, at, film.array);
+    FILM_PARTS(POINTRT_STORE)
+#undef POINTRT_STORE
+}
+
+/// Where it is a mean: sums of its layer as the film has them.
+template <typename Source>
+void restoreValues(std::size_t at, const std::vector<float>& values, float samples, PixelLight& pixel) {
+    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = restored(values.data() + 3 * at, samples);
+}
+template <typename Source>
+void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
+
+/// The pixel's sums over that many samples.
+PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
+    PixelLight pixel{};
+    const auto sum = static_cast<float>(samples);
+#define POINTRT_RESTORE(array, Value, channels, group, nothing, source, view)                                          \
+    restoreValues<source>(at, film.array, sum, pixel);
+    FILM_PARTS(POINTRT_RESTORE)
+#undef POINTRT_RESTORE
+    const float* rgba = film.rgba.data() + 4 * at;
+    const double mean = luminance(rgba[0], rgba[1], rgba[2]);
+    const double squares = samples * (double{film.variance[at]} * (samples - 1.0) + mean * mean);
+    pixel.layers[LAYER_DIRECT].w = rgba[3] * sum;
+    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? static_cast<float>(squares) : static_cast<float>(mean * mean);
+    return pixel;
+}
+
+bool has(FilmGroup group, const RenderSettings& settings) {
+    if (group == FilmGroup::kLightParts) return settings.light_parts;
+    if (group == FilmGroup::kFirstHits) return settings.first_hits;
+    return true;
+}
+
 } // namespace
 
 void allocateFilm(const RenderSettings& settings, Film& film) {
     const std::size_t pixels = std::size_t{settings.width} * settings.height;
-    const std::size_t in_parts = settings.light_parts ? pixels : 0, in_hits = settings.first_hits ? pixels : 0;
     film.width = settings.width;
     film.height = settings.height;
-    film.rgba.assign(4 * pixels, 0.0f);
-    for (auto* layer : {&film.direct, &film.indirect, &film.caustic}) layer->assign(3 * in_parts, 0.0f);
-    film.albedo.assign(3 * pixels, 0.0f);
-    film.samples.assign(pixels, 0.0f);
-    film.variance.assign(pixels, 0.0f);
-    film.depth.assign(in_hits, std::numeric_limits<float>::infinity());
-    film.normal.assign(3 * in_hits, 0.0f);
-    film.position.assign(3 * in_hits, 0.0f);
-    film.splat_id.assign(in_hits, NO_INDEX);
-    film.instance_id.assign(in_hits, NO_INDEX);
+#define POINTRT_ALLOCATE(array, Value, channels, group, nothing, source, view)                                         \
+    film.array.assign(has(FilmGroup::group, settings) ? film_values::array* pixels : 0, static_cast<Value>(nothing));
+    FILM_PARTS(POINTRT_ALLOCATE)
+#undef POINTRT_ALLOCATE
 }
 
 void storeLight(Device& device, const FrameBuffers& buffers, Band band, std::uint32_t samples, Film& film) {
     const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
     std::vector<gpu::vec4> copy;
     const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * pixels, copy);
-    const float share = 1.0f / static_cast<float>(samples);
-    const auto storePixel = [&](std::size_t i) {
-        const gpu::vec4 direct = layers[LAYER_DIRECT * pixels + i], indirect = layers[LAYER_INDIRECT * pixels + i],
-                        caustic = layers[LAYER_CAUSTIC * pixels + i];
-        const gpu::vec4 sum{direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
-                            direct.z + indirect.z + caustic.z, direct.w};
-        const std::size_t at = first + i;
-        storeMean(sum, share, film.rgba.data() + 4 * at);
-        film.rgba[4 * at + 3] = sum.w * share;
-        storeMean(layers[LAYER_ALBEDO * pixels + i], share, film.albedo.data() + 3 * at);
-        film.samples[at] = static_cast<float>(samples);
-        // the last sample is not squared yet
-        film.variance[at] = varianceOfMean(luminance(sum.x, sum.y, sum.z),
-                                           double{caustic.w} + double{indirect.w} * indirect.w, samples);
-        if (film.direct.empty()) return;
-        storeMean(direct, share, film.direct.data() + 3 * at);
-        storeMean(indirect, share, film.indirect.data() + 3 * at);
-        storeMean(caustic, share, film.caustic.data() + 3 * at);
+    const auto store = [&](std::size_t i) {
+        PixelLight pixel{{}, {}, samples, 1.0f / static_cast<float>(samples)};
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * pixels + i];
+        const gpu::vec4 &direct = pixel.layers[LAYER_DIRECT], &indirect = pixel.layers[LAYER_INDIRECT],
+                        &caustic = pixel.layers[LAYER_CAUSTIC];
+        pixel.sum = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
+                     direct.z + indirect.z + caustic.z, direct.w};
+        storePixel(pixel, first + i, film);
     };
     forAll((pixels + kPixelsAtOnce - 1) / kPixelsAtOnce, [&](std::size_t part) {
         const std::size_t end = std::min((part + 1) * kPixelsAtOnce, pixels);
-        for (std::size_t i = part * kPixelsAtOnce; i < end; ++i) storePixel(i);
+        for (std::size_t i = part * kPixelsAtOnce; i < end; ++i) store(i);
     });
 }
 
@@ -96,18 +213,9 @@ void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_
     if (film.direct.empty()) throw std::logic_error("film: there are no parts of the light to go on from");
     const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
     std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
-    const auto sum = static_cast<float>(samples);
     for (std::size_t i = 0; i < pixels; ++i) {
-        const std::size_t at = first + i;
-        const float* rgba = film.rgba.data() + 4 * at;
-        const double mean = luminance(rgba[0], rgba[1], rgba[2]);
-        const double squares = samples * (double{film.variance[at]} * (samples - 1.0) + mean * mean);
-        layers[LAYER_DIRECT * pixels + i] = restored(film.direct.data() + 3 * at, sum, rgba[3] * sum);
-        layers[LAYER_INDIRECT * pixels + i] = restored(film.indirect.data() + 3 * at, sum, 0);
-        layers[LAYER_CAUSTIC * pixels + i] =
-            restored(film.caustic.data() + 3 * at, sum,
-                     samples > 1 ? static_cast<float>(squares) : static_cast<float>(mean * mean));
-        layers[LAYER_ALBEDO * pixels + i] = restored(film.albedo.data() + 3 * at, sum, 0);
+        const PixelLight pixel = restoredPixel(film, first + i, samples);
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) layers[layer * pixels + i] = pixel.layers[layer];
     }
     uploadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
 }
@@ -122,20 +230,11 @@ void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, cons
             const gpu::vec4* hit = hits + FIRST_HIT_VECTORS * (std::size_t{row} * film.width + x);
             if (hit->w < 0) continue;
             const std::uint32_t y = band.first_row + row;
-            const std::size_t pixel = std::size_t{y} * film.width + x;
-            const double distance = hit->w * scene.space.scale;
-            const Vec3 at =
-                centerRayOrigin(settings, camera, x, y) + distance * centerRayDirection(settings, camera, x, y);
-            film.depth[pixel] = static_cast<float>(distance);
-            const float normal[] = {hit->x, hit->y, hit->z};
-            const double position[] = {at.x, at.y, at.z};
-            for (int c = 0; c < 3; ++c) {
-                film.normal[3 * pixel + c] = normal[c];
-                film.position[3 * pixel + c] = static_cast<float>(position[c]);
-            }
-            const auto owner = std::bit_cast<std::uint32_t>(hit[1].y);
-            film.instance_id[pixel] = owner;
-            if (owner != OWNER_SHAPES) film.splat_id[pixel] = std::bit_cast<std::uint32_t>(hit[1].x);
+            PixelHit pixel{{}, hit->w * scene.space.scale, {}};
+            std::copy_n(hit, FIRST_HIT_VECTORS, pixel.vectors);
+            pixel.position =
+                centerRayOrigin(settings, camera, x, y) + pixel.distance * centerRayDirection(settings, camera, x, y);
+            storePixel(pixel, std::size_t{y} * film.width + x, film);
         }
 }
 

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/math/color.glsl"
 #include "shaders/shared/display_layout.h"
+#include "shaders/shared/film_parts.h"
 #include "shaders/shared/params.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/spec_constants.h"
@@ -26,18 +27,35 @@ float varianceOfMean(float sum, float squares, float samples) {
     return max(squares / samples - mean * mean, 0.0) / (samples - 1.0);
 }
 
-vec3 shownOf(uint shown, vec3 beauty, vec4 direct, vec4 indirect, vec4 caustic, vec4 albedo, vec4 hit, float variance) {
-    float share = push.share;
-    bool is_hit = hit.w >= 0.0;
-    if (shown == SHOWN_ALBEDO) return albedo.rgb * share;
-    if (shown == SHOWN_NORMAL) return is_hit ? 0.5 + 0.5 * hit.xyz : vec3(0.0);
-    if (shown == SHOWN_DEPTH) return vec3(is_hit ? max(1.0 - hit.w / push.depth_black, 0.0) : 0.0);
-    if (shown == SHOWN_DIRECT) return direct.rgb * share;
-    if (shown == SHOWN_INDIRECT) return indirect.rgb * share;
-    if (shown == SHOWN_CAUSTIC) return caustic.rgb * share;
-    // the deviation beside the light itself, a tenth of which is as bright as can be
-    if (shown == SHOWN_NOISE) return vec3(10.0 * sqrt(variance) / max(luminance(beauty), 1e-3));
-    return beauty;
+// What is known of a pixel.
+struct Pixel {
+    vec3 beauty;
+    vec4 direct;
+    vec4 indirect;
+    vec4 caustic;
+    vec4 albedo;
+    vec4 hit;
+    float variance;
+};
+
+// The functions that rows of FILM_PARTS name.
+vec3 showBeauty(Pixel p) { return p.beauty; }
+vec3 showAlbedo(Pixel p) { return p.albedo.rgb * push.share; }
+vec3 showNormal(Pixel p) { return p.hit.w >= 0.0 ? 0.5 + 0.5 * p.hit.xyz : vec3(0.0); }
+vec3 showDepth(Pixel p) { return vec3(p.hit.w >= 0.0 ? max(1.0 - p.hit.w / push.depth_black, 0.0) : 0.0); }
+vec3 showDirect(Pixel p) { return p.direct.rgb * push.share; }
+vec3 showIndirect(Pixel p) { return p.indirect.rgb * push.share; }
+vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
+// The deviation beside the light itself, a tenth of which is as bright as can be.
+vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
+
+vec3 shownOf(Pixel pixel) {
+#define NOT_SHOWN
+#define SHOWN(number, NAME, label, how, function)                                                                      \
+    if (push.shown == number) return function(pixel);
+#define SHOW(array, Value, channels, group, nothing, source, view) view
+    FILM_PARTS(SHOW)
+    return pixel.beauty;
 }
 
 void main() {
@@ -54,7 +72,7 @@ void main() {
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
     // what the scene does not cover is a backdrop, whose shadows are as noisy as any
     float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
-    colors[pixel] = vec4(shownOf(push.shown, sum * share, direct, indirect, caustic, albedo, hit, variance), alpha);
+    colors[pixel] = vec4(shownOf(Pixel(sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
     if (HAS_FIRST_HITS == 0u) return;
     surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale);
     albedos[pixel] = vec4(albedo.rgb * share, variance);

@@ -10,21 +10,11 @@ namespace pointrt::gpu {
 
 #define DISPLAY_GROUP 128
 
-// What is shown of the film.
-#define SHOWN_BEAUTY 0u
-#define SHOWN_ALBEDO 1u
-#define SHOWN_NORMAL 2u
-#define SHOWN_DEPTH 3u
-#define SHOWN_DIRECT 4u
-#define SHOWN_INDIRECT 5u
-#define SHOWN_CAUSTIC 6u
-#define SHOWN_NOISE 7u
-
 struct ResolveParams {
     uint first; // pixel
     uint count;
     uint film_pixels;
-    uint shown;  // SHOWN_*
+    uint shown;  // number of a part (shaders/shared/film_parts.h)
     float share; // 1 / samples
     float samples;
     float scale;       // input units in a render unit

@@ -51,12 +51,9 @@ void dropDenoiser(Device& device, DisplayPipeline& pipeline) {
 
 GroupCount groupsOf(const FilmRange& range) { return {(range.count + DISPLAY_GROUP - 1) / DISPLAY_GROUP, 1, 1}; }
 
-/// A share of something, not light that the screen's curve is for.
-bool isNumber(std::uint32_t shown) { return shown == SHOWN_NORMAL || shown == SHOWN_DEPTH || shown == SHOWN_NOISE; }
-
 } // namespace
 
-bool needsFirstHits(const Look& look) { return look.shown == SHOWN_NORMAL || look.shown == SHOWN_DEPTH; }
+bool needsFirstHits(const Look& look) { return kFilmViews.at(look.shown).group == FilmGroup::kFirstHits; }
 
 DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels) {
     DisplayPipeline pipeline;
@@ -116,9 +113,9 @@ void recordResolve(VkCommandBuffer commands, const DisplayPipeline& d, const Fil
 
 void recordTonemap(VkCommandBuffer commands, const DisplayPipeline& d, const FilmRange& range, const Look& look,
                    bool denoised) {
-    const bool number = isNumber(look.shown), exposed = !number && look.shown != SHOWN_ALBEDO;
-    const gpu::TonemapParams params{range.first, range.count, exposed ? std::exp2(look.exposure) : 1.0f,
-                                    number ? 0u : 1u};
+    const ShownAs as = kFilmViews.at(look.shown).as;
+    const gpu::TonemapParams params{range.first, range.count, as == ShownAs::kLight ? std::exp2(look.exposure) : 1.0f,
+                                    as == ShownAs::kNumber ? 0u : 1u};
     recordDispatch(commands, d.tonemap, denoised ? d.tonemap_denoised_set : d.tonemap_set, pushBytes(params),
                    groupsOf(range));
     recordBarrier(commands);

@@ -6,13 +6,14 @@
 #include <optional>
 
 #include "runtime/film/denoiser.h"
+#include "runtime/image/film_views.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/window/live/pace.h"
 #include "shaders/shared/display_layout.h"
 
 namespace pointrt {
 
-/// What of the film is shown: SHOWN_* of shaders/shared/display_layout.h, and how.
+/// What of the film is shown: SHOWN_* of runtime/image/film_views.h, and how.
 struct Look {
     std::uint32_t shown = SHOWN_BEAUTY;
     float exposure = 0;     ///< stops

@@ -2,6 +2,8 @@
 // How the light that was found is shown.
 #include <imgui.h>
 
+#include <array>
+
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_edit.h"
 #include "runtime/window/widgets/panel_widgets.h"
@@ -9,9 +11,11 @@
 namespace pointrt {
 namespace {
 
-/// In the order of SHOWN_* (shaders/shared/display_layout.h).
-constexpr const char* kShown[] = {"Picture",      "Colours only",   "Normals",  "Depth",
-                                  "Direct light", "Indirect light", "Caustics", "Noise"};
+constexpr auto kShown = [] {
+    std::array<const char*, kFilmViews.size()> labels{};
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = kFilmViews[i].label;
+    return labels;
+}();
 
 /// Of the exposures that there are, those that a slider is fine enough for.
 constexpr SlideRange kExposures{-8, 8};
