@@ -2,6 +2,7 @@
 #include "runtime/renderer/film_readout.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -47,8 +48,9 @@ struct PixelLight {
 
 /// What its centre ray has hit.
 struct PixelHit {
-    gpu::vec4 vectors[FIRST_HIT_VECTORS];
-    double distance; ///< input units
+    gpu::vec4 surface;                  ///< normal and t
+    std::array<std::uint32_t, 4> words; ///< HIT_*
+    double distance;                    ///< input units
     Vec3 position;
 };
 
@@ -95,10 +97,9 @@ struct Depth {
 
 struct Normal {
     static void store(const PixelHit& pixel, float* normal) {
-        const gpu::vec4& hit = pixel.vectors[0];
-        normal[0] = hit.x;
-        normal[1] = hit.y;
-        normal[2] = hit.z;
+        normal[0] = pixel.surface.x;
+        normal[1] = pixel.surface.y;
+        normal[2] = pixel.surface.z;
     }
 };
 
@@ -110,16 +111,15 @@ struct Position {
     }
 };
 
-struct InstanceId {
-    static void store(const PixelHit& pixel, std::uint32_t* id) {
-        *id = std::bit_cast<std::uint32_t>(pixel.vectors[1].y);
-    }
+/// One of the words of a first hit.
+template <std::uint32_t kWord>
+struct HitWord {
+    static void store(const PixelHit& pixel, std::uint32_t* word) { *word = pixel.words[kWord]; }
 };
 
 struct SplatId {
     static void store(const PixelHit& pixel, std::uint32_t* id) {
-        if (std::bit_cast<std::uint32_t>(pixel.vectors[1].y) != OWNER_SHAPES)
-            *id = std::bit_cast<std::uint32_t>(pixel.vectors[1].x);
+        if (pixel.words[HIT_OWNER] != OWNER_SHAPES) *id = pixel.words[HIT_SPLAT];
     }
 };
 
@@ -230,8 +230,7 @@ void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, cons
             const gpu::vec4* hit = hits + FIRST_HIT_VECTORS * (std::size_t{row} * film.width + x);
             if (hit->w < 0) continue;
             const std::uint32_t y = band.first_row + row;
-            PixelHit pixel{{}, hit->w * scene.space.scale, {}};
-            std::copy_n(hit, FIRST_HIT_VECTORS, pixel.vectors);
+            PixelHit pixel{hit[0], std::bit_cast<std::array<std::uint32_t, 4>>(hit[1]), hit->w * scene.space.scale, {}};
             pixel.position =
                 centerRayOrigin(settings, camera, x, y) + pixel.distance * centerRayDirection(settings, camera, x, y);
             storePixel(pixel, std::size_t{y} * film.width + x, film);

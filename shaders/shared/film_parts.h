@@ -4,6 +4,10 @@
 #ifndef POINTRT_SHADERS_FILM_PARTS_H
 #define POINTRT_SHADERS_FILM_PARTS_H
 
+// Of a first hit's words (params.h), by number.
+#define HIT_SPLAT 0u // or shape
+#define HIT_OWNER 1u
+
 // clang-format off
 // X(array, Value, channels, group, nothing, source, view)
 //   array     Film's member (runtime/image/film.h): pixel after pixel the values of its channels
@@ -45,7 +49,7 @@
     X(albedo, float, COLOR("albedo"), kAlways, 0, Mean<LAYER_ALBEDO>, \
       SHOWN(1u, ALBEDO, "Colours only", kShare, showAlbedo)) \
     X(splat_id, std::uint32_t, CHANNELS("id.splat"), kFirstHits, NO_INDEX, SplatId, NOT_SHOWN) \
-    X(instance_id, std::uint32_t, CHANNELS("id.instance"), kFirstHits, NO_INDEX, InstanceId, NOT_SHOWN) \
+    X(instance_id, std::uint32_t, CHANNELS("id.instance"), kFirstHits, NO_INDEX, HitWord<HIT_OWNER>, NOT_SHOWN) \
     X(samples, float, CHANNELS("samples"), kAlways, 0, Samples, NOT_SHOWN) \
     X(variance, float, CHANNELS("variance"), kAlways, 0, Variance, \
       SHOWN(7u, NOISE, "Noise", kNumber, showNoise))
