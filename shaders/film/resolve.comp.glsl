@@ -29,6 +29,7 @@ float varianceOfMean(float sum, float squares, float samples) {
 
 // What is known of a pixel.
 struct Pixel {
+    uint number;
     vec3 beauty;
     vec4 direct;
     vec4 indirect;
@@ -48,6 +49,16 @@ vec3 showIndirect(Pixel p) { return p.indirect.rgb * push.share; }
 vec3 showCaustic(Pixel p) { return p.caustic.rgb * push.share; }
 // The deviation beside the light itself, a tenth of which is as bright as can be.
 vec3 showNoise(Pixel p) { return vec3(10.0 * sqrt(p.variance) / max(luminance(p.beauty), 1e-3)); }
+
+// A colour for each material: from one to the next the hue goes on by the golden ratio, so that neighbours in the table
+// differ most.
+vec3 showMaterial(Pixel p) {
+    if (p.hit.w < 0.0) return vec3(0.0);
+    uint material = floatBitsToUint(first_hits[FIRST_HIT_VECTORS * p.number + 1u][HIT_MATERIAL]);
+    float hue = float(material * 2654435769u) / 4294967296.0; // its product with the golden ratio, without the whole part
+    vec3 color = clamp(abs(fract(hue + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+    return mix(vec3(1.0), color, 0.7);
+}
 
 vec3 shownOf(Pixel pixel) {
 #define NOT_SHOWN
@@ -72,7 +83,7 @@ void main() {
     if (HAS_FIRST_HITS != 0u) hit = first_hits[FIRST_HIT_VECTORS * pixel];
     // what the scene does not cover is a backdrop, whose shadows are as noisy as any
     float alpha = direct.w > 0.0 ? direct.w * share : 1.0;
-    colors[pixel] = vec4(shownOf(Pixel(sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
+    colors[pixel] = vec4(shownOf(Pixel(pixel, sum * share, direct, indirect, caustic, albedo, hit, variance)), alpha);
     if (HAS_FIRST_HITS == 0u) return;
     surfaces[pixel] = hit.w < 0.0 ? vec4(0.0) : vec4(hit.xyz, hit.w * push.scale);
     albedos[pixel] = vec4(albedo.rgb * share, variance);

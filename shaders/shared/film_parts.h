@@ -7,6 +7,7 @@
 // Of a first hit's words (params.h), by number.
 #define HIT_SPLAT 0u // or shape
 #define HIT_OWNER 1u
+#define HIT_MATERIAL 2u
 
 // clang-format off
 // X(array, Value, channels, group, nothing, source, view)
@@ -30,6 +31,7 @@
 // albedo       0 to 1: reflectance of the first hit
 // splat_id     number in its .pro; none on shapes
 // instance_id  number in the scene; OWNER_SHAPES on shapes
+// material_id  row of the scene's table of materials
 // samples      paths traced through the pixel
 // variance     of the mean luminance
 #define FILM_PARTS(X) \
@@ -50,6 +52,8 @@
       SHOWN(1u, ALBEDO, "Colours only", kShare, showAlbedo)) \
     X(splat_id, std::uint32_t, CHANNELS("id.splat"), kFirstHits, NO_INDEX, SplatId, NOT_SHOWN) \
     X(instance_id, std::uint32_t, CHANNELS("id.instance"), kFirstHits, NO_INDEX, HitWord<HIT_OWNER>, NOT_SHOWN) \
+    X(material_id, std::uint32_t, CHANNELS("id.material"), kFirstHits, NO_INDEX, HitWord<HIT_MATERIAL>, \
+      SHOWN(8u, MATERIAL, "Materials", kNumber, showMaterial)) \
     X(samples, float, CHANNELS("samples"), kAlways, 0, Samples, NOT_SHOWN) \
     X(variance, float, CHANNELS("variance"), kAlways, 0, Variance, \
       SHOWN(7u, NOISE, "Noise", kNumber, showNoise))

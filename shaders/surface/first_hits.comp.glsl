@@ -14,6 +14,6 @@ void main() {
     bool hit = point.t >= 0.0;
     uint at = FIRST_HIT_VECTORS * (params.film_first + bandPixel(index));
     first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
-    uvec2 ids = hit ? uvec2(point.primitive, point.owner) : uvec2(NO_INDEX);
-    first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 0.0, 0.0);
+    uvec3 ids = hit ? uvec3(point.primitive, point.owner, materialOf(point)) : uvec3(NO_INDEX);
+    first_hits[at + 1u] = vec4(uintBitsToFloat(ids), 0.0);
 }

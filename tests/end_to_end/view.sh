@@ -132,7 +132,7 @@ case_exr_channels() {
     [ "$(head -c 4 out/a.exr | od -An -t x1 | tr -d ' \n')" = 762f3101 ] || fail "not an EXR"
     head -c 2000 out/a.exr | tr '\0' '\n' >header.txt
     for channel in R G B A Z N.X N.Y N.Z P.X P.Y P.Z direct.R indirect.G caustic.B albedo.R id.splat id.instance \
-        samples variance; do
+        id.material samples variance; do
         grep -aqxF "$channel" header.txt || fail "no channel $channel"
     done
 }

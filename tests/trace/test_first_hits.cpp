@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -224,6 +225,26 @@ TEST(FirstHits, NationalGridKeepsMillimetres) {
     EXPECT_NEAR(rendered.camera.eye.z -
                     rendered.film.depth[middle] * -centerRayDirection(square(64), rendered.camera, 32, 32).z,
                 300.125, 1e-3);
+}
+
+/// A scan over a floor: the table has the scene's materials first, then the scan's only row.
+TEST(FirstHits, NameTheMaterialsRow) {
+    const SphereFile sphere(6000);
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.instances.push_back({sphere.path, {}, {}, {}});
+    scene.shapes.push_back({ShapeKind::kDisc, {0, -1, 0}, {3, 0, 0}, {0, 0, -3}, {0, 1, 0}, 1});
+    RenderSettings settings = square(48);
+    settings.camera.eye = Vec3{0, 1, 6};
+    settings.camera.target = Vec3{0, 0, 0};
+    const auto materialsAt = [](const Film& film) {
+        const std::size_t middle = 24 * 48 + 24, floor = 38 * 48 + 24, above = 24;
+        return std::array{film.material_id[middle], film.material_id[floor], film.material_id[above]};
+    };
+    EXPECT_EQ(materialsAt(renderScene(scene, settings).film), (std::array{2u, 1u, NO_INDEX}));
+    // splats of that range of colours, which is all of them, wear the scene's material itself
+    scene.instances[0].overrides.push_back({MaterialOverride::ColorRange{{0, 0, 0}, {255, 255, 255}}, 0, ""});
+    EXPECT_EQ(materialsAt(renderScene(scene, settings).film), (std::array{0u, 1u, NO_INDEX}));
 }
 
 } // namespace

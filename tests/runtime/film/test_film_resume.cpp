@@ -118,6 +118,7 @@ TEST_F(FilmResume, GoesOnAsIfItHadNeverStopped) {
         EXPECT_LT(difference(film.variance, whole.variance), 1e-3) << first; // what is left of a difference
         EXPECT_EQ(film.depth, whole.depth);
         EXPECT_EQ(film.splat_id, whole.splat_id);
+        EXPECT_EQ(film.material_id, whole.material_id);
         EXPECT_EQ(fewestSamples(film), 64u);
     }
     EXPECT_GT(difference(refine(nullptr, 32).rgba, whole.rgba), 1e-2) << "the second half counts";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <thread>
 
@@ -166,6 +167,25 @@ TEST_P(ViewportRendererTest, ShowsDenoisedLightAndStaysTheSameFilm) {
     // the middle of the plastic ball faces the camera
     const std::uint32_t normal = shownPixels()[28 * 72 + 20];
     EXPECT_GT(normal & 255, 200u);
+}
+
+/// Black where nothing is hit, else each material has a colour of its own; the first one's is a light red.
+TEST_P(ViewportRendererTest, ShowsMaterials) {
+    view.settings.first_hits = true;
+    view.look.shown = SHOWN_MATERIAL;
+    live->setView(view, false);
+    finish();
+    const std::vector<std::uint32_t> shown = shownPixels();
+    const Film film = live->readFilm();
+    std::map<std::uint32_t, std::uint32_t> colors;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        EXPECT_EQ(colors.try_emplace(film.material_id[i], shown[i]).first->second, shown[i]);
+    EXPECT_EQ(colors.at(NO_INDEX), 0xFF000000u);
+    EXPECT_EQ(colors.at(0) & 0xFFFF0000u, 0xFFFF0000u);
+    EXPECT_NEAR(colors.at(0) & 255, 77, 1); // 0.3
+    EXPECT_NE(colors.at(0), colors.at(1));
+    EXPECT_EQ(film.material_id[28 * 72 + 20], 0u) << "plastic";
+    EXPECT_EQ(film.material_id[28 * 72 + 52], 1u) << "glass";
 }
 
 TEST_P(ViewportRendererTest, DenoisesAtRestWhenToldTo) {
