@@ -35,12 +35,12 @@ constexpr float kSlackEdges = 1e-3f, kSlackSteps = 1.5f;
 /// Where the file has leaves below the grid, cells with more discs are cut into halves, this often at most, unless the
 /// halves' lists together would be longer by more than this factor: where discs are as large as the cell it is 4 or
 /// more.
-constexpr std::size_t kDiscsMost = 48;
-constexpr std::uint32_t kHalvingsMost = PRO_INDEX_HALVINGS_MAX;
-constexpr std::size_t kListsMost = 3;
+constexpr std::size_t kMaxDiscs = 48;
+constexpr std::uint32_t kMaxHalvings = PRO_INDEX_HALVINGS_MAX;
+constexpr std::size_t kMaxListGrowth = 3;
 /// Cells to cut are at least this many slacks wide to a side: a half's corner with its slack stays within an edge of
 /// its centre, as far as slab heights reach.
-constexpr float kHalfEdgeLeast = 16;
+constexpr float kMinHalfEdge = 16;
 
 /// Indices count from the part's own first.
 struct Part : CellWords {
@@ -103,7 +103,7 @@ public:
         : info_(info), view_(view), part_(part), total_(total), grid_shift_(grid.shift),
           edges_(PRO_BRICK_SIDE * std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift))),
           slack_(std::max(kSlackEdges, kSlackSteps * PRO_POSITION_STEP * edges_)),
-          halvings_(grid.uneven ? kHalvingsMost : 0) {}
+          halvings_(grid.uneven ? kMaxHalvings : 0) {}
 
     void run(const Source& source) {
         if (total_.isFull()) return;
@@ -215,8 +215,8 @@ private:
     /// The cell's word; kEmptyWord where nothing can be hit.
     std::uint32_t emit(const CellLists& lists, const CellBox& box, std::uint32_t halvings) {
         if (lists.hittable.empty()) return kEmptyWord; // nothing can be hit where only slabs reach
-        const bool divisible = halvings < halvings_ && box.half_edge >= kHalfEdgeLeast * box.slack;
-        if (divisible && lists.hittable.size() > kDiscsMost) {
+        const bool divisible = halvings < halvings_ && box.half_edge >= kMinHalfEdge * box.slack;
+        if (divisible && lists.hittable.size() > kMaxDiscs) {
             const std::uint32_t word = halve(lists, box, halvings);
             if (word != kEmptyWord) return word;
         }
@@ -236,7 +236,7 @@ private:
             for (const CellDisc* disc : lists.blending) offer(*disc, boxes[h], halves[h]);
             listed += halves[h].hittable.size();
         }
-        if (listed > kListsMost * lists.hittable.size()) return kEmptyWord;
+        if (listed > kMaxListGrowth * lists.hittable.size()) return kEmptyWord;
         std::array<std::uint32_t, PRO_GROUP_WORDS> words;
         for (std::uint32_t h = 0; h < PRO_GROUP_WORDS; ++h) words[h] = emit(halves[h], boxes[h], halvings + 1);
         const auto group = static_cast<std::uint32_t>(part_.groups.size() / PRO_GROUP_WORDS);

@@ -56,7 +56,7 @@ std::uint32_t bits(std::int32_t value, std::uint32_t count) {
     return static_cast<std::uint32_t>(value) & ((1u << count) - 1);
 }
 
-constexpr float kHalfMost = 65504;
+constexpr float kMaxHalf = 65504;
 
 /// Exact for values that are halves.
 std::uint32_t toHalf(float value) {
@@ -108,9 +108,9 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
     Heights heights;
     for (const CellDisc* disc : discs) widen(heights, *disc, normal, box);
     const float lo = (heights.least - box.slack) * edges, hi = (heights.most + box.slack) * edges;
-    static constexpr float kMost = PRO_SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16
-                                                        // edge (kHalfEdgeLeast, kDeepest)
-    const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMost, kMost)); };
+    static constexpr float kMax = PRO_SLAB_HEIGHT_MAX; // an edge: beyond the corners of a cell with a slack of 1/16
+                                                       // edge (kMinHalfEdge, kDeepest)
+    const auto code = [](float height) { return static_cast<std::int32_t>(std::clamp(height, -kMax, kMax)); };
     std::uint32_t word = bits(code(std::ceil(hi * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);
     word = word << PRO_SLAB_HEIGHT_BITS | bits(code(std::floor(lo * PRO_SLAB_STEPS)), PRO_SLAB_HEIGHT_BITS);
     for (std::size_t axis = 3; axis-- > 0;)
@@ -157,7 +157,7 @@ void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std:
     std::vector<Place> places;
     places.reserve(discs.size());
     for (const CellDisc* disc : discs) places.push_back(placeIn(*disc, box));
-    const float codes = quarterOctaveBelow(std::min(kHalfMost, PRO_NEAR_POSITION_MAX / reachOf(places)));
+    const float codes = quarterOctaveBelow(std::min(kMaxHalf, PRO_NEAR_POSITION_MAX / reachOf(places)));
     for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
     if (discs.size() % 2) out.near.insert(out.near.end(), PRO_NEAR_WORDS, 0u); // its normal of 0 is never hit
     const auto count = static_cast<std::uint32_t>(discs.size());

@@ -103,7 +103,7 @@ private:
         constexpr std::uint32_t y = kBlockSide, z = kBlockSide * kBlockSide;
         const std::uint8_t* p = block.data() + at;
         const std::uint8_t least = std::min({p[1], p[y], p[1 + y], p[z], p[1 + z], p[y + z], p[1 + y + z]});
-        return std::min<std::uint8_t>(kSkippedMost, least + 1);
+        return std::min<std::uint8_t>(kMaxSkipped, least + 1);
     }
 
     /// Copies the skips of the grid cell beyond by the axes in side (bit 0: x, ...) to the block's rim.
@@ -118,7 +118,7 @@ private:
             last[axis] = crossed ? PRO_BRICK_SIDE : PRO_BRICK_SIDE - 1;
         }
         const std::uint32_t other = outside ? kNoBlock : blocks_[indexOf(beyond)];
-        const std::uint32_t reach = outside ? kSkippedMost * PRO_BRICK_SIDE : reach_[indexOf(beyond)];
+        const std::uint32_t reach = outside ? kMaxSkipped * PRO_BRICK_SIDE : reach_[indexOf(beyond)];
         Index at;
         for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
             for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
@@ -130,7 +130,7 @@ private:
                     }
                     // of an empty stretch of grid cells, what lies beyond this place in the first of them
                     const std::uint32_t left = reach - std::max({inside[0], inside[1], inside[2]});
-                    block[blockIndex(at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(kSkippedMost, left));
+                    block[blockIndex(at)] = static_cast<std::uint8_t>(std::min<std::uint32_t>(kMaxSkipped, left));
                 }
     }
 

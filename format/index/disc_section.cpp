@@ -13,7 +13,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Components of normals below are passed over: dividing by them would make more of rounding than cubes are taken
 /// larger by, a thousandth of their edge. What is found without them is no less true.
-constexpr float kLeastComponent = 1.0f / 64;
+constexpr float kMinComponent = 1.0f / 64;
 /// For the same reason discs of more than so many half edges are taken for planes.
 constexpr float kLargestRadius = 32;
 
@@ -54,7 +54,7 @@ struct Around {
 float reachOfSection(const PlacedDisc& disc, const Vector& along, float half) {
     float reach = kInfinity;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (std::fabs(disc.normal[axis]) < kLeastComponent) continue;
+        if (std::fabs(disc.normal[axis]) < kMinComponent) continue;
         const float multiple = along[axis] / disc.normal[axis];
         float sum = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -78,7 +78,7 @@ bool meetsCube(const PlacedDisc& disc, float half) {
     if (disc.radius > kLargestRadius * half) return true;
     Around around;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (std::fabs(disc.normal[axis]) < kLeastComponent) continue;
+        if (std::fabs(disc.normal[axis]) < kMinComponent) continue;
         for (const float side : {-half, half}) around.take(disc, (disc.center[axis] - side) / disc.normal[axis], half);
     }
     if (!around.isClosed()) return true;

@@ -17,12 +17,12 @@ namespace {
 constexpr std::uint64_t kWordsPerLeaf = 128;
 /// A brick's cells keep an edge of 32 position steps: planes and walks allow for 1.5 steps around a cell (kSlackSteps).
 constexpr std::uint32_t kDeepest = PRO_POSITION_BITS - PRO_GRID_SHIFT_MIN;
-constexpr std::uint64_t kWordsLeast = 1u << 15;
+constexpr std::uint64_t kMinWords = 1u << 15;
 
 /// Leaves above the grid are cut into its cells, where their splats are on more lists. That may make all lists longer
 /// by this factor; and cells below which the octree has leaves are cut further (format/index/bricks.cpp) where the
 /// lists of those would make rays test more discs by this factor.
-constexpr double kLongerMost = 1.6, kCrowdedMost = 1.1;
+constexpr double kMaxLonger = 1.6, kMaxCrowded = 1.1;
 
 using MemberCounts = std::array<double, PRO_MAX_DEPTH + 1>; ///< of the leaves at each depth
 
@@ -66,7 +66,7 @@ double testShare(const MemberCounts& members, std::uint32_t depth) {
 
 std::uint32_t preferredDepth(const MemberCounts& members) {
     auto depth = static_cast<std::uint32_t>(std::max_element(members.begin(), members.end()) - members.begin());
-    while (listShare(members, depth) > kLongerMost) --depth; // ends: no leaf is above depth 0
+    while (listShare(members, depth) > kMaxLonger) --depth; // ends: no leaf is above depth 0
     return depth;
 }
 
@@ -95,7 +95,7 @@ std::uint64_t wordCount(const EntryGrid& grid) { return std::uint64_t{grid.size[
 std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const EntryGrid& grid, std::uint32_t octant) {
     // a border of empty cells around the grid saves asking where it ends
     const std::array<std::size_t, 3> size{grid.size[0] + 2u, grid.size[1] + 2u, grid.size[2] + 2u};
-    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kSkippedMost), skips(filled.size());
+    std::vector<std::uint8_t> padded(size[0] * size[1] * size[2], kMaxSkipped), skips(filled.size());
     const std::array<std::ptrdiff_t, 3> stride{1, static_cast<std::ptrdiff_t>(size[0]),
                                                static_cast<std::ptrdiff_t>(size[0] * size[1])};
     std::ptrdiff_t toward[3];
@@ -112,7 +112,7 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
                 const std::ptrdiff_t dx = toward[0], dy = toward[1], dz = toward[2];
                 const std::uint8_t nearest =
                     std::min({at[dx], at[dy], at[dz], at[dx + dy], at[dx + dz], at[dy + dz], at[dx + dy + dz]});
-                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(kSkippedMost, nearest + 1);
+                *at = filled[cell] ? std::uint8_t{0} : std::min<std::uint8_t>(kMaxSkipped, nearest + 1);
                 skips[cell] = *at;
             }
     return skips;
@@ -122,13 +122,13 @@ std::vector<std::uint8_t> skipsTowards(const std::vector<char>& filled, const En
 
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest) {
     const std::uint64_t most =
-        std::clamp(kWordsPerLeaf * info.leaf_count, kWordsLeast, std::uint64_t{PRO_GRID_WORDS_MAX});
+        std::clamp(kWordsPerLeaf * info.leaf_count, kMinWords, std::uint64_t{PRO_GRID_WORDS_MAX});
     const std::span<const std::uint32_t> nodes(view.nodes, info.node_count);
     const MemberCounts members = countMembers(info, view);
     std::uint32_t depth = std::min({preferredDepth(members), kDeepest, deepest});
     EntryGrid grid = frameGrid(nodes, depth);
     while (wordCount(grid) > most) grid = frameGrid(nodes, --depth); // ends: at depth 0 there is one word
-    grid.uneven = testShare(members, depth) > kCrowdedMost;
+    grid.uneven = testShare(members, depth) > kMaxCrowded;
     return grid;
 }
 

@@ -51,7 +51,7 @@ void writeSkips(std::uint32_t& word, const Edges& edges) {
 }
 
 /// Whole edges of cubes larger than this make no difference to a code.
-constexpr auto kSkippedMost = static_cast<std::uint8_t>(PRO_SKIP_FARTHEST);
+constexpr auto kMaxSkipped = static_cast<std::uint8_t>(PRO_SKIP_FARTHEST);
 
 /// A grid without words over the leaves of a validated file, of cells at depth deepest of the octree or above.
 EntryGrid frameEntryGrid(const pro_info& info, const pro_view& view, std::uint32_t deepest = PRO_MAX_DEPTH);

@@ -13,7 +13,7 @@ namespace pointrt::format {
 namespace {
 
 constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
-constexpr std::uint64_t kNumbersMost = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
+constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
 constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< so are larger ones, infinite, negative or no number
 
 /// Words of LIST that a thread checks at once.
@@ -157,10 +157,10 @@ void report(const IndexTallies& tallies, const pro_index& index, Findings& findi
 
 void checkCounts(const pro_index& index, Findings& findings) {
     const std::uint64_t groups = std::uint64_t{index.brick_count} * kBrickGroups + index.group_count;
-    if (index.brick_count == 0 || groups > kNumbersMost || (index.uneven == 0 && index.group_count > 0))
+    if (index.brick_count == 0 || groups > kMaxNumbers || (index.uneven == 0 && index.group_count > 0))
         findings.add(Finding::kSectionCount, "an index of %u bricks and %u groups", index.brick_count,
                      index.group_count);
-    if (index.cell_count == 0 || index.cell_count > kNumbersMost)
+    if (index.cell_count == 0 || index.cell_count > kMaxNumbers)
         findings.add(Finding::kSectionCount, "an index of %u cells, not 1 to 2^27", index.cell_count);
     if (index.near_count % 2 != 0 || index.list_count % 4 != 0 || index.near_count > index.list_count ||
         index.list_count > PRO_INDEX_LISTED_MAX)

@@ -12,8 +12,8 @@
 
 #include "format/base/error.h"
 #include "format/index/build_index.h"
+#include "preprocess/app/bake_progress.h"
 #include "preprocess/app/interrupt.h"
-#include "preprocess/app/progress.h"
 #include "preprocess/octree/write.h"
 
 namespace pointrt {
@@ -75,7 +75,7 @@ std::string sourceName(const BakeOptions& options) {
 }
 
 /// Reasons found later than the reader belong to the inputs as a whole: they get their name here.
-Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, Progress& progress) {
+Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& report, BakeProgress& progress) {
     std::string stage;
     const std::uint64_t points = cloud.positions.size();
     const auto show = [&](const char* name, double share) {
@@ -108,7 +108,7 @@ TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& opt
 }
 
 void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report,
-           Progress& progress) {
+           BakeProgress& progress) {
     ProContent content;
     content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
     content.metadata = metadataJson(options);
@@ -132,7 +132,7 @@ BakeReport bake(const BakeOptions& options) {
     checkOutput(options);
     checkStats(options);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
-    Progress progress(options.verbosity, options.progress);
+    BakeProgress progress(options.verbosity, options.progress);
     const auto show = [&](double share) { progress.update(share); };
     BakeReport report;
 
@@ -153,8 +153,8 @@ BakeReport bake(const BakeOptions& options) {
     report.references_unpruned = report.splats + octree.refs.size();
     if (options.prune) {
         progress.begin("prune", report.splats);
-        report.harm_allowed = options.probes.harm;
-        report.pruning = pruneOctree(packed, options.probes, octree, show);
+        report.harm_allowed = options.pruning.harm;
+        report.pruning = pruneOctree(packed, options.pruning, octree, show);
     }
     freeScaffold(packed);
     store(options, packed, octree, report, progress);

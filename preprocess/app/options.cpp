@@ -7,6 +7,7 @@
 #include <map>
 
 #include "format/base/error.h"
+#include "preprocess/input/formats/formats.h"
 
 namespace pointrt {
 
@@ -60,6 +61,16 @@ CLI::Validator range(Value least, Value most) {
     return CLI::Range(least, most).description("");
 }
 
+void addInputFormat(CLI::App& app, std::string& format) {
+    std::vector<std::string> names;
+    for (const InputFormat* each : inputFormats()) names.emplace_back(each->name);
+    std::string list = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i) list += (i + 1 < names.size() ? ", " : " or ") + names[i];
+    app.add_option("--input-format", format, "Format: " + list + " (default: by content)")
+        ->check(CLI::IsMember(names).description(""))
+        ->type_name("NAME");
+}
+
 void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Scans in, scene out");
     app.add_option("input", options.inputs, "Scan files, merged into one cloud; - reads standard input")->required();
@@ -68,10 +79,7 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.add_flag_callback(
         "--compact", [&] { options.index = false; },
         "Leave the tracing index out: a file a quarter the size, which pointrt-view opens more slowly");
-    app.add_option("--input-format", options.read.format,
-                   "Format: ply, pcd, xyz, obj, off, drc or conf (default: by content)")
-        ->check(CLI::IsMember({"ply", "pcd", "xyz", "obj", "off", "drc", "conf"}).description(""))
-        ->type_name("NAME");
+    addInputFormat(app, options.read.format);
     app.add_option("--sample", options.read.sample_count,
                    "Points to spread over a mesh's faces, 1 to 2000000000 (default: its vertices)")
         ->check(range(std::uint64_t{1}, std::uint64_t{2000000000}))
@@ -110,10 +118,10 @@ void addOctreeOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("N");
     addChoice(app, "--prune", options.prune, kSwitch,
               "Drop references that probe rays show to be needless (default on)");
-    app.add_option("--probe-rays", options.probes.probe_rays, "Probes a leaf, 1 to 65536 (default 64)")
+    app.add_option("--probe-rays", options.pruning.probe_rays, "Probes a leaf, 1 to 65536 (default 64)")
         ->check(range(1u, 65536u))
         ->type_name("N");
-    app.add_option("--prune-harm", options.probes.harm,
+    app.add_option("--prune-harm", options.pruning.harm,
                    "Share of rays whose hit pruning may move by 1% of a radius, 1e-7 to 0.5 (default 0.0001)")
         ->check(range(1e-7, 0.5))
         ->type_name("H");
@@ -146,7 +154,7 @@ void checkOptions(BakeOptions& options) {
         usage("-: standard input can be read only once");
     if (!std::isfinite(options.surface.radius_scale)) usage("--radius-scale: must be a number");
     if (!std::isfinite(options.reflectivity)) usage("--reflectivity: must be a number");
-    options.probes.seed = options.read.seed;
+    options.pruning.seed = options.read.seed;
 }
 
 } // namespace
@@ -155,8 +163,8 @@ std::string choiceName(NormalSource source) { return nameIn(kNormalSources, sour
 std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }
 
 bool parseOptions(int argc, char** argv, BakeOptions& options) {
-    CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\n"
-                 "Reads PLY, PCD, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf sets.",
+    CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +
+                     " sets.",
                  "pointrt-bake"};
     app.footer("Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.");
     app.set_version_flag("--version", "pointrt-bake " POINTRT_VERSION);

@@ -12,7 +12,7 @@
 namespace pointrt {
 
 enum class Verbosity { kQuiet, kNormal, kDetailed };
-enum class ProgressStyle { kAuto, kLines }; ///< kLines: for programs, see Progress
+enum class ProgressStyle { kAuto, kLines }; ///< kLines: for programs, see BakeProgress
 
 struct BakeOptions {
     std::vector<std::string> inputs; ///< files, or "-" for standard input
@@ -26,7 +26,7 @@ struct BakeOptions {
     SurfaceOptions surface;
     OctreeOptions octree;
     bool prune = true;
-    PruneOptions probes;
+    PruneOptions pruning;
     bool index = true;      ///< write the tracing index
     float reflectivity = 0; ///< of the material, 0 to 1
 };

@@ -109,8 +109,8 @@ std::string metadataJson(const BakeOptions& options) {
     settings["max_leaf_splats"] = options.octree.max_leaf_splats;
     settings["max_depth"] = options.octree.max_depth;
     settings["prune"] = options.prune;
-    settings["probe_rays"] = options.probes.probe_rays;
-    settings["prune_harm"] = options.probes.harm;
+    settings["probe_rays"] = options.pruning.probe_rays;
+    settings["prune_harm"] = options.pruning.harm;
     settings["reflectivity"] = options.reflectivity;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace); // names need not be UTF-8
 }

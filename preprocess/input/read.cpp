@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "preprocess/input/detect.h"
+#include "preprocess/input/formats/detect.h"
 #include "preprocess/input/mesh.h"
 
 namespace pointrt {
@@ -17,7 +17,7 @@ void readFiles(const std::vector<std::string>& paths, const ReadOptions& options
                 progress((static_cast<double>(i) + share) / static_cast<double>(paths.size()));
             };
         const Source source = openSource(paths[i]);
-        chooseReader(source, options.format)(source, sink);
+        formatOf(source, options.format).read(source, sink);
     }
     if (progress) progress(1);
 }

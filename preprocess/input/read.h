@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct ReadOptions {
-    /// Format name for standard input or to overrule detection: ply, pcd, xyz, obj, off, drc, conf; "" detects.
+    /// Name of an InputFormat, for standard input or to overrule detection; "" detects.
     std::string format;
     /// Above 0, meshes are sampled with this many points spread over their area instead of by their vertices.
     std::uint64_t sample_count = 0;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "preprocess/cloud/morton.h"
+#include "preprocess/cloud/split_mix.h"
 #include "preprocess/input/mesh.h"
 
 namespace pointrt {
@@ -14,27 +16,6 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// A vertex normal further from the face's than this belongs to a sharp edge, not to a smooth surface.
 const double kSharpEdgeCos = std::cos(40 * M_PI / 180);
-
-/// splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014): one step from any state.
-std::uint64_t mixBits(std::uint64_t state) {
-    state += 0x9e3779b97f4a7c15u;
-    state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9u;
-    state = (state ^ (state >> 27)) * 0x94d049bb133111ebu;
-    return state ^ (state >> 31);
-}
-
-/// In [0, 1), a multiple of 2^-53.
-double unitShare(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
-
-/// The place of each bit in a number with two zeros between any two bits, for the lowest 21 bits.
-std::uint64_t spreadBits(std::uint64_t value) {
-    value &= 0x1fffff;
-    value = (value | value << 32) & 0x1f00000000ffff;
-    value = (value | value << 16) & 0x1f0000ff0000ff;
-    value = (value | value << 8) & 0x100f00f00f00f00f;
-    value = (value | value << 4) & 0x10c30c30c30c30c3;
-    return (value | value << 2) & 0x1249249249249249;
-}
 
 /// Faces along a Morton curve through their centres, so that strata of equal area are compact patches.
 std::vector<std::uint32_t> coherentOrder(const Cloud& cloud) {
@@ -48,9 +29,8 @@ std::vector<std::uint32_t> coherentOrder(const Cloud& cloud) {
                               cloud.positions[c].cast<double>()) /
                              3;
         const Vec3d cell = (centre - box.min().cast<double>()).cwiseMax(0) * scale;
-        std::uint64_t key = 0;
-        for (int axis = 0; axis < 3; ++axis) key |= spreadBits(static_cast<std::uint64_t>(cell[axis])) << axis;
-        keys.push_back(key);
+        const auto whole = [&](int axis) { return static_cast<std::uint64_t>(cell[axis]); };
+        keys.push_back(mortonCode(whole(0), whole(1), whole(2)));
     }
     std::vector<std::uint32_t> order(keys.size());
     std::iota(order.begin(), order.end(), 0u);

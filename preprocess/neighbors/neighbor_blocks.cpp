@@ -12,7 +12,7 @@ constexpr std::size_t kBlock = 16;
 
 /// Candidates that are worth looking at, for each point wanted: a block has about 16. With more it spans a jump of the
 /// curve, and its halves have less.
-constexpr std::size_t kMostPerWanted = 32;
+constexpr std::size_t kMaxPerWanted = 32;
 
 /// Far above what rounding takes from a distance, 2^-22 of it.
 constexpr float kMargin = 1.0001f;
@@ -24,7 +24,7 @@ constexpr std::size_t kLanes = 8;
 
 BlockSearch::BlockSearch(const Points& points, const NearestSearch& search, NeighborLists& lists)
     : points_(points), search_(search), lists_(lists), wanted_(lists.k + 1) {
-    const std::size_t most = kMostPerWanted * wanted_;
+    const std::size_t most = kMaxPerWanted * wanted_;
     near_.indices.resize(most);
     for (auto* values : {&near_.x, &near_.y, &near_.z, &squared_, &sorted_}) values->resize(most);
     kept_.resize(most + kLanes);

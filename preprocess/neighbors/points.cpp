@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "preprocess/cloud/bounds.h"
+#include "preprocess/cloud/morton.h"
 
 namespace pointrt::surface {
 namespace {
@@ -16,30 +17,19 @@ struct CurvePoint {
     std::uint32_t index;
 };
 
-/// Spreads the low 21 bits of value so that two zero bits follow each.
-std::uint64_t spreadBits(std::uint64_t value) {
-    value = (value | value << 32) & 0x001F00000000FFFFu;
-    value = (value | value << 16) & 0x001F0000FF0000FFu;
-    value = (value | value << 8) & 0x100F00F00F00F00Fu;
-    value = (value | value << 4) & 0x10C30C30C30C30C3u;
-    return (value | value << 2) & 0x1249249249249249u;
-}
-
-std::uint64_t mortonCode(const Vec3f& position, const Bounds& bounds, double steps_per_unit) {
-    std::uint64_t code = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double steps = (double(position[axis]) - bounds.low[axis]) * steps_per_unit;
-        code |= spreadBits(std::uint64_t(steps)) << axis;
-    }
-    return code;
+std::uint64_t codeOf(const Vec3f& position, const Bounds& bounds, double steps_per_unit) {
+    const auto steps = [&](int axis) {
+        return std::uint64_t((double(position[axis]) - bounds.low[axis]) * steps_per_unit);
+    };
+    return mortonCode(steps(0), steps(1), steps(2));
 }
 
 std::vector<CurvePoint> sortAlongCurve(const std::vector<Vec3f>& positions, const Bounds& bounds) {
-    constexpr double kSteps = double((1 << 21) - 1); // 21 bits an axis fill 63 of the code's 64
+    constexpr double kSteps = double((1 << kMortonBits) - 1);
     const double steps_per_unit = kSteps / bounds.longestEdge();
     std::vector<CurvePoint> order(positions.size());
     tbb::parallel_for(std::size_t(0), order.size(), [&](std::size_t i) {
-        order[i] = {mortonCode(positions[i], bounds, steps_per_unit), std::uint32_t(i)};
+        order[i] = {codeOf(positions[i], bounds, steps_per_unit), std::uint32_t(i)};
     });
     const auto key = [&](const CurvePoint& point) {
         const Vec3f& p = positions[point.index];

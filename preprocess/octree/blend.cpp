@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "format/base/blend_weight.h"
+
 // One binary for all processors, twice as fast on those with AVX2. Both versions add in the same order and round the
 // same way (no fused operations), so that it makes no difference to the result.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
@@ -115,9 +117,8 @@ POINTRT_WIDE float weighAt(DiscList& list, const Vec3f& point, const Vec3f& side
         const Lanes to_viewer = list.oriented ? given : (cosine < 0.0f ? -one : one);
         const Lanes in_plane = 1.0f - (x * x + y * y + z * z - h2) / r2;
         const Lanes in_slab = 1.0f - h2 / (kSlabSquared * r2);
-        const Lanes product = in_plane * in_slab;
-        const auto counts = (to_viewer * cosine > kSameSideCosine) & (in_plane > 0.0f) & (in_slab > 0.0f);
-        const Lanes weight = counts ? product * product : zero;
+        const Lanes weight =
+            BLEND_COUNTS(to_viewer * cosine, in_plane, in_slab) ? BLEND_WEIGHT(in_plane, in_slab) : zero;
         STORE(list.weight, i, weight);
         STORE(list.height, i, to_viewer * h);
         STORE(list.turn, i, to_viewer);

@@ -10,13 +10,6 @@
 
 namespace pointrt {
 
-/// Discs blend when their normals differ by less than 60 degrees, so that the two sides of an edge or of a thin
-/// sheet stay apart. Without orientation the sign of the normals says nothing and is left out.
-constexpr float kSameSideCosine = 0.5f;
-
-/// What the weights at a point lack to this the disc hit first fills up (shaders/surface/blend.glsl).
-constexpr float kWeightFloor = 0.5f;
-
 /// A leaf's discs, one array a coordinate, padded to whole vectors with discs that nothing hits.
 struct DiscList {
     std::array<std::vector<float>, 3> center, normal;
@@ -56,7 +49,7 @@ FirstHits castRay(DiscList& list, const Vec3f& origin, const Vec3f& direction, f
 
 /// Fills weight, height and turn at a point and returns the weight of the discs not kept. side is a unit normal
 /// towards the viewer; front turns oriented normals to that side.
-/// A weight is (1 - d^2/r^2)^2 (1 - h^2/s^2)^2: zero with zero slope at the rim and at the slab's faces.
+/// Weights are those of format/base/blend_weight.h.
 float weighAt(DiscList& list, const Vec3f& point, const Vec3f& side, float front);
 
 /// Weighted sums of the field over some of the discs.

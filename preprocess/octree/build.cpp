@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "format/base/error.h"
+#include "preprocess/cloud/morton.h"
 #include "preprocess/octree/octree.h"
 #include "preprocess/octree/task_progress.h"
 

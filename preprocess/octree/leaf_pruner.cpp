@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "format/base/blend_weight.h"
+
 namespace pointrt {
 
 namespace {
@@ -149,7 +151,7 @@ bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
 /// The sums at the point last weighed, filled up to the least weight: fillUp of shaders/surface/blend.glsl.
 FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
     FieldSums field = sumField(list_, only_kept);
-    const float missing = std::max(kWeightFloor - field.weight, 0.0f);
+    const float missing = std::max(BLEND_WEIGHT_FLOOR - field.weight, 0.0f);
     field.weight += missing;
     field.height += missing * list_.height[hit.disc];
     field.normal += missing * hit.normal;

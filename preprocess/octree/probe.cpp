@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "format/base/blend_weight.h"
+#include "preprocess/cloud/split_mix.h"
+
 namespace pointrt {
 
 namespace {
@@ -15,14 +18,6 @@ constexpr std::array<double, 5> kSteps{0.8812714616335696, 0.7766393890897683, 0
                                        0.5315553977157914};
 
 constexpr float kFullTurn = 6.28318530718f;
-
-/// SplitMix64: decorrelates the sequences of neighbouring leaves.
-std::uint64_t mix(std::uint64_t x) {
-    x += 0x9E3779B97F4A7C15u;
-    x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
-    x = (x ^ x >> 27) * 0x94D049BB133111EBu;
-    return x ^ x >> 31;
-}
 
 /// Length of the line inside the box, from a point in it.
 float exitDistance(const Box& box, const Vec3f& p, const Vec3f& direction) {
@@ -37,10 +32,10 @@ float exitDistance(const Box& box, const Vec3f& p, const Vec3f& direction) {
 } // namespace
 
 ProbeSequence::ProbeSequence(std::uint64_t seed, std::uint64_t leaf) {
-    std::uint64_t state = mix(seed ^ mix(leaf));
+    std::uint64_t state = mixBits(seed ^ mixBits(leaf));
     for (double& offset : offsets_) {
-        state = mix(state);
-        offset = static_cast<double>(state >> 11) * 0x1p-53;
+        state = mixBits(state);
+        offset = unitShare(state);
     }
 }
 
@@ -85,8 +80,7 @@ float weightAt(const Disc& disc, const Vec3f& point, float slab) {
     const float r2 = disc.radius * disc.radius, height = disc.normal.dot(offset);
     const float in_plane = 1.0f - (offset.squaredNorm() - height * height) / r2;
     const float in_slab = 1.0f - height * height / (slab * slab * r2);
-    if (in_plane <= 0.0f || in_slab <= 0.0f) return 0.0f;
-    return in_plane * in_plane * in_slab * in_slab;
+    return BLEND_IS_IN_REACH(in_plane, in_slab) ? BLEND_WEIGHT(in_plane, in_slab) : 0.0f;
 }
 
 bool contains(const Box& box, const Vec3f& p) {

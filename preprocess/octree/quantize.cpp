@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preprocess/cloud/morton.h"
+
 namespace pointrt {
 
 namespace {
@@ -84,29 +86,10 @@ Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
 
 std::uint64_t mortonOf(const Vec3f& cube_position) {
     const auto code = [](float v) { return static_cast<std::uint32_t>(v * PRO_POSITION_STEPS); };
-    return spreadBits(code(cube_position.x())) | spreadBits(code(cube_position.y())) << 1 |
-           spreadBits(code(cube_position.z())) << 2;
+    return mortonCode(code(cube_position.x()), code(cube_position.y()), code(cube_position.z()));
 }
 
 } // namespace
-
-std::uint64_t spreadBits(std::uint32_t v) {
-    std::uint64_t x = v & PRO_POSITION_MASK;
-    x = (x | x << 32) & 0x001F00000000FFFFu;
-    x = (x | x << 16) & 0x001F0000FF0000FFu;
-    x = (x | x << 8) & 0x100F00F00F00F00Fu;
-    x = (x | x << 4) & 0x10C30C30C30C30C3u;
-    return (x | x << 2) & 0x1249249249249249u;
-}
-
-std::uint32_t collectBits(std::uint64_t v) {
-    v &= 0x1249249249249249u;
-    v = (v | v >> 2) & 0x10C30C30C30C30C3u;
-    v = (v | v >> 4) & 0x100F00F00F00F00Fu;
-    v = (v | v >> 8) & 0x001F0000FF0000FFu;
-    v = (v | v >> 16) & 0x001F00000000FFFFu;
-    return static_cast<std::uint32_t>((v | v >> 32) & PRO_POSITION_MASK);
-}
 
 PackedSplats quantizeSplats(Splats&& splats) {
     PackedSplats packed;

@@ -24,7 +24,7 @@ struct PackedSplats {
     std::vector<std::array<std::uint32_t, PRO_SPLAT_WORDS>> words;
     std::vector<Disc> discs;
     std::vector<Rgb8> colors;               ///< sRGB, or empty
-    std::vector<std::uint64_t> morton;      ///< 63 bits: x in bit 0, y in bit 1, z in bit 2 of each triple
+    std::vector<std::uint64_t> morton;      ///< codes of the positions (preprocess/cloud/morton.h)
     std::vector<std::uint32_t> input_index; ///< in the cloud as read
     std::size_t merged = 0;                 ///< splats dropped because another has the same quantised position
 };
@@ -40,10 +40,5 @@ constexpr double kLeafEdgeRadii = 8.0;
 
 /// splats is emptied. The cube is centred on the discs and holds all of them.
 PackedSplats quantizeSplats(Splats&& splats);
-
-/// Spreads the low 21 bits of v to every third bit.
-std::uint64_t spreadBits(std::uint32_t v);
-/// Collects every third bit of v into 21 bits; the inverse of spreadBits.
-std::uint32_t collectBits(std::uint64_t v);
 
 } // namespace pointrt

@@ -34,7 +34,7 @@ constexpr float kCapSpacings = 2;
 constexpr float kLoneSpacings = 4;
 
 /// Where even distances vanish: finer than the positions of a cloud whose extent is about 1.
-constexpr float kLeastRadius = 0x1p-24f;
+constexpr float kMinRadius = 0x1p-24f;
 
 /// Radii above kLimit times the kLimitShare quantile shrink to that: it touches one point in a thousand at most, so
 /// that a sparse part of a scan keeps its discs. Measured on airborne, indoor and statue scans, whose largest radius is
@@ -42,7 +42,7 @@ constexpr float kLeastRadius = 0x1p-24f;
 constexpr float kLimit = 1.5f;
 constexpr double kLimitShare = 0.999;
 /// With fewer points a thousandth of them says nothing.
-constexpr std::size_t kLimitLeastPoints = 10000;
+constexpr std::size_t kMinLimitPoints = 10000;
 
 struct RadiusJob {
     const Points& points;
@@ -156,7 +156,7 @@ float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std
     verifyCorners(job, point, plane, cell);
     // Points along a line have no closed corner: half way to the second neighbour covers the line.
     const std::size_t second = std::min<std::size_t>(1, job.lists.k - 1);
-    const float half_way = std::max(std::min(job.lists.distance(job.points, point, second) / 2, cap), kLeastRadius);
+    const float half_way = std::max(std::min(job.lists.distance(job.points, point, second) / 2, cap), kMinRadius);
     const float closed = cell.closedReach(cap);
     const float widest = kOverlap * std::max(closed, half_way);
     const float least = std::max(kRimOverlap * closed, kOverlap * half_way);
@@ -178,7 +178,7 @@ std::vector<float> discRadii(const Points& points, const NeighborLists& lists, c
 }
 
 void limitRadii(std::vector<float>& radii) {
-    if (radii.size() < kLimitLeastPoints) return;
+    if (radii.size() < kMinLimitPoints) return;
     std::vector<float> sorted = radii;
     const auto at = sorted.begin() + std::ptrdiff_t(kLimitShare * double(sorted.size()));
     std::nth_element(sorted.begin(), at, sorted.end());

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #ifndef POINTRT_SHADERS_BLEND_GLSL
 #define POINTRT_SHADERS_BLEND_GLSL
+#include "format/base/blend_weight.h"
 #include "shaders/trace/entry_grid.glsl"
 #include "shaders/trace/splat.glsl"
 
 // A surface, not confetti: around the first hit, the splats of its cell blend position, normal and colour.
-// Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point is
-// (1 - d^2/r^2)^2 (1 - h^2/s^2)^2 with d in the disc, h across it, s the slab's half height: zero with zero slope at
-// the rim and at the slab's faces, so the blended field has no steps. A cell lists every splat whose slab meets it,
-// so the field at a point is that of the cell that holds the point, and the same from either side of a border. The
-// surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
+// Each disc carries a slab (blend_slab radii to either side). A splat's weight at a point (format/base/blend_weight.h)
+// is zero with zero slope at the rim and at the slab's faces, so the blended field has no steps. A cell lists every
+// splat whose slab meets it, so the field at a point is that of the cell that holds the point, and the same from either
+// side of a border. The surface is where the weighted mean of the heights vanishes (Adamson and Alexa, Approximating and Intersecting
 // Surfaces from Points, 2003); two Newton steps along the ray find it.
 
 // In the instance's cube.
@@ -22,12 +22,6 @@ struct BlendedSurface {
     uint splat; // hit first
     bool back;  // seen from behind, where normals tell
 };
-
-// Discs blend when their normals differ by less than 60 degrees; the sides of an edge or a thin sheet stay apart.
-const float kSameSideCosine = 0.5;
-
-// Below the least sum of weights that an even sampling leaves anywhere, 0.63 (kOverlap in the bake sees to that).
-const float kWeightFloor = 0.5;
 
 // Lengths in position codes.
 struct Field {
@@ -58,10 +52,10 @@ vec4 codingInCodes() {
 
 // Weights of two splats. turn: the signs that turn their normals to side.
 vec2 blendWeights(vec2 cosine, vec2 turn, vec2 in_plane, vec2 in_slab, bvec2 there) {
-    vec2 root = in_plane * in_slab, facing = turn * cosine;
-    bool first = there.x && facing.x > kSameSideCosine && in_plane.x > 0.0 && in_slab.x > 0.0;
-    bool second = there.y && facing.y > kSameSideCosine && in_plane.y > 0.0 && in_slab.y > 0.0;
-    return mix(vec2(0.0), root * root, bvec2(first, second));
+    vec2 facing = turn * cosine;
+    bool first = there.x && BLEND_COUNTS(facing.x, in_plane.x, in_slab.x);
+    bool second = there.y && BLEND_COUNTS(facing.y, in_plane.y, in_slab.y);
+    return mix(vec2(0.0), BLEND_WEIGHT(in_plane, in_slab), bvec2(first, second));
 }
 
 // Adds the shares of two splats, where they are there. Two, because on processors a splat's share takes its chain of
@@ -90,10 +84,10 @@ void addToField(inout Field field, uvec4 first, uvec4 second, bvec2 there, vec4 
     field.heaviest = heaviest ? heavier : field.heaviest;
 }
 
-// What is missing to kWeightFloor is filled up by the disc hit first, whose plane goes on beyond its rim: where hardly
+// What is missing to BLEND_WEIGHT_FLOOR is filled up by the disc hit first, whose plane goes on beyond its rim: where hardly
 // anything else blends, at rims that stick out and at borders, the surface passes into the flat disc without a step.
 void fillUp(inout Field field, uvec4 words, vec4 coding, Probe probe) {
-    float missing = max(kWeightFloor - field.weight, 0.0);
+    float missing = max(BLEND_WEIGHT_FLOOR - field.weight, 0.0);
     field.weight += missing;
     field.height += missing * dot(probe.side, probe.point - firstOf(positionCodes(words, words)));
     field.normal += missing * probe.side;

@@ -11,7 +11,7 @@
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
 
-#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/formats/formats.h"
 
 namespace pointrt {
 namespace {
@@ -195,8 +195,6 @@ void addFaces(const Source& source, const draco::Mesh& mesh, Sink& sink) {
     }
 }
 
-} // namespace
-
 void readDraco(const Source& source, Sink& sink) {
     checkCounts(source);
     const Decoded decoded = decode(source);
@@ -204,5 +202,16 @@ void readDraco(const Source& source, Sink& sink) {
     if (decoded.mesh) addFaces(source, *decoded.mesh, sink);
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kDraco{
+    .name = "drc",
+    .title = "Draco",
+    .suffixes = "drc",
+    .content = Content::kAny,
+    .isStart = [](std::string_view bytes) { return bytes.starts_with("DRACO"); },
+    .read = readDraco,
+};
 
 } // namespace pointrt

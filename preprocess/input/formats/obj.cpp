@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wavefront OBJ: positions, vertex colours after them, normals, faces.
-#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/formats/formats.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -142,7 +142,12 @@ void addVertices(const Model& model, const std::vector<Vec3f>* normals, Sink& si
     }
 }
 
-} // namespace
+/// "v" or "vn" and a number: files may start with others.
+bool isVertexLine(std::string_view line, bool) {
+    const std::string_view word = nextWord(line);
+    double value = 0;
+    return (word == "v" || word == "vn") && wholeNumber(nextWord(line), value);
+}
 
 void readObj(const Source& source, Sink& sink) {
     Model model = parseModel(source);
@@ -161,5 +166,16 @@ void readObj(const Source& source, Sink& sink) {
     }
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kObj{
+    .name = "obj",
+    .title = "OBJ",
+    .suffixes = "obj",
+    .content = Content::kText,
+    .isLine = isVertexLine,
+    .read = readObj,
+};
 
 } // namespace pointrt

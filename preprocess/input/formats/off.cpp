@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Object File Format of Geomview (OFF, COFF, NOFF, CNOFF), as text.
-#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/formats/formats.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -122,7 +122,10 @@ void readFaces(const Source& source, const Header& header, Lines& lines, Sink& s
     }
 }
 
-} // namespace
+bool isKeywordLine(std::string_view line, bool first) {
+    const std::string_view word = nextWord(line);
+    return first && word.ends_with("OFF") && word.size() <= 9; // the longest is ST, C, N, 4 and n before it
+}
 
 void readOff(const Source& source, Sink& sink) {
     Lines lines{source.bytes};
@@ -138,5 +141,16 @@ void readOff(const Source& source, Sink& sink) {
     readFaces(source, header, lines, sink);
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kOff{
+    .name = "off",
+    .title = "OFF",
+    .suffixes = "off",
+    .content = Content::kText,
+    .isLine = isKeywordLine,
+    .read = readOff,
+};
 
 } // namespace pointrt

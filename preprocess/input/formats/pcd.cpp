@@ -3,9 +3,9 @@
 #include <bit>
 #include <cmath>
 
+#include "preprocess/input/formats/formats.h"
 #include "preprocess/input/formats/lzf.h"
 #include "preprocess/input/formats/pcd_header.h"
-#include "preprocess/input/formats/readers.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -118,7 +118,11 @@ ScanTraits traitsOf(const PcdHeader& header) {
     return traits;
 }
 
-} // namespace
+/// Files without the comment at their start.
+bool isFirstPcdLine(std::string_view line, bool first) {
+    const std::string_view word = nextWord(line);
+    return first && (word == "VERSION" || word == "FIELDS" || word == "COLUMNS");
+}
 
 void readPcd(const Source& source, Sink& sink) {
     const PcdHeader header = readPcdHeader(source);
@@ -133,5 +137,17 @@ void readPcd(const Source& source, Sink& sink) {
         readBytes(header, header.data == PcdData::kBinary ? header.body.data() : unpacked.data(), sink);
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kPcd{
+    .name = "pcd",
+    .title = "PCD",
+    .suffixes = "pcd",
+    .content = Content::kAny,
+    .isStart = [](std::string_view bytes) { return bytes.starts_with("# .PCD"); },
+    .isLine = isFirstPcdLine,
+    .read = readPcd,
+};
 
 } // namespace pointrt

@@ -104,8 +104,8 @@ void settleField(const Source& source, PcdField& field) {
 }
 
 void settleFields(const Source& source, PcdHeader& header) {
-    constexpr std::size_t kMostFields = 1 << 16;
-    if (header.fields.size() > kMostFields) refuse(source, "more than 65536 fields");
+    constexpr std::size_t kMaxFields = 1 << 16;
+    if (header.fields.size() > kMaxFields) refuse(source, "more than 65536 fields");
     std::vector<Role> roles;
     for (PcdField& field : header.fields) {
         settleField(source, field);

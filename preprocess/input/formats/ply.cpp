@@ -2,8 +2,8 @@
 // The PLY format: Greg Turk, "The PLY Polygon File Format", 1994.
 #include <algorithm>
 
+#include "preprocess/input/formats/formats.h"
 #include "preprocess/input/formats/ply_header.h"
-#include "preprocess/input/formats/readers.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -173,8 +173,6 @@ ScanTraits traitsOf(const PlyHeader& header) {
     return traits;
 }
 
-} // namespace
-
 void readPly(const Source& source, Sink& sink) {
     const PlyHeader header = readPlyHeader(source);
     beginScan(sink, source, traitsOf(header));
@@ -186,5 +184,16 @@ void readPly(const Source& source, Sink& sink) {
             .read();
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kPly{
+    .name = "ply",
+    .title = "PLY",
+    .suffixes = "ply",
+    .content = Content::kAny,
+    .isStart = [](std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); },
+    .read = readPly,
+};
 
 } // namespace pointrt

@@ -2,7 +2,7 @@
 // Point lists as text: a point a line, in columns.
 #include <optional>
 
-#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/formats/formats.h"
 #include "preprocess/input/formats/xyz_columns.h"
 #include "preprocess/input/source/text.h"
 
@@ -66,10 +66,10 @@ std::optional<std::string_view> commentText(std::string_view line) {
 }
 
 std::vector<Role> rolesOfHeader(std::string_view line) {
-    constexpr std::size_t kMostColumns = 4096;
+    constexpr std::size_t kMaxColumns = 4096;
     std::vector<Role> roles;
     Fields fields{line, delimiterOf(line)};
-    for (std::string_view field; roles.size() < kMostColumns && fields.next(field);) {
+    for (std::string_view field; roles.size() < kMaxColumns && fields.next(field);) {
         const std::string_view name = Fields::trim(field.substr(0, field.find_first_of("[(")));
         roles.push_back(roleOfName(name));
     }
@@ -98,7 +98,7 @@ LineShape shapeOf(std::string_view line) {
 bool isCount(const LineShape& shape) { return shape.fields == 1 && shape.whole; }
 
 void takeCount(const Source& source, std::string_view line, Layout& layout) {
-    if (layout.counted) refuse(source, fmt::format("is a PTX scan; this build reads {}", kReadableFormats));
+    if (layout.counted) refuse(source, fmt::format("is a PTX scan; this build reads {}", readableFormats()));
     layout.counted = true;
     wholeInteger(line, layout.counted_points);
 }
@@ -176,7 +176,7 @@ std::uint64_t forEachRow(const Source& source, const Layout& layout, const std::
 void guessRoles(const Source& source, Layout& layout) {
     const std::size_t extras = layout.columns - 3;
     ColumnStatistics statistics;
-    if (extras > 1 && extras <= ColumnStatistics::kMost)
+    if (extras > 1 && extras <= ColumnStatistics::kMax)
         forEachRow(source, layout, std::vector<bool>(layout.columns, true),
                    [&](const double* values) { observe(statistics, values + 3, extras); });
     ColumnGuess guess = guessColumns(statistics, layout.columns);
@@ -192,8 +192,6 @@ ScanTraits traitsOf(const Layout& layout) {
     traits.vertices = layout.data.size() / layout.first_line_size + 1;
     return traits;
 }
-
-} // namespace
 
 void readXyz(const Source& source, Sink& sink) {
     Layout layout = readPrologue(source);
@@ -211,5 +209,15 @@ void readXyz(const Source& source, Sink& sink) {
         refuse(source, fmt::format("cut short: {} of {} points are there", sink.vertices, announced));
     finishScan(sink, source);
 }
+
+} // namespace
+
+const InputFormat formats::kXyz{
+    .name = "xyz",
+    .title = "XYZ/PTS/ASC/TXT/CSV",
+    .suffixes = "xyz pts asc txt csv",
+    .content = Content::kColumns,
+    .read = readXyz,
+};
 
 } // namespace pointrt

@@ -71,7 +71,7 @@ ColumnStatistics::ColumnStatistics() {
 }
 
 void observe(ColumnStatistics& statistics, const double* extras, std::size_t count) {
-    count = std::min(count, ColumnStatistics::kMost);
+    count = std::min(count, ColumnStatistics::kMax);
     for (std::size_t i = 0; i < count; ++i) {
         const double value = extras[i];
         statistics.whole[i] = statistics.whole[i] && value == std::trunc(value);

@@ -12,14 +12,14 @@ namespace pointrt {
 
 /// What all rows say about the columns after x, y and z.
 struct ColumnStatistics {
-    static constexpr std::size_t kMost = 7; ///< columns after x, y, z that are looked at
-    std::array<bool, kMost> whole;          ///< only whole numbers
-    std::array<bool, kMost> unit;           ///< unit length, this column and the next two
-    std::array<double, kMost> least, most;
+    static constexpr std::size_t kMax = 7; ///< columns after x, y, z that are looked at
+    std::array<bool, kMax> whole;          ///< only whole numbers
+    std::array<bool, kMax> unit;           ///< unit length, this column and the next two
+    std::array<double, kMax> least, most;
     ColumnStatistics();
 };
 
-/// Takes the row's values after x, y, z into account, at most kMost of them.
+/// Takes the row's values after x, y, z into account, at most kMax of them.
 void observe(ColumnStatistics& statistics, const double* extras, std::size_t count);
 
 struct ColumnGuess {

@@ -8,7 +8,7 @@ namespace pointrt {
 namespace {
 
 constexpr Rgb8 kGrey = {200, 200, 200};
-constexpr std::uint64_t kMostPoints = kNoSensor - 1;
+constexpr std::uint64_t kMaxPoints = kNoSensor - 1;
 
 /// Grows by half at least, so that many small files do not copy the cloud over and over.
 template <typename Item>
@@ -99,8 +99,8 @@ void settleTriangles(Sink& sink, const Source& source) {
 
 void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     Cloud& cloud = sink.cloud;
-    if (traits.vertices > kMostPoints - cloud.positions.size())
-        refuse(source, fmt::format("more than {} points in all", kMostPoints));
+    if (traits.vertices > kMaxPoints - cloud.positions.size())
+        refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     sink.traits = traits;
     sink.vertices = 0;
     sink.dropped.clear();
@@ -126,8 +126,8 @@ void addVertex(Sink& sink, const Row& row) {
     constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
     if (index % kStep == 0 && sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
-    if (index >= kMostPoints)
-        throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMostPoints));
+    if (index >= kMaxPoints)
+        throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
     if (!addPosition(sink.cloud, position)) {
         sink.dropped.push_back(static_cast<std::uint32_t>(index));
         return;
@@ -146,7 +146,7 @@ void finishScan(Sink& sink, const Source& source) {
     const std::size_t kept = cloud.positions.size() - sink.first_position;
     if (sink.vertices == 0) refuse(source, "holds no points");
     if (kept == 0) refuse(source, fmt::format("none of its {} points is finite", sink.vertices));
-    if (cloud.positions.size() > kMostPoints) refuse(source, fmt::format("more than {} points in all", kMostPoints));
+    if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     scaleWideColors(sink);
     settleTriangles(sink, source);
     fillMissing(cloud);

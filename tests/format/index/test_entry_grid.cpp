@@ -51,7 +51,7 @@ public:
     /// Side of the largest empty cube there, as far as skips tell.
     std::uint32_t emptyTowards(const Corner& at, std::uint32_t octant) const {
         std::uint32_t cells = 0;
-        while (cells < kSkippedMost && filledTowards(at, octant, cells + 1) == 0) ++cells;
+        while (cells < kMaxSkipped && filledTowards(at, octant, cells + 1) == 0) ++cells;
         return cells;
     }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "preprocess/cloud/morton.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "preprocess/surface/orient_tree.h"
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

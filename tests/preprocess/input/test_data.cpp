@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Real scans, where there are some: POINTRT_DATA names a folder with truth.json.
-#include "input_test.h"
+#include "tests/preprocess/input/input_fixture.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "preprocess/input/detect.h"
-#include "preprocess/input/formats/readers.h"
+#include "preprocess/input/formats/detect.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -60,14 +59,12 @@ Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from
 
 void readScan(const Placement& placement, const std::filesystem::path& folder, Sink& sink) {
     const Source scan = openSource((folder / placement.file).string());
-    const Reader reader = chooseReader(scan, "");
-    if (reader == readConf) refuse(scan, "a .conf file cannot be a scan of another");
+    const InputFormat& format = formatOf(scan, "");
+    if (&format == &formats::kConf) refuse(scan, "a .conf file cannot be a scan of another");
     sink.world_from_scan = placement.world_from_scan;
-    reader(scan, sink);
+    format.read(scan, sink);
     setSensor(sink.cloud, sink.scans.back(), sensorOf(sink.cloud, sink.scans.back(), placement.world_from_scan));
 }
-
-} // namespace
 
 void readConf(const Source& source, Sink& sink) {
     const std::vector<Placement> placements = parsePlacements(source);
@@ -86,5 +83,16 @@ void readConf(const Source& source, Sink& sink) {
     sink.world_from_scan.reset();
     sink.progress = whole_progress;
 }
+
+} // namespace
+
+const InputFormat formats::kConf{
+    .name = "conf",
+    .title = "Stanford .conf",
+    .suffixes = "conf",
+    .content = Content::kText,
+    .isLine = [](std::string_view line, bool) { return nextWord(line) == "bmesh"; },
+    .read = readConf,
+};
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/app/progress.h"
+#include "preprocess/app/bake_progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -39,16 +39,16 @@ double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::stea
 
 } // namespace
 
-Progress::Progress(Verbosity verbosity, ProgressStyle style)
+BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style)
     : verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1), lines_(style == ProgressStyle::kLines),
       start_(Clock::now()), stage_start_(start_), drawn_(start_) {}
 
 /// Leaves no half-drawn line before an error message.
-Progress::~Progress() {
+BakeProgress::~BakeProgress() {
     if (line_open_) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::begin(const std::string& name, std::uint64_t points) {
+void BakeProgress::begin(const std::string& name, std::uint64_t points) {
     end();
     stage_ = name;
     points_ = points;
@@ -56,9 +56,9 @@ void Progress::begin(const std::string& name, std::uint64_t points) {
     if (lines_) writeLine(0, 0);
 }
 
-void Progress::finish() { end(); }
+void BakeProgress::finish() { end(); }
 
-void Progress::update(double share) {
+void BakeProgress::update(double share) {
     if (!lines_ && (verbosity_ == Verbosity::kQuiet || !terminal_)) return;
     const auto now = Clock::now();
     if (now - drawn_ < kRedrawInterval) return;
@@ -70,19 +70,19 @@ void Progress::update(double share) {
         redraw(share, elapsed_s);
 }
 
-double Progress::totalSeconds() const { return secondsBetween(start_, Clock::now()); }
+double BakeProgress::totalSeconds() const { return secondsBetween(start_, Clock::now()); }
 
-double Progress::rate(double share, double elapsed_s) const {
+double BakeProgress::rate(double share, double elapsed_s) const {
     if (elapsed_s < std::chrono::duration<double>(kRedrawInterval).count()) return 0; // too short to go by
     return share * static_cast<double>(points_) / elapsed_s;
 }
 
-void Progress::writeLine(double share, double elapsed_s) {
+void BakeProgress::writeLine(double share, double elapsed_s) {
     whole_share_ = std::max(whole_share_, wholeShare(stage_, share));
     fmt::print(stderr, "progress {:.4f} {} {:.0f}\n", whole_share_, stage_, rate(share, elapsed_s));
 }
 
-void Progress::redraw(double share, double elapsed_s) {
+void BakeProgress::redraw(double share, double elapsed_s) {
     std::string line = fmt::format("\r\033[K{:<10} {:3.0f}%", stage_, 100 * share);
     const double points_per_s = rate(share, elapsed_s);
     if (points_per_s > 0) line += fmt::format("  {:.0f} points/s", points_per_s);
@@ -92,7 +92,7 @@ void Progress::redraw(double share, double elapsed_s) {
     line_open_ = true;
 }
 
-void Progress::end() {
+void BakeProgress::end() {
     if (stage_.empty()) return;
     const double elapsed_s = secondsBetween(stage_start_, Clock::now());
     const auto known = std::find_if(seconds_.begin(), seconds_.end(), [&](const auto& s) { return s.first == stage_; });

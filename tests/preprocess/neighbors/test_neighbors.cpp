@@ -6,7 +6,7 @@
 
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/surface/lines.h"
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

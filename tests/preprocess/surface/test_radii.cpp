@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

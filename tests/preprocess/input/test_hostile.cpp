@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Damaged files: each byte of a small good file changed to telling values, read or refused, never anything else.
-#include "input_test.h"
+#include "tests/preprocess/input/input_fixture.h"
 
 namespace pointrt {
 namespace {

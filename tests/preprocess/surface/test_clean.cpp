@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

@@ -5,32 +5,19 @@
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <string>
-#include <unistd.h>
 
 #include "format/base/error.h"
 #include "preprocess/input/read.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt {
 
 /// A folder of its own for each test, gone with it.
 class InputTest : public testing::Test {
 protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder = std::filesystem::temp_directory_path() / ("pointrt_" + std::string(info->test_suite_name()) + "_" +
-                                                           info->name() + "_" + std::to_string(getpid()));
-        std::filesystem::create_directories(folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder); }
-
-    std::string write(const std::string& name, const std::string& bytes) const {
-        const auto path = folder / name;
-        std::ofstream(path, std::ios::binary) << bytes;
-        return path.string();
-    }
+    std::string write(const std::string& name, const std::string& bytes) const { return temporary.write(name, bytes); }
 
     static Cloud read(const std::string& path, const ReadOptions& options = {}) { return readInputs({path}, options); }
     Cloud readText(const std::string& name, const std::string& bytes) const { return read(write(name, bytes)); }
@@ -65,7 +52,8 @@ protected:
         }
     }
 
-    std::filesystem::path folder;
+    test::TemporaryFolder temporary;
+    const std::filesystem::path& folder = temporary.path;
     static inline ExitCode last_code = ExitCode::kDone;
 };
 

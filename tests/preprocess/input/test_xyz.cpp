@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "input_test.h"
+#include "tests/preprocess/input/input_fixture.h"
 
 namespace pointrt {
 namespace {

@@ -15,10 +15,10 @@
 namespace pointrt {
 
 /// Times the stages of a bake and shows them. Not thread-safe: callers hand over one call at a time.
-class Progress {
+class BakeProgress {
 public:
-    explicit Progress(Verbosity verbosity, ProgressStyle style = ProgressStyle::kAuto);
-    ~Progress();
+    explicit BakeProgress(Verbosity verbosity, ProgressStyle style = ProgressStyle::kAuto);
+    ~BakeProgress();
 
     /// Ends the stage before and starts name. points is what the rate is counted in, 0 if not known yet.
     void begin(const std::string& name, std::uint64_t points);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "shapes.h"
+#include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
 namespace {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/formats/detect.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "preprocess/input/source/text.h"
+
+namespace pointrt {
+namespace {
+
+struct Foreign {
+    std::string_view magic;
+    std::string_view reason;
+};
+
+constexpr Foreign kForeign[] = {
+    {"LASF", "is a LAS or LAZ scan"},
+    {"ASTM-E57", "is an E57 scan"},
+    {"PK\x03\x04", "is a zip archive, unpack it first"},
+    {"NGSP", "is an SPZ file of Gaussian splats"},
+    {"glTF", "is a glTF model"},
+    {"\x89HDF", "is an HDF5 file"},
+    {"[Expe/PointSet", "is an Expe point set"},
+};
+
+/// The bytes in which the kind of a file shows; long comments may stand before it.
+constexpr std::size_t kSniffed = 1 << 16;
+
+/// The first format for which holds is true; null where there is none.
+template <typename Predicate>
+const InputFormat* firstFormat(const Predicate& holds) {
+    const auto formats = inputFormats();
+    const auto found = std::find_if(formats.begin(), formats.end(), [&](const auto* format) { return holds(*format); });
+    return found == formats.end() ? nullptr : *found;
+}
+
+const InputFormat* formatNamed(std::string_view name) {
+    return firstFormat([&](const InputFormat& format) { return format.name == name; });
+}
+
+void refuseForeign(const Source& source) {
+    if (source.bytes.starts_with("version https://git-lfs"))
+        refuse(source, "is a Git LFS pointer, not the data itself: fetch it with 'git lfs pull'");
+    for (const Foreign& foreign : kForeign)
+        if (source.bytes.starts_with(foreign.magic))
+            refuse(source, fmt::format("{}; this build reads {}", foreign.reason, readableFormats()));
+}
+
+/// The lower-case suffix of a name, ".gz" left out.
+std::string suffixOf(std::string name) {
+    for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (name.ends_with(".gz")) name.resize(name.size() - 3);
+    const std::size_t dot = name.find_last_of("./");
+    return dot == std::string::npos || name[dot] != '.' ? std::string() : name.substr(dot + 1);
+}
+
+const InputFormat* formatOfSuffix(std::string_view suffix) {
+    return firstFormat([&](const InputFormat& format) {
+        bool is_one = false;
+        forSuffixes(format, [&](std::string_view each) { is_one = is_one || each == suffix; });
+        return is_one && format.content != Content::kColumns; // which any text would do for
+    });
+}
+
+bool looksLikeText(std::string_view bytes) {
+    return std::none_of(bytes.begin(), bytes.end(), [](char letter) {
+        return (letter >= 0 && letter < ' ' && !isSpace(letter)) || letter == '\x7f';
+    });
+}
+
+const InputFormat* formatOfStart(std::string_view bytes) {
+    return firstFormat([&](const InputFormat& format) { return format.isStart && format.isStart(bytes); });
+}
+
+const InputFormat* formatOfLines(std::string_view bytes) {
+    std::string_view line;
+    bool first = true;
+    while (nextLine(bytes, line)) {
+        std::string_view words = line;
+        const std::string_view word = nextWord(words);
+        if (word.empty() || word[0] == '#') continue;
+        const InputFormat* const format =
+            firstFormat([&](const InputFormat& each) { return each.isLine && each.isLine(line, first); });
+        if (format) return format;
+        first = false;
+    }
+    return nullptr;
+}
+
+const InputFormat* formatOfContent(std::string_view bytes) {
+    if (const InputFormat* const format = formatOfStart(bytes)) return format;
+    const std::string_view sniffed = bytes.substr(0, kSniffed);
+    const InputFormat* const format = formatOfLines(sniffed);
+    return format && (format->content == Content::kAny || looksLikeText(sniffed)) ? format : nullptr;
+}
+
+const InputFormat* formatOfPlainText(std::string_view bytes) {
+    if (!looksLikeText(bytes.substr(0, kSniffed))) return nullptr;
+    return firstFormat([](const InputFormat& format) { return format.content == Content::kColumns; });
+}
+
+} // namespace
+
+const InputFormat& formatOf(const Source& source, const std::string& name) {
+    const InputFormat* const named = formatNamed(name);
+    if (!name.empty() && !named) throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", quoted(name)));
+    if (!formatOfStart(source.bytes)) refuseForeign(source);
+    if (named) return *named;
+    if (const InputFormat* const format = formatOfContent(source.bytes)) return *format;
+    if (const InputFormat* const format = formatOfSuffix(suffixOf(source.name))) return *format;
+    if (const InputFormat* const format = formatOfPlainText(source.bytes)) return *format;
+    refuse(source, fmt::format("is of no known format; this build reads {}", readableFormats()));
+}
+
+} // namespace pointrt

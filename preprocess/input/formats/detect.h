@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which format a source is of.
+#pragma once
+
+#include "preprocess/input/formats/formats.h"
+
+namespace pointrt {
+
+/// The format of that name or, when it is "", the one told by the content first and the suffix second.
+/// Throws Error: unknown format name (usage); a known format that this build does not read, no known format.
+const InputFormat& formatOf(const Source& source, const std::string& name);
+
+} // namespace pointrt

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/formats/formats.h"
+
+namespace pointrt {
+
+std::span<const InputFormat* const> inputFormats() {
+#define POINTRT_FORMAT_ADDRESS(format) &formats::format,
+    static constexpr const InputFormat* kFormats[] = {POINTRT_INPUT_FORMATS(POINTRT_FORMAT_ADDRESS)};
+#undef POINTRT_FORMAT_ADDRESS
+    return kFormats;
+}
+
+std::string readableFormats() {
+    const auto formats = inputFormats();
+    std::string list;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (i != 0) list += i + 1 < formats.size() ? ", " : " and ";
+        list += formats[i]->title;
+    }
+    return list;
+}
+
+} // namespace pointrt

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of formats, the folder that holds their readers and the README's table say the same.
+#include "preprocess/input/formats/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kTree = POINTRT_SOURCE_DIR;
+const fs::path kFormats = kTree / "preprocess/input/formats";
+
+std::string textOf(const fs::path& path) {
+    std::ifstream file(path);
+    EXPECT_TRUE(file) << path;
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The words of capitals before the second bar of each row of the table of inputs.
+std::vector<std::string> suffixesOfReadme() {
+    std::istringstream rest(textOf(kTree / "README.md"));
+    std::string line;
+    while (std::getline(rest, line) && !line.starts_with("| in |")) {
+    }
+    std::getline(rest, line); // of dashes
+    std::vector<std::string> suffixes;
+    while (std::getline(rest, line) && line.starts_with("|")) {
+        std::istringstream words(line.substr(1, line.find('|', 1) - 1));
+        for (std::string word; words >> word;) {
+            std::erase(word, ',');
+            for (char& letter : word) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+            suffixes.push_back(word);
+        }
+    }
+    return suffixes;
+}
+
+TEST(Formats, TheReadmeListsTheSuffixesOfAll) {
+    const std::vector<std::string> listed = suffixesOfReadme();
+    std::set<std::string> known;
+    for (const InputFormat* format : inputFormats())
+        forSuffixes(*format, [&](std::string_view suffix) {
+            EXPECT_TRUE(known.emplace(suffix).second) << suffix << " stands for two formats";
+        });
+    EXPECT_EQ(std::set(listed.begin(), listed.end()), known);
+    EXPECT_EQ(listed.size(), known.size());
+}
+
+TEST(Formats, EachFileOfTheFolderIsCompiled) {
+    const std::string build = textOf(kFormats / "CMakeLists.txt");
+    for (const fs::directory_entry& entry : fs::directory_iterator(kFormats)) {
+        if (entry.path().extension() != ".cpp") continue;
+        const std::string name = entry.path().filename().string();
+        EXPECT_NE(build.find("    " + name + "\n"), std::string::npos) << name;
+    }
+}
+
+TEST(Formats, NamesDifferAndEachIsComplete) {
+    std::set<std::string_view> names;
+    int columns = 0;
+    for (const InputFormat* format : inputFormats()) {
+        EXPECT_TRUE(names.insert(format->name).second) << format->name;
+        EXPECT_FALSE(format->title.empty()) << format->name;
+        EXPECT_NE(format->read, nullptr) << format->name;
+        // what tells a format by its content: nothing but columns of numbers have no mark
+        EXPECT_EQ(!format->isStart && !format->isLine, format->content == Content::kColumns) << format->name;
+        columns += format->content == Content::kColumns;
+    }
+    EXPECT_EQ(columns, 1);
+}
+
+TEST(Formats, MessagesNameAll) {
+    EXPECT_EQ(readableFormats(), "PLY, PCD, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf");
+}
+
+} // namespace
+} // namespace pointrt
