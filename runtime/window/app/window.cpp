@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
+// Frames: from what the user does to who does it.
 #include "runtime/window/app/window.h"
 
-#include <imgui.h>
-
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
+#include "format/base/error.h"
+#include "runtime/scene/default_lighting.h"
+#include "runtime/scene_file/scene_write.h"
 #include "runtime/session/report.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/window/app/window_state.h"
-#include "runtime/window/ui/panel_ui.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/edit/actions.h"
+#include "runtime/window/edit/shown_scene.h"
+#include "runtime/window/files/free_name.h"
+#include "runtime/window/view/camera_commands.h"
+#include "runtime/window/view/camera_text.h"
 
 namespace pointrt {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// Without anything to do the window looks for input this often: jobs and notices move on.
 constexpr double kIdle_s = 0.1;
 constexpr double kNotice_s = 6;
-/// Of replays and recordings, and of what moves by itself.
-constexpr double kReplayedFrame_s = 1.0 / 30;
-/// Of a new frame's time in the mean that the window shows: a second's worth at 30 frames a second.
-constexpr double kMeanShare = 1.0 / 30;
 
-HostRequest hostRequest(const Options& options, const std::optional<Replay>& replay) {
+HostRequest hostRequest(const Options& options, const Tape& tape) {
     HostRequest request;
     request.device = options.device;
     request.verbose = options.verbose;
@@ -32,165 +36,214 @@ HostRequest hostRequest(const Options& options, const std::optional<Replay>& rep
     const PixelSize size = options.choices.size.value_or(PixelSize{request.width, request.height});
     request.width = size.width;
     request.height = size.height;
-    if (!replay) return request;
-    request.width = replay->window().width;
-    request.height = replay->window().height;
-    request.scale = replay->window().scale;
+    if (!tape.replays()) return request;
+    request.width = tape.window().width;
+    request.height = tape.window().height;
+    request.scale = tape.window().scale;
     return request;
 }
 
-std::optional<Replay> openReplay(const Options& options) {
-    if (options.replay.empty()) return std::nullopt;
-    return Replay(readRecording(options.replay));
+/// True where the scene on the device is about to be another one.
+bool changesScene(const JobQueue& jobs) { return jobs.has(JobKind::kLoad) || jobs.has(JobKind::kRelight); }
+
+ViewSize viewSize(const Host& host) {
+    const ResizeEvent size = host.size();
+    return {std::max(1.0, double(size.width)), std::max(1.0, double(size.height))};
+}
+
+PictureSize pictureSize(const Host& host) { return {host.pixels().width, host.pixels().height}; }
+
+double aspectOf(ViewSize size) { return size.width / size.height; }
+
+/// live: null while there is nothing to tell of it.
+void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const ViewportRenderer* live) {
+    HudFigures& hud = work.hud;
+    hud.device = host.device().name;
+    hud.samples_wanted = work.samples_wanted;
+    hud.splats = loaded ? loaded->scene.splat_count : 0;
+    if (!loaded || !live) return;
+    const ViewportProgress progress = live->progress();
+    hud.device_bytes = loaded->scene.device_bytes + live->deviceBytes();
+    hud.samples = progress.samples;
+    hud.sample_share = progress.share;
+    hud.resting = progress.resting;
+    hud.picture_width = progress.size.width;
+    hud.picture_height = progress.size.height;
+    hud.mrays_per_second = progress.mrays_per_second;
+}
+
+std::optional<ShownPicture> shownPicture(const ImageController& image) {
+    if (!image.live()) return std::nullopt;
+    const ViewportProgress progress = image.live()->progress();
+    const double pixels = double{1} * progress.size.width * progress.size.height;
+    return ShownPicture{image.moved(), progress.resting, progress.samples, pixels};
 }
 
 } // namespace
 
-Window::Ui::Ui() : context(ImGui::CreateContext()) {
-    ImGui::GetIO().IniFilename = nullptr; // the window leaves no files behind
-    setUpUiInput();
-}
-
-Window::Ui::~Ui() { ImGui::DestroyContext(context); }
-
 Window::Window(const Options& options)
-    : options_(options), replay_(openReplay(options)), host_(hostRequest(options, replay_)) {
-    if (!options.record.empty()) recorder_ = openRecording(options.record, host_.size());
-    host_.useClipboardForUi();
-    fitText();
-    open(options.scene);
+    : options_(options), tape_(options.replay), host_(hostRequest(options, tape_)), ui_(host_), meter_(Clock::now()),
+      editor_(work_), jobs_([this](const std::string& text, bool error) { tell(text, error); }),
+      opener_(
+          jobs_, [this](const std::string& text, bool error) { tell(text, error); },
+          [this](const std::string& path, bool first) { return startLoad(path, first); }) {
+    if (!options.record.empty()) tape_.recordTo(options.record, host_.size());
+    opener_.open(options.scene);
 }
-
-Window::~Window() {
-    save_.reset();
-    turntable_.reset();
-    bake_.reset();
-    load_.reset();
-    refurnish_.reset();
-    live_.reset();
-    loaded_.reset();
-}
-
-/// Fonts as large as the screen wants them.
-void Window::fitText() {
-    text_scale_ = host_.size().scale;
-    setUpUiStyle(host_.textScale(), static_cast<float>(text_scale_));
-    setUiFont(host_.device(), host_.presenter());
-}
-
-/// Replays go by their frames, so that the same recording does the same on any machine.
-double Window::now() const {
-    if (replay_) return frame_ * kReplayedFrame_s;
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-}
-
-/// Recordings go by the clock: frames of a replay are all as long.
-std::uint32_t Window::recordedFrame() const { return static_cast<std::uint32_t>(now() / kReplayedFrame_s + 0.5); }
 
 void Window::tell(const std::string& text, bool error) {
-    work_.notices.push_back({text, error, now() + kNotice_s});
+    work_.notices.push_back({text, error, tape_.now() + kNotice_s});
     if (options_.verbose || error) std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "", text.c_str());
+}
+
+/// What goes wrong is told, after subject.
+void Window::attempt(const std::string& subject, const std::function<void()>& body) {
+    try {
+        body();
+    } catch (const Error& error) {
+        tell(subject + error.what(), true);
+    }
 }
 
 /// How long to wait for input: not at all where there is work, as long as the eye does not notice where something is
 /// shown that moves by itself.
 double Window::patience() const {
-    const bool traces = live_ && !refurnish_ && mayWork() && !live_->progress().resting;
-    if (replay_ || traces || flight_ || length(flying_) > 0 || any_input_ || screenshot_wanted_ || pick_) return 0;
-    return work_.job || !work_.notices.empty() || controls_.drag ? kReplayedFrame_s : kIdle_s;
+    const bool traces =
+        image_.live() && !jobs_.has(JobKind::kRelight) && image_.mayWork() && !image_.live()->progress().resting;
+    if (tape_.replays() || traces || view_.moves() || input_.any || image_.owes()) return 0;
+    return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayedFrame_s : kIdle_s;
 }
 
 std::vector<InputEvent> Window::gatherInput() {
-    std::vector<InputEvent> events = std::exchange(early_input_, {});
+    std::vector<InputEvent> events = std::exchange(input_.early, {});
     if (events.empty()) events = host_.poll(patience());
-    if (!replay_) return events;
+    if (!tape_.replays()) return events;
     // a replayed window listens to its own size alone
     std::erase_if(events, [](const InputEvent& event) { return !std::holds_alternative<ResizeEvent>(event); });
-    ReplayFrame replayed = replay_->next(pictureState());
+    ReplayFrame replayed = tape_.next(pictureState());
     for (InputEvent& event : replayed.events) {
         if (const auto* size = std::get_if<ResizeEvent>(&event)) host_.resize(*size);
         events.push_back(std::move(event));
     }
-    for (std::string& name : replayed.screenshots) frame_shots_.push_back(std::move(name));
+    for (std::string& name : replayed.screenshots) input_.shots.push_back(std::move(name));
     quit_ |= replayed.quit;
     return events;
 }
 
 PictureState Window::pictureState() const {
     PictureState state;
-    state.busy = busy() || bake_ || turntable_ || save_ || screenshot_wanted_ || edits_wait_;
-    if (!live_ || refurnish_) return state;
-    const ViewportProgress progress = live_->progress();
+    state.busy = jobs_.any() || image_.wantsFilm() || editor_.waits();
+    if (!image_.live() || jobs_.has(JobKind::kRelight)) return state;
+    const ViewportProgress progress = image_.live()->progress();
     state.busy |= progress.denoising;
     state.samples = progress.samples;
     state.grows = !progress.resting && !work_.paused;
     return state;
 }
 
-void Window::drawInterface(double seconds) {
-    work_.time_s = now();
-    std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
-    beginUiFrame(ui_input_, host_.size(), seconds);
-    drawUi(work_);
-    ImGui::Render();
-    host_.setCursor(uiCursor());
+void Window::execute(const Command& command) {
+    const ViewSize size = viewSize(host_);
+    if (const auto view = viewAfter(command, work_.camera, size)) {
+        view_.stop();
+        work_.camera = *view;
+    }
+    if (const auto* at = std::get_if<PickCommand>(&command)) image_.pick({at->x / size.width, at->y / size.height});
+    if (const auto* at = std::get_if<CentreCommand>(&command))
+        image_.pick({at->x / size.width, at->y / size.height, true});
+    if (const auto* fly = std::get_if<FlyCommand>(&command)) view_.flyAlong(fly->direction);
+    if (const auto* drop = std::get_if<DropEvent>(&command)) opener_.drop(drop->paths);
+    if (const auto* action = std::get_if<Action>(&command)) execute(*action);
 }
 
-void Window::present() { pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData()); }
+void Window::execute(Action action) {
+    if (const auto view = viewAsked(action, work_.camera, view_.home)) return flyTo(*view);
+    if (actOn(work_, action)) return;
+    if (action == Action::kCopyCamera) host_.setClipboard(cameraText(work_.camera));
+    if (action == Action::kPasteCamera) attempt("", [&] { flyTo(withCameraText(work_.camera, host_.clipboard())); });
+    if (action == Action::kPreviousFile) opener_.openNeighbour(work_.scene.path, -1);
+    if (action == Action::kNextFile) opener_.openNeighbour(work_.scene.path, 1);
+}
 
-void Window::noteTimes(Clock::time_point start) {
-    const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    mean_frame_ms_ += (mean_frame_ms_ == 0 ? 1 : kMeanShare) * (ms - mean_frame_ms_);
-    if (!live_) return;
-    const ViewportProgress progress = live_->progress();
-    if (frame_moved_) {
-        report_.moving_ms.push_back(ms);
-        report_.moving_pixels.push_back(double{1} * progress.size.width * progress.size.height);
-        moved_ = Clock::now();
-        report_.clean_s = -1;
-    } else if (!progress.resting) {
-        report_.resting_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - looked_).count());
+void Window::doRequests() {
+    const Requests asked = std::exchange(work_.requests, {});
+    work_.requests.look_changed = asked.look_changed; // updatePicture's
+    const double aspect = aspectOf(viewSize(host_));
+    if (asked.up && loaded_) {
+        if (changesScene(jobs_)) {
+            tell("not while a scene is being loaded or relit", true);
+        } else {
+            editor_.setUp(*asked.up, view_.home, aspect);
+            flyTo(view_.home);
+        }
     }
-    if (report_.clean_s < 0 && progress.samples >= kCleanSamples)
-        report_.clean_s = std::chrono::duration<double>(Clock::now() - moved_).count();
+    editor_.note(asked);
+    if (loaded_ && !changesScene(jobs_)) editScene(asked.dragging);
+    quit_ |= asked.quit;
+    if (asked.cancel_job) jobs_.cancel();
+    if (asked.home) flyTo(view_.home);
+    if (asked.save_view) saveView(work_);
+    if (asked.save_scene && loaded_)
+        attempt("", [&] {
+            const std::string path = freeName(work_.scene.path, {".toml"}) + ".toml";
+            writeSceneFile(path, sceneAsShown(work_, pictureSize(host_)));
+            tell("saved " + path + "; pointrt-view " + path + " -o picture.png renders it", false);
+        });
+    if (asked.screenshot && loaded_) image_.wantFilm();
+    if (asked.turntable_pictures && loaded_) attempt("", [&] { renderTurntable(*asked.turntable_pictures); });
+    std::vector<NamedView>& views = work_.scene.views;
+    if (asked.go_to_view && *asked.go_to_view < views.size()) {
+        const NamedView& view = views[*asked.go_to_view];
+        attempt(view.name + ": ", [&] {
+            flyTo(framedView(view.camera, work_.scene_min, work_.scene_max, sceneUp(work_.scene, work_.settings),
+                             aspect));
+        });
+    }
+    if (asked.forget_view && *asked.forget_view < views.size())
+        views.erase(views.begin() + static_cast<std::ptrdiff_t>(*asked.forget_view));
 }
 
 bool Window::frame() {
     const std::vector<InputEvent> events = gatherInput();
-    const Clock::time_point start = looked_ = Clock::now();
-    const double passed = std::max(1e-4, std::chrono::duration<double>(start - last_frame_).count());
-    const double seconds = replay_ ? kReplayedFrame_s : passed;
-    last_frame_ = start;
-    any_input_ = !events.empty();
+    const double seconds = tape_.frameSeconds(meter_.begin(Clock::now()));
+    input_.any = !events.empty();
     for (const InputEvent& event : events) {
-        if (recorder_) record(*recorder_, {recordedFrame(), event});
-        handle(event);
+        tape_.note(event);
+        for (const Command& command : ui_.hear(event, tape_.now())) execute(command);
     }
-    ++frame_;
-    pollJobs();
-    moveCamera(seconds);
+    quit_ |= std::exchange(work_.requests.quit, false);
+    tape_.endFrame();
+    const bool changed_scene = changesScene(jobs_);
+    jobs_.poll();
+    // a replay must not go on before what has ended here
+    if (changed_scene && !changesScene(jobs_)) tape_.note(WaitStep{1});
+    work_.job = jobs_.figures();
+    work_.camera = view_.advanced(work_.camera, tape_.now(), seconds);
     if (host_.minimised()) { // nobody sees it: go on slowly
-        early_input_ = host_.poll(kIdle_s);
+        input_.early = host_.poll(kIdle_s);
         return !quit_;
     }
-    if (host_.size().scale != text_scale_) fitText();
-    fillHud();
-    drawInterface(seconds);
-    applyRequests();
+    work_.time_s = tape_.now();
+    std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
+    work_.hud.frame_ms = meter_.meanFrame_ms();
+    fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kRelight) ? nullptr : image_.live());
+    ui_.draw(work_, seconds);
+    doRequests();
     updatePicture();
-    present();
-    noteTimes(start);
-    for (const std::string& name : std::exchange(frame_shots_, {})) takeFrame(name);
-    return !quit_ || save_ || (screenshot_wanted_ && live_); // who asked for a picture gets it
+    ui_.present();
+    meter_.end(Clock::now(), shownPicture(image_));
+    for (const std::string& name : std::exchange(input_.shots, {})) ui_.savePng(name + ".png");
+    return !quit_ || jobs_.has(JobKind::kSave) ||
+           (image_.wantsFilm() && image_.live()); // who asked for a picture gets it
 }
 
 void Window::run() {
     noteInterrupts();
     while (frame() && !interrupted()) continue;
-    report_.device = host_.device().name;
-    report_.width = host_.pixels().width;
-    report_.height = host_.pixels().height;
-    if (!options_.stats.empty()) writeText(options_.stats, windowReportJson(report_));
+    WindowReport& report = meter_.report;
+    report.device = host_.device().name;
+    report.width = host_.pixels().width;
+    report.height = host_.pixels().height;
+    if (!options_.stats.empty()) writeText(options_.stats, windowReportJson(report));
 }
 
 void runWindow(const Options& options) { Window(options).run(); }

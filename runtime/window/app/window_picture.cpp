@@ -1,128 +1,177 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the workspace to the picture on the screen.
-#include <algorithm>
+// From the scene to the picture on the screen and to files.
+#include <chrono>
+#include <filesystem>
+#include <utility>
 
+#include "format/base/error.h"
+#include "runtime/film/film_signature.h"
 #include "runtime/session/report.h"
+#include "runtime/session/settings.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/pick_details.h"
+#include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/shown_scene.h"
+#include "runtime/window/files/free_name.h"
+#include "runtime/window/jobs/save_job.h"
+#include "runtime/window/jobs/turntable_job.h"
 
 namespace pointrt {
 namespace {
 
-/// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
-constexpr double kMovingBudget_s = 0.015;
-/// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
-constexpr double kRestingBudget_s = 0.018;
+using Clock = std::chrono::steady_clock;
 
 /// As long as nothing happens, the interface is drawn this often.
 constexpr double kUndrawn_s = 0.1;
+constexpr std::size_t kPicks = 2;
+
+void throwIfFailed(const Job& job) {
+    if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
+}
+
+OpenedScene openedScene(const LoadedScene& loaded) {
+    return {loaded.described,  loaded.scene.description, loaded.settings,        loaded.camera,
+            loaded.staged_for, loaded.scene.bounds.lo,   loaded.scene.bounds.hi, loaded.scene.space.scale};
+}
+
+ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
+    ImageRequest request{{work.settings, cameraOf(work.camera), work.look, work.denoise}};
+    request.view.settings.width = pixels.width;
+    request.view.settings.height = pixels.height;
+    request.view.settings.spp = work.samples_wanted;
+    request.look_changed = work.requests.look_changed;
+    request.paused = work.paused;
+    return request;
+}
+
+/// Brings what is new of the picture to the presenter's canvas. False where there is nothing.
+bool uploadPicture(Host& host, ImageController& image) {
+    ViewportRenderer& live = *image.live();
+    if (live.updates().empty()) return false;
+    const PictureSize canvas{host.pixels().width, host.pixels().height};
+    if (canvas != image.size()) { // the window has changed meanwhile: its picture comes with the next frame
+        live.clearUpdates();
+        return false;
+    }
+    const VkCommandBuffer commands = beginCommands(host.device());
+    std::optional<PictureSize> scaled;
+    for (const PictureUpdate& update : live.updates())
+        if (update.size == canvas)
+            recordUploadRows(commands, host.presenter(), live.pixels(), update.first_row, update.rows);
+        else
+            scaled = update.size;
+    submitAndWait(host.device(), commands);
+    live.clearUpdates();
+    if (scaled) uploadScaled(host.device(), host.presenter(), live.pixels(), scaled->width, scaled->height);
+    return true;
+}
 
 } // namespace
 
-void Window::beginPicture() {
-    live_.emplace(host_.device(), loaded_->tracer, kMovingBudget_s);
-    shown_camera_.reset();
+StartedJob Window::startLoad(const std::string& path, bool first) {
+    Options options = options_;
+    options.scene = path;
+    if (loaded_) { // what the command line says of the camera is of its scene
+        options.camera = {};
+        options.view.clear();
+        options.fov_deg.reset();
+    }
+    options.choices.size = host_.pixels();
+    host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
+    // of files that are dropped on an empty window there may be others; not of what the command line names
+    return startedJob<LoadJob>(
+        std::make_unique<LoadJob>(host_.device(), options), [this](LoadJob& load) { showLoaded(load.take()); },
+        first ? throwIfFailed : std::function<void(const Job&)>());
+}
+
+void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
+    image_.close();
+    loaded_ = std::move(loaded);
+    const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
+    editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
+    view_.stop();
+    view_.home = work_.camera;
+    image_.open(host_.device(), loaded_->tracer);
+}
+
+/// Brings the scene on the device to what the panels say.
+void Window::editScene(bool dragging) {
+    editor_.restage();
+    Rework rework = Rework::kNothing;
+    if (editor_.waits())
+        rework = reworkFor(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
+    if (nextStep(rework, dragging, loaded_->lacks_photons) == EditStep::kUpload) {
+        refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings);
+        editor_.settle();
+        image_.restart();
+        rework = Rework::kNothing;
+    }
+    if (nextStep(rework, dragging, loaded_->lacks_photons) != EditStep::kRelight) return;
+    editor_.settle();
+    jobs_.start(JobKind::kRelight, [&] {
+        return startedJob<RefurnishJob>(
+            std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
+            [this](const Job&) { image_.restart(); });
+    });
 }
 
 void Window::updatePicture() {
-    frame_moved_ = false;
-    if (!loaded_ || refurnish_) return;
-    if (!live_) beginPicture();
-    const Camera camera = cameraOf(work_.camera);
-    const PixelSize pixels = host_.pixels();
-    const bool resized = pixels.width != shown_pixels_.width || pixels.height != shown_pixels_.height;
-    if (shown_camera_ != camera || resized || restart_) {
-        Viewport view{work_.settings, camera, work_.look, work_.denoise};
-        view.settings.width = pixels.width;
-        view.settings.height = pixels.height;
-        view.settings.spp = work_.samples_wanted;
-        view.settings.first_hits = true;
-        live_->setView(view, true);
-        frame_moved_ = shown_camera_.has_value();
-        shown_camera_ = camera;
-        shown_pixels_ = pixels;
-        restart_ = false;
-    } else if (work_.requests.look_changed) {
-        live_->setLook(work_.look, work_.denoise);
+    if (!loaded_ || jobs_.has(JobKind::kRelight)) return image_.rest();
+    if (const auto found = image_.update(imageRequest(work_, host_.pixels()))) {
+        if (found->centre) {
+            flyTo(centredOn(work_.camera, found->pick.position));
+        } else {
+            work_.picks.push_back(describePick(loaded_->scene, found->pick));
+            if (work_.picks.size() > kPicks) work_.picks.erase(work_.picks.begin());
+        }
     }
     work_.requests.look_changed = false;
-    live_->setSamples(work_.samples_wanted);
-    resolvePicks();
-    if (mayWork() && live_->work(frame_moved_ ? kMovingBudget_s : kRestingBudget_s)) refineUndrawn();
-    uploadPicture();
-    if (screenshot_wanted_ && live_->betweenSamples() && !save_) takeScreenshot();
-}
-
-/// Paused, only what the user waits for goes on: a first picture, one to be saved, and a slice that a pick waits for.
-bool Window::mayWork() const {
-    return !work_.paused || frame_moved_ || screenshot_wanted_ || pick_ || live_->progress().samples == 0;
+    if (image_.work()) refineUndrawn();
+    if (uploadPicture(host_, image_) && meter_.report.first_picture_s < 0)
+        meter_.report.first_picture_s = secondsSinceStart();
+    if (image_.filmIsReady() && !jobs_.has(JobKind::kSave)) attempt("", [&] { saveFilm(); });
 }
 
 /// While nobody does anything the interface needs no drawing, and the picture gets all the time; input is looked for as
 /// often as ever.
 void Window::refineUndrawn() {
-    while (!frame_moved_ && !any_input_ && !controls_.drag && !flight_ && !work_.job && !live_->mustShow()) {
+    const ViewportRenderer& live = *image_.live();
+    while (!image_.moved() && !input_.any && !ui_.isDragging() && !view_.isInFlight() && !work_.job &&
+           !live.mustShow()) {
         const Clock::time_point now = Clock::now();
-        if (std::chrono::duration<double>(now - last_frame_).count() > kUndrawn_s || live_->betweenSamples()) return;
-        report_.resting_ms.push_back(std::chrono::duration<double, std::milli>(now - looked_).count());
-        early_input_ = host_.poll(0);
-        looked_ = now;
-        if (!early_input_.empty()) return;
-        if (!live_->work(kRestingBudget_s)) return;
+        const double undrawn_s = std::chrono::duration<double>(now - meter_.frameBegin()).count();
+        if (undrawn_s > kUndrawn_s || live.betweenSamples()) return;
+        meter_.refine(now);
+        input_.early = host_.poll(0);
+        if (!input_.early.empty() || !image_.work()) return;
     }
 }
 
-void Window::uploadPicture() {
-    if (live_->updates().empty()) return;
-    const PixelSize canvas = host_.pixels();
-    if (canvas.width != shown_pixels_.width || canvas.height != shown_pixels_.height)
-        return live_->clearUpdates(); // the window has changed meanwhile: its picture comes with the next frame
-    const VkCommandBuffer commands = beginCommands(host_.device());
-    std::optional<PictureSize> scaled;
-    for (const PictureUpdate& update : live_->updates())
-        if (update.size == PictureSize{canvas.width, canvas.height})
-            recordUploadRows(commands, host_.presenter(), live_->pixels(), update.first_row, update.rows);
-        else
-            scaled = update.size;
-    submitAndWait(host_.device(), commands);
-    live_->clearUpdates();
-    if (scaled) uploadScaled(host_.device(), host_.presenter(), live_->pixels(), scaled->width, scaled->height);
-    if (report_.first_picture_s < 0) report_.first_picture_s = secondsSinceStart();
+/// What was on the screen, to files beside each other.
+void Window::saveFilm() {
+    const Viewport view = image_.live()->view();
+    const std::uint32_t samples = image_.live()->progress().samples;
+    SavedFilm saved{image_.takeFilm(), samples, work_.settings.seed,
+                    filmSignature(loaded_->scene, view.settings, view.camera)};
+    const std::string name = freeName(work_.scene.path, {".png", ".exr"});
+    const SaveLook look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight};
+    jobs_.start(JobKind::kSave, [&] {
+        return startedJob<SaveJob>(
+            std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),
+            [this](SaveJob& save) { tell(save.done(), false); },
+            [this](const Job& job) {
+                if (quit_) throwIfFailed(job); // nobody would see a notice
+            });
+    });
 }
 
-void Window::fillHud() {
-    HudFigures& hud = work_.hud;
-    hud.device = host_.device().name;
-    hud.frame_ms = mean_frame_ms_;
-    hud.samples_wanted = work_.samples_wanted;
-    hud.splats = loaded_ ? loaded_->scene.splat_count : 0;
-    if (!loaded_ || !live_ || refurnish_) return;
-    const ViewportProgress progress = live_->progress();
-    hud.device_bytes = loaded_->scene.device_bytes + live_->deviceBytes();
-    hud.samples = progress.samples;
-    hud.sample_share = progress.share;
-    hud.resting = progress.resting;
-    hud.picture_width = progress.size.width;
-    hud.picture_height = progress.size.height;
-    hud.mrays_per_second = progress.mrays_per_second;
-}
-
-/// Between slices: a pick borrows the tracer's buffers.
-void Window::resolvePicks() {
-    if (!pick_ || !live_->betweenSlices()) return;
-    const PickRequest request = *pick_;
-    pick_.reset();
-    const ViewSize size = viewSize();
-    const Viewport& view = live_->view();
-    const auto pixel = [](double at, double units, std::uint32_t pixels) {
-        return static_cast<std::uint32_t>(std::clamp(at / units * pixels, 0.0, pixels - 1.0));
-    };
-    const std::optional<Pick> pick = live_->pick(pixel(request.x, size.width, view.settings.width),
-                                                 pixel(request.y, size.height, view.settings.height));
-    if (!pick) return;
-    if (request.centre) return flyTo(centredOn(work_.camera, pick->position));
-    work_.picks.push_back(describePick(loaded_->scene, *pick));
-    if (work_.picks.size() > 2) work_.picks.erase(work_.picks.begin());
+void Window::renderTurntable(std::uint32_t pictures) {
+    const PictureSize size{host_.pixels().width, host_.pixels().height};
+    jobs_.start(JobKind::kTurntable, [&] {
+        return startedJob<TurntableJob>(
+            std::make_unique<TurntableJob>(sceneAsShown(work_, size), work_.turntable_path, pictures, options_.device),
+            [this](TurntableJob&) { tell("rendered " + work_.turntable_path, false); });
+    });
 }
 
 } // namespace pointrt

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/window/jobs/bake_plan.h"
+#include "runtime/window/files/bake_plan.h"
 #include "runtime/window/jobs/job.h"
 
 namespace pointrt {

@@ -16,8 +16,8 @@
 namespace pointrt {
 
 /// One of a kind at a time. The first one of these that is under way is the one that users see, and cancel.
-enum class JobKind : std::uint8_t { kLoad, kRelight, kBake, kTurntable, kSave };
-constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kSave) + 1;
+enum class JobKind : std::uint8_t { kLoad, kRelight, kBake, kTurntable, kSave, kCount };
+constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
 /// What becomes of work that is wanted while other work is under way.
 enum class Meeting : std::uint8_t {
@@ -38,6 +38,16 @@ constexpr std::array<std::array<Meeting, kJobKinds>, kJobKinds> kMeetings = [] {
         /* save      */ {kBeside, kBeside, kBeside, kBeside, kAfter},
     }};
 }();
+/// One of each kind, and no two kinds that disagree on going on beside each other. False where a kind has no row.
+constexpr bool agrees(const decltype(kMeetings)& meetings) {
+    for (std::size_t a = 0; a < kJobKinds; ++a)
+        for (std::size_t b = 0; b < kJobKinds; ++b) {
+            const bool beside = meetings[a][b] == Meeting::kBeside;
+            if (beside != (meetings[b][a] == Meeting::kBeside) || (beside && a == b)) return false;
+        }
+    return true;
+}
+static_assert(agrees(kMeetings));
 
 /// A job that has been started, and what is to happen when it has ended.
 struct StartedJob {
@@ -47,12 +57,16 @@ struct StartedJob {
     std::function<void(const Job&)> ended; ///< before that, in whatever state; may throw in place of an error's telling
 };
 
-/// work: what has a job(), such as LoadJob. done may empty it. ended may be empty.
+/// work: what has a job(), such as LoadJob. done may empty it. Both callbacks may be empty.
 template <typename Work>
 StartedJob startedJob(std::unique_ptr<Work> work, std::function<void(Work&)> done,
                       std::function<void(const Job&)> ended = {}) {
     const std::shared_ptr<Work> kept = std::move(work);
-    return {kept, &kept->job(), [kept, done = std::move(done)] { done(*kept); }, std::move(ended)};
+    return {kept, &kept->job(),
+            [kept, done = std::move(done)] {
+                if (done) done(*kept);
+            },
+            std::move(ended)};
 }
 
 /// Makes a job at the moment when it may begin.

@@ -17,6 +17,13 @@ std::string percentilesJson(const Percentiles& p) {
     return text;
 }
 
+/// Of a new frame's time in the mean that the window shows: a second's worth at 30 frames a second.
+constexpr double kMeanShare = 1.0 / 30;
+
+double secondsBetween(FrameMeter::Time from, FrameMeter::Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
 std::string secondsJson(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", seconds);
@@ -33,6 +40,32 @@ Percentiles percentilesOf(std::vector<double> values_ms) {
         return values_ms[std::max<std::size_t>(rank, 1) - 1];
     };
     return {values_ms.size(), at(0.5), at(0.95), at(0.99), values_ms.back()};
+}
+
+double FrameMeter::begin(Time now) {
+    const double passed_s = secondsBetween(frame_, now);
+    frame_ = looked_ = now;
+    return std::max(1e-4, passed_s);
+}
+
+void FrameMeter::refine(Time now) {
+    report.resting_ms.push_back(1e3 * secondsBetween(looked_, now));
+    looked_ = now;
+}
+
+void FrameMeter::end(Time now, const std::optional<ShownPicture>& picture) {
+    const double ms = 1e3 * secondsBetween(frame_, now);
+    mean_ms_ += (mean_ms_ == 0 ? 1 : kMeanShare) * (ms - mean_ms_);
+    if (!picture) return;
+    if (picture->moved) {
+        report.moving_ms.push_back(ms);
+        report.moving_pixels.push_back(picture->pixels);
+        moved_ = now;
+        report.clean_s = -1;
+    } else if (!picture->resting) {
+        report.resting_ms.push_back(1e3 * secondsBetween(looked_, now));
+    }
+    if (report.clean_s < 0 && picture->samples >= kCleanSamples) report.clean_s = secondsBetween(moved_, now);
 }
 
 std::string windowReportJson(const WindowReport& report) {

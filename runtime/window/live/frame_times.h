@@ -2,7 +2,9 @@
 // How long the window's frames take, for its report.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,35 @@ struct WindowReport {
 
 /// What counts as a clean picture: the samples that headless runs take.
 constexpr std::uint32_t kCleanSamples = 4;
+
+/// A frame's picture, as far as times go.
+struct ShownPicture {
+    bool moved = false, resting = false; ///< the view changed in this frame; all samples are there
+    std::uint32_t samples = 0;           ///< of every pixel
+    double pixels = 0;                   ///< that are traced
+};
+
+/// Takes the times of the window's frames; they come from the caller.
+class FrameMeter {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    explicit FrameMeter(Time start) : frame_(start), looked_(start), moved_(start) {}
+    /// Input was looked for. Returns the seconds since the frame before, above 0.
+    double begin(Time now);
+    Time frameBegin() const { return frame_; }
+    /// The picture got finer, and input is looked for again, within a frame.
+    void refine(Time now);
+    /// The frame is on the screen; picture: nothing where there is none yet.
+    void end(Time now, const std::optional<ShownPicture>& picture);
+
+    double meanFrame_ms() const { return mean_ms_; }
+    WindowReport report; ///< device, size and first picture are the caller's to fill in
+
+private:
+    Time frame_, looked_, moved_; ///< when the frame began, input was looked for, the view changed
+    double mean_ms_ = 0;
+};
 
 std::string windowReportJson(const WindowReport& report);
 

@@ -34,10 +34,6 @@ void drawLens(Workspace& w) {
     if (ImGui::IsItemActive()) w.requests.dragging = true;
 }
 
-std::string pointText(Vec3 point, double size) {
-    return lengthText(point.x, size) + "  " + lengthText(point.y, size) + "  " + lengthText(point.z, size);
-}
-
 } // namespace
 
 void drawCamera(Workspace& w) {

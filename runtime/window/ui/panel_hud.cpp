@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_box.h"
 #include "runtime/window/widgets/panel_numbers.h"
 #include "runtime/window/widgets/ui_style.h"
 
@@ -45,19 +46,12 @@ void drawFigures(const Workspace& w) {
     ImGui::Text("%.3g ms   %.3g Mrays/s   %s", hud.frame_ms, hud.mrays_per_second, bytesText(hud.device_bytes).c_str());
 }
 
-/// A box on the picture that lets the mouse through, from top down; returns where it ends.
-template <typename Content>
-float drawBox(const char* name, float top, float width, const Content& content) {
-    ImGui::SetNextWindowPos(ImVec2(kMargin * uiScale(), top));
-    ImGui::SetNextWindowSize(ImVec2(width * uiScale(), 0));
+/// A box that lets the mouse through, from top down; returns where it ends.
+float drawBox(const char* name, float top, float width, const std::function<void()>& content) {
+    constexpr ImGuiWindowFlags through = ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoBringToFrontOnFocus;
     ImGui::SetNextWindowBgAlpha(0.6f);
-    ImGui::Begin(name, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-    content();
-    const float bottom = top + ImGui::GetWindowHeight();
-    ImGui::End();
-    return bottom;
+    return top +
+           boxOnPicture(name, {ImVec2(kMargin * uiScale(), top), ImVec2(0, 0)}, width * uiScale(), through, content);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "runtime/window/ui/panel_parts.h"
+#include "runtime/window/widgets/panel_box.h"
 #include "runtime/window/widgets/panel_numbers.h"
 #include "runtime/window/widgets/panel_widgets.h"
 #include "runtime/window/widgets/ui_style.h"
@@ -15,20 +16,13 @@ namespace {
 
 /// Of the design.
 constexpr float kWidth = 440, kMargin = 12, kBarHeight = 6, kCancelWidth = 64;
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 /// A window whose lower edge is at bottom; returns its upper edge, known from its last frame.
-template <typename Content>
-float standOn(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags, const Content& content) {
+float standOn(const char* name, FreeArea area, float bottom, ImGuiWindowFlags flags,
+              const std::function<void()>& content) {
     const float width = std::min(kWidth * uiScale(), area.width);
-    ImGui::SetNextWindowPos(ImVec2(area.width / 2, bottom), ImGuiCond_Always, ImVec2(0.5f, 1));
-    ImGui::SetNextWindowSize(ImVec2(width, 0));
-    ImGui::Begin(name, nullptr, kFixed | flags);
-    content();
-    const float top = bottom - ImGui::GetWindowHeight();
-    ImGui::End();
-    return top;
+    const BoxPlace place{ImVec2(area.width / 2, bottom), ImVec2(0.5f, 1)};
+    return bottom - boxOnPicture(name, place, width, ImGuiWindowFlags_NoMove | flags, content);
 }
 
 /// A part of the bar that goes from one end to the other, twice in three seconds and a bit.

@@ -13,10 +13,6 @@
 namespace pointrt {
 namespace {
 
-std::string pointText(Vec3 point, double size) {
-    return lengthText(point.x, size) + "  " + lengthText(point.y, size) + "  " + lengthText(point.z, size);
-}
-
 /// Three decimals: a sixteenth of a degree.
 std::string normalText(Vec3 normal) {
     constexpr double unit_with_three_decimals = 10;
@@ -62,13 +58,18 @@ std::string pickLine(const PickedPoint& pick, double size) {
            "\tcolour " + colorText(pick) + "\n";
 }
 
+/// Between the last two, of which both must be there.
+std::string apartText(const Workspace& w) {
+    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
+    return lengthText(apart, sceneSize(w));
+}
+
 /// The picks as lines of a text.
 std::string measureText(const Workspace& w) {
     std::string text;
     for (const PickedPoint& pick : w.picks) text += pickLine(pick, sceneSize(w));
     if (w.picks.size() < 2) return text;
-    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
-    return text + "apart " + lengthText(apart, sceneSize(w)) + "\n";
+    return text + "apart " + apartText(w) + "\n";
 }
 
 } // namespace
@@ -76,8 +77,7 @@ std::string measureText(const Workspace& w) {
 void drawLastPick(const Workspace& w) {
     drawPick(w, w.picks.back());
     if (w.picks.size() < 2) return;
-    const double apart = length(w.picks.back().position - w.picks[w.picks.size() - 2].position);
-    valueRow("Apart", lengthText(apart, sceneSize(w)).c_str());
+    valueRow("Apart", apartText(w).c_str());
 }
 
 void drawMeasure(Workspace& w) {
@@ -90,7 +90,7 @@ void drawMeasure(Workspace& w) {
         ImGui::TextDisabled("The one before");
         drawPick(w, before);
         ImGui::Separator();
-        valueRow("Apart", lengthText(length(last.position - before.position), sceneSize(w)).c_str());
+        valueRow("Apart", apartText(w).c_str());
         switchRow("Keep it", w.keeps_measurement, "M: the line stays while you look on");
     }
     if (shareButton("Copy as text", 1)) ImGui::SetClipboardText(measureText(w).c_str());

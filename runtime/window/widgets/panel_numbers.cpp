@@ -27,6 +27,10 @@ std::string lengthText(double value, double size) {
     return formatted("%.*f", decimalsFor(size), value);
 }
 
+std::string pointText(Vec3 point, double size) {
+    return lengthText(point.x, size) + "  " + lengthText(point.y, size) + "  " + lengthText(point.z, size);
+}
+
 std::string countText(std::uint64_t count) {
     const std::string digits = std::to_string(count);
     std::string text;

@@ -5,12 +5,16 @@
 #include <cstdint>
 #include <string>
 
+#include "runtime/util/vec.h"
+
 namespace pointrt {
 
 /// Decimals that tell a 10,000th of size from nothing: 0 to 9.
 int decimalsFor(double size);
 /// A length or coordinate in a scene of this size.
 std::string lengthText(double value, double size);
+/// Three of them.
+std::string pointText(Vec3 point, double size);
 /// "12 345 678"
 std::string countText(std::uint64_t count);
 /// "1.2 GB", powers of 1000.

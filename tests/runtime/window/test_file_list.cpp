@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/jobs/file_list.h"
+#include "runtime/window/files/file_list.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "runtime/window/files/free_name.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -84,6 +85,19 @@ TEST(FileList, AScanAloneHasNoNeighbour) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(neighbourFile(folder.write("only.pro", ""), 1), "");
     EXPECT_EQ(neighbourFile(folder.file("gone.pro"), 1), folder.file("only.pro"));
+}
+
+TEST(FreeName, IsTheFirstThatNobodyHas) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    EXPECT_EQ(freeName("scans/statue.pro", {".png", ".exr"}), "statue-1");
+    folder.write("statue-1.exr", "");
+    folder.write("statue-2.png", "");
+    folder.write("statue-3.toml", "");
+    EXPECT_EQ(freeName("scans/statue.pro", {".png", ".exr"}), "statue-3");
+    EXPECT_EQ(freeName("", {".png"}), "picture-1");
+    std::filesystem::current_path(before);
 }
 
 } // namespace

@@ -164,13 +164,5 @@ TEST_F(JobQueueTest, GoesAwayWithItsWork) {
     EXPECT_EQ(events, (Events{"start load", "start bake"}));
 }
 
-TEST(JobTable, AgreesWhoeverComesFirst) {
-    for (std::size_t a = 0; a < kJobKinds; ++a) {
-        EXPECT_NE(kMeetings[a][a], Meeting::kBeside) << "one of a kind";
-        for (std::size_t b = 0; b < kJobKinds; ++b)
-            EXPECT_EQ(kMeetings[a][b] == Meeting::kBeside, kMeetings[b][a] == Meeting::kBeside);
-    }
-}
-
 } // namespace
 } // namespace pointrt

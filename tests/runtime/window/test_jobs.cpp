@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "format/base/error.h"
+#include "runtime/window/files/bake_sources.h"
 #include "runtime/window/jobs/bake_job.h"
-#include "runtime/window/jobs/bake_sources.h"
 #include "runtime/window/jobs/child_process.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/jobs/bake_plan.h"
+#include "runtime/window/files/bake_plan.h"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 
 #include "format/base/error.h"
 #include "pointrt/pro.hpp"
-#include "runtime/window/jobs/bake_sources.h"
+#include "runtime/window/files/bake_sources.h"
 
 namespace pointrt {
 namespace {

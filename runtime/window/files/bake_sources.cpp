@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/jobs/bake_sources.h"
+#include "runtime/window/files/bake_sources.h"
 
 #include <nlohmann/json.hpp>
 

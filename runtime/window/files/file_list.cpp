@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/jobs/file_list.h"
+#include "runtime/window/files/file_list.h"
 
 #include <algorithm>
 #include <compare>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/app/user_interface.h"
+
+#include <imgui.h>
+
+#include "runtime/image/image_png.h"
+#include "runtime/window/ui/panel_ui.h"
+#include "runtime/window/widgets/ui_style.h"
+
+namespace pointrt {
+
+UserInterface::UserInterface(Host& host) : host_(host), context_(ImGui::CreateContext()) {
+    ImGui::GetIO().IniFilename = nullptr; // the window leaves no files behind
+    setUpUiInput();
+    host_.useClipboardForUi();
+    fitText();
+}
+
+UserInterface::~UserInterface() { ImGui::DestroyContext(context_); }
+
+/// Fonts as large as the screen wants them.
+void UserInterface::fitText() {
+    if (host_.size().scale == text_scale_) return;
+    text_scale_ = host_.size().scale;
+    setUpUiStyle(host_.textScale(), static_cast<float>(text_scale_));
+    setUiFont(host_.device(), host_.presenter());
+}
+
+std::vector<Command> UserInterface::hear(const InputEvent& event, double now_s) {
+    const ImGuiIO& io = ImGui::GetIO();
+    controls_.ui_wants_mouse = io.WantCaptureMouse;
+    controls_.ui_wants_keyboard = io.WantTextInput;
+    feedImGui(input_, event);
+    return interpret(controls_, event, now_s);
+}
+
+void UserInterface::draw(Workspace& work, double seconds) {
+    fitText();
+    beginUiFrame(input_, host_.size(), seconds);
+    drawUi(work);
+    ImGui::Render();
+    host_.setCursor(uiCursor());
+}
+
+void UserInterface::present() { pointrt::present(host_.device(), host_.presenter(), ImGui::GetDrawData()); }
+
+void UserInterface::savePng(const std::string& path) {
+    writePng(path, readFrame(host_.device(), host_.presenter(), ImGui::GetDrawData()));
+}
+
+} // namespace pointrt

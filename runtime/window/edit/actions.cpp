@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/actions.h"
+
+namespace pointrt {
+namespace {
+
+void toggleMeasurement(Workspace& work) {
+    work.keeps_measurement = !work.keeps_measurement;
+    if (!work.keeps_measurement) work.picks.clear();
+}
+
+void goBack(Workspace& work) {
+    if (work.show_cheat_sheet)
+        work.show_cheat_sheet = false;
+    else if (work.job && work.job->can_cancel)
+        work.requests.cancel_job = true;
+    else
+        work.requests.quit = true;
+}
+
+constexpr struct {
+    Action action;
+    void (*act)(Workspace&);
+} kActs[] = {
+    {Action::kSaveView, [](Workspace& w) { w.requests.save_view = true; }},
+    {Action::kMeasurement, toggleMeasurement},
+    {Action::kPause, [](Workspace& w) { w.paused = !w.paused; }},
+    {Action::kScreenshot, [](Workspace& w) { w.requests.screenshot = true; }},
+    {Action::kSaveScene, [](Workspace& w) { w.requests.save_scene = true; }},
+    {Action::kPanel, [](Workspace& w) { w.show_panel = !w.show_panel; }},
+    {Action::kCheatSheet, [](Workspace& w) { w.show_cheat_sheet = !w.show_cheat_sheet; }},
+    {Action::kBack, goBack},
+    {Action::kQuit, [](Workspace& w) { w.requests.quit = true; }},
+};
+
+} // namespace
+
+bool actOn(Workspace& work, Action action) {
+    for (const auto& each : kActs)
+        if (each.action == action) {
+            each.act(work);
+            return true;
+        }
+    return false;
+}
+
+} // namespace pointrt

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an edit makes necessary.
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/device_scene/device_scene.h"
+
+namespace pointrt {
+
+/// The cheapest that will do comes first.
+enum class Rework : std::uint8_t {
+    kNothing,
+    kTables,   ///< rows of materials, shapes and lights: a few milliseconds
+    kPrograms, ///< other programs or another picture of the sky as well: a job's
+    kReload    ///< other scans, or other places: nothing that is there will do
+};
+
+/// What it takes until scene, for which programs of this integrator were built, is as description and settings say.
+/// Throws Error kBadInput as makeSceneRows does.
+Rework reworkFor(const DeviceScene& scene, Integrator integrator, const SceneDescription& description,
+                 const RenderSettings& settings);
+
+/// What is to be done about it in this frame.
+enum class EditStep : std::uint8_t {
+    kNothing, ///< it is done, or must wait until the user has let go
+    kUpload,  ///< the tables
+    kRelight, ///< the job that makes all of it
+};
+
+/// dragging: more of the same edit is to come, and must not wait for a job. lacks_photons: tables were uploaded
+/// without.
+EditStep nextStep(Rework rework, bool dragging, bool lacks_photons);
+
+} // namespace pointrt

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/scene_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "runtime/scene/default_lighting.h"
+#include "runtime/session/settings.h"
+
+namespace pointrt {
+namespace {
+
+bool isUsed(const SceneDescription& scene, std::uint32_t material) {
+    const auto of_shape = [&](const ShapeDescription& shape) { return shape.material == material; };
+    const auto of_part = [&](const MaterialOverride& part) { return part.material == material; };
+    const auto of_instance = [&](const InstanceDescription& instance) {
+        return instance.material == material ||
+               std::any_of(instance.overrides.begin(), instance.overrides.end(), of_part);
+    };
+    return std::any_of(scene.shapes.begin(), scene.shapes.end(), of_shape) ||
+           std::any_of(scene.instances.begin(), scene.instances.end(), of_instance);
+}
+
+/// Materials at the end of the list that nothing is of: those of a room that was taken down.
+void dropUnused(SceneDescription& scene, std::size_t fewest) {
+    while (scene.materials.size() > fewest && !isUsed(scene, static_cast<std::uint32_t>(scene.materials.size() - 1)))
+        scene.materials.pop_back();
+}
+
+bool wantsFilter(const RenderSettings& settings, const SceneDescription& scene) {
+    return settings.denoise == DenoiseChoice::kOn ||
+           (settings.denoise == DenoiseChoice::kAuto && isNoisy(settings, scene));
+}
+
+} // namespace
+
+void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
+    opened_ = std::move(opened);
+    const OpenedScene& scene = *opened_;
+    const Vec3 size = scene.bounds_max - scene.bounds_min, centre = 0.5 * (scene.bounds_min + scene.bounds_max);
+    work_.scene = scene.staged;
+    work_.settings = scene.settings;
+    work_.scene_min = scene.bounds_min;
+    work_.scene_max = scene.bounds_max;
+    work_.scene_up = sceneUp(scene.staged, scene.settings);
+    work_.title = std::filesystem::path(scene.staged.path).filename().string();
+    work_.picks.clear();
+    work_.camera = viewOf(scene.camera, scene.settings.camera.target.value_or(centre), scene.bounds_min,
+                          scene.bounds_max, work_.scene_up);
+    work_.look = {SHOWN_BEAUTY, scene.settings.exposure, 4 * length(size), scene.scale};
+    work_.samples_wanted = samples;
+    work_.denoise = wantsFilter(scene.settings, scene.staged);
+    lamps_.clear();
+    staged_room_ = scene.settings.room;
+    staged_lights_ = scene.settings.lights;
+    waits_ = false;
+}
+
+void SceneEditor::keepLamps() {
+    if (work_.scene.lights == opened_->staged.lights && work_.scene.sky == opened_->staged.sky) return;
+    std::erase_if(lamps_, [&](const Lamps& each) { return each.room == staged_room_; });
+    lamps_.push_back({staged_room_, work_.scene.lights, work_.scene.sky});
+}
+
+void SceneEditor::restage() {
+    if (work_.settings.room != staged_room_ || work_.settings.lights != staged_lights_) putUp();
+}
+
+void SceneEditor::putUp() {
+    // left to the rule, hard lamps are not filtered: it would blur what mirrors show
+    const bool by_rule =
+        work_.settings.denoise == DenoiseChoice::kAuto && work_.denoise == isNoisy(work_.settings, opened_->staged);
+    keepLamps();
+    if (work_.settings.lights != staged_lights_) // another number of them: no longer those there were
+        std::erase_if(lamps_, [&](const Lamps& each) { return each.room == work_.settings.room; });
+    staged_room_ = work_.settings.room;
+    staged_lights_ = work_.settings.lights;
+    SceneDescription scene = opened_->described;
+    const std::size_t fewest = scene.materials.size();
+    scene.materials = work_.scene.materials;
+    scene.instances = work_.scene.instances;
+    scene.views = work_.scene.views;
+    if (hasOwnLight()) {
+        scene.lights = work_.scene.lights;
+        scene.sky = work_.scene.sky;
+    }
+    Camera camera = opened_->camera;
+    camera.eye = opened_->staged_for;
+    dropUnused(scene, fewest);
+    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
+    work_.scene = opened_->staged = std::move(scene);
+    for (const Lamps& each : lamps_)
+        if (!hasOwnLight() && each.room == work_.settings.room) {
+            work_.scene.lights = each.lights;
+            work_.scene.sky = each.sky;
+        }
+    if (by_rule) work_.denoise = isNoisy(work_.settings, work_.scene);
+}
+
+void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
+    const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
+    const Vec3 front = std::abs(up.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
+    CameraRequest request = requestOf(home);
+    request.eye = centre + length(home.eye - centre) * front;
+    request.target = centre;
+    request.up = up;
+    home = framedView(request, work_.scene_min, work_.scene_max, up, aspect);
+    opened_->described.up = work_.scene_up = up;
+    opened_->staged_for = home.eye;
+    opened_->camera = cameraOf(home);
+    opened_->staged = work_.scene; // lamps that were changed are not kept
+    lamps_.clear();
+    putUp();
+    waits_ = true;
+}
+
+} // namespace pointrt

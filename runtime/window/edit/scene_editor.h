@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene as the panels edit it, and what stands around it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "runtime/window/edit/workspace.h"
+
+namespace pointrt {
+
+/// A scene as it was opened.
+struct OpenedScene {
+    SceneDescription described; ///< as its file has it
+    SceneDescription staged;    ///< with its surroundings
+    RenderSettings settings;
+    Camera camera;               ///< the first
+    Vec3 staged_for;             ///< the eye that its surroundings were put up for, world frame
+    Vec3 bounds_min, bounds_max; ///< of the scan, input coordinates
+    double scale = 1;            ///< input units in a render unit
+};
+
+/// Edits a workspace's scene, settings and denoise where that takes more than writing a number, which panels do
+/// themselves. Knows which of all that is on the device.
+class SceneEditor {
+public:
+    /// work must outlive it.
+    explicit SceneEditor(Workspace& work) : work_(work) {}
+
+    /// Puts the scene in the workspace, with the view and look that it begins with, in place of the one there was.
+    /// samples: a pixel, at which its picture is done.
+    void open(OpenedScene opened, std::uint32_t samples);
+    bool isOpen() const { return opened_.has_value(); }
+
+    /// Takes note of what was asked for in a frame.
+    void note(const Requests& asked) { waits_ = waits_ || asked.scene_changed || asked.settings_changed; }
+    /// True where edits are not yet on the device.
+    bool waits() const { return waits_; }
+    void settle() { waits_ = false; }
+
+    /// Where the settings ask for another room, or another number of its lamps, than stands there: puts it up in place
+    /// of that, with the lamps that the user had in it last. A scene file's own are in every room.
+    void restage();
+    /// Puts the scan on another side: what stands around it begins anew, for the view that home becomes. aspect: of
+    /// the picture, width over height.
+    void setUp(Vec3 up, ViewCamera& home, double aspect);
+
+private:
+    /// What the user made of a room's lamps, to find it again.
+    struct Lamps {
+        std::optional<Room> room;
+        std::vector<LightDescription> lights;
+        std::optional<SkyDescription> sky;
+    };
+
+    void putUp();
+    void keepLamps();
+    bool hasOwnLight() const { return !opened_->described.lights.empty() || opened_->described.sky; }
+
+    Workspace& work_;
+    std::optional<OpenedScene> opened_; ///< staged: when its surroundings were put up last
+    std::optional<Room> staged_room_;
+    std::optional<std::uint32_t> staged_lights_;
+    std::vector<Lamps> lamps_;
+    bool waits_ = false;
+};
+
+} // namespace pointrt

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/shown_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/scene/default_lighting.h"
+#include "runtime/session/settings.h"
+
+namespace pointrt {
+namespace {
+
+/// "view 1", the first number for which there is no view.
+std::string freeViewName(const std::vector<NamedView>& views) {
+    for (int number = 1;; ++number) {
+        const std::string name = "view " + std::to_string(number);
+        if (std::none_of(views.begin(), views.end(), [&](const NamedView& view) { return view.name == name; }))
+            return name;
+    }
+}
+
+} // namespace
+
+SceneDescription sceneAsShown(const Workspace& work, PictureSize size) {
+    RenderSettings settings = work.settings;
+    settings.width = size.width;
+    settings.height = size.height;
+    settings.spp = work.samples_wanted;
+    const bool filtered = work.denoise && work.samples_wanted < kCleanSamplesOfLight;
+    settings.denoise = filtered ? DenoiseChoice::kOn : DenoiseChoice::kOff;
+    settings.exposure = work.look.exposure;
+    settings.camera = requestOf(work.camera);
+    SceneDescription scene = work.scene;
+    scene.up = sceneUp(work.scene, work.settings); // not that of the camera as it is now
+    ownSurroundings(scene, settings);
+    return describeRun(std::move(scene), settings, settings.camera.eye.value());
+}
+
+void saveView(Workspace& work) {
+    std::vector<NamedView>& views = work.scene.views;
+    const std::string name = work.view_name.empty() ? freeViewName(views) : work.view_name;
+    std::erase_if(views, [&](const NamedView& view) { return view.name == name; });
+    views.push_back({name, requestOf(work.camera)});
+    work.view_name.clear();
+}
+
+} // namespace pointrt

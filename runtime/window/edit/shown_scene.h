@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is on the screen as a scene that can be saved.
+#pragma once
+
+#include "runtime/window/edit/workspace.h"
+#include "runtime/window/live/pace.h"
+
+namespace pointrt {
+
+/// What renders the picture on the screen, of that size, headless.
+SceneDescription sceneAsShown(const Workspace& work, PictureSize size);
+
+/// Keeps the view in the scene, under work.view_name or a number that is free, in place of one that has this name.
+void saveView(Workspace& work);
+
+} // namespace pointrt

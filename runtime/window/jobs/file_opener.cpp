@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/jobs/file_opener.h"
+
+#include <utility>
+
+#include "format/base/error.h"
+#include "runtime/scene_file/scene_file.h"
+#include "runtime/window/files/file_list.h"
+#include "runtime/window/jobs/bake_job.h"
+
+namespace pointrt {
+namespace {
+
+bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneFile(path); }
+
+} // namespace
+
+FileOpener::FileOpener(JobQueue& jobs, JobQueue::Tell tell, StartLoad load)
+    : jobs_(jobs), tell_(std::move(tell)), load_(std::move(load)) {}
+
+void FileOpener::open(const std::string& path) {
+    jobs_.startLater(JobKind::kLoad, [this, path] { return load_(path, std::exchange(first_, false)); });
+}
+
+void FileOpener::drop(const std::vector<std::string>& paths) {
+    if (paths.empty()) return;
+    try {
+        if (!isScene(paths.front())) return bake(paths);
+    } catch (const Error& error) {
+        return tell_(error.what(), true);
+    }
+    if (paths.size() > 1) tell_("opening the first of " + std::to_string(paths.size()) + " files", false);
+    open(paths.front());
+}
+
+void FileOpener::bake(const std::vector<std::string>& scans) {
+    if (const auto other = jobs_.figures(JobKind::kBake))
+        return tell_("one scan after the other: " + other->what + " is under way", true);
+    const BakePlan plan = planBake(scans);
+    if (plan.is_there) return open(plan.output);
+    jobs_.start(JobKind::kBake, [&] {
+        return startedJob<BakeJob>(std::make_unique<BakeJob>(plan), [this](BakeJob& bake) { open(bake.output()); });
+    });
+}
+
+void FileOpener::openNeighbour(const std::string& path, int step) {
+    const std::string neighbour = neighbourFile(path, step);
+    if (!neighbour.empty() && neighbour != path) open(neighbour);
+}
+
+} // namespace pointrt

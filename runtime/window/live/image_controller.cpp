@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/live/image_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pointrt {
+namespace {
+
+/// Of a frame at 30 a second, what tracing may take; the rest is the interface's and the display's, and a reserve.
+constexpr double kMovingBudget_s = 0.015;
+/// Nobody waits for a picture that gets finer, but the next input must not wait long for it either.
+constexpr double kRestingBudget_s = 0.018;
+
+PictureSize sizeOf(const Viewport& view) { return {view.settings.width, view.settings.height}; }
+
+std::uint32_t pixelAt(double share, std::uint32_t pixels) {
+    return static_cast<std::uint32_t>(std::clamp(share * pixels, 0.0, pixels - 1.0));
+}
+
+} // namespace
+
+ImageChange changeOf(const std::optional<Viewport>& shown, const ImageRequest& request, bool restart) {
+    if (!shown || restart || shown->camera != request.view.camera || sizeOf(*shown) != sizeOf(request.view))
+        return ImageChange::kStartOver;
+    return request.look_changed ? ImageChange::kLook : ImageChange::kNone;
+}
+
+void ImageController::open(Device& device, BandTracer& tracer) {
+    close();
+    device_ = &device;
+    tracer_ = &tracer;
+}
+
+void ImageController::close() {
+    live_.reset();
+    shown_.reset();
+    tracer_ = nullptr;
+}
+
+std::optional<PickResult> ImageController::update(const ImageRequest& request) {
+    if (!live_) live_.emplace(*device_, *tracer_, kMovingBudget_s);
+    moved_ = false;
+    paused_ = request.paused;
+    const ImageChange change = changeOf(shown_, request, restart_);
+    if (change == ImageChange::kStartOver) {
+        moved_ = shown_.has_value();
+        shown_ = request.view;
+        shown_->settings.first_hits = true;
+        live_->setView(*shown_, true);
+        restart_ = false;
+    } else if (change == ImageChange::kLook) {
+        live_->setLook(request.view.look, request.view.denoise);
+    }
+    live_->setSamples(request.view.settings.spp);
+    return findPick();
+}
+
+/// Between slices: a pick borrows the tracer's buffers.
+std::optional<PickResult> ImageController::findPick() {
+    if (!pick_ || !live_->betweenSlices()) return std::nullopt;
+    const PickRequest request = *std::exchange(pick_, std::nullopt);
+    const PictureSize full = sizeOf(live_->view());
+    const std::optional<Pick> pick = live_->pick(pixelAt(request.x, full.width), pixelAt(request.y, full.height));
+    return pick ? std::optional(PickResult{*pick, request.centre}) : std::nullopt;
+}
+
+bool ImageController::mayWork() const { return !paused_ || moved_ || owes() || live_->progress().samples == 0; }
+
+bool ImageController::work() { return mayWork() && live_->work(moved_ ? kMovingBudget_s : kRestingBudget_s); }
+
+Film ImageController::takeFilm() {
+    film_wanted_ = false;
+    return live_->readFilm();
+}
+
+PictureSize ImageController::size() const { return shown_ ? sizeOf(*shown_) : PictureSize{0, 0}; }
+
+} // namespace pointrt

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the window's picture starts over, and what is taken out of it.
+#include "runtime/window/live/image_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "runtime/scene/camera.h"
+
+namespace pointrt {
+namespace {
+
+ImageRequest request() {
+    ImageRequest wanted;
+    wanted.view.settings.width = 40;
+    wanted.view.settings.height = 32;
+    wanted.view.settings.spp = 3;
+    wanted.view.settings.integrator = Integrator::kPhong;
+    wanted.view.camera = frameCamera({}, {-1, 0, -1}, {1, 2, 1}, 40.0 / 32);
+    return wanted;
+}
+
+TEST(ImageChange, IsAsSmallAsCanBe) {
+    const ImageRequest wanted = request();
+    const auto change = [&](const std::function<void(ImageRequest&)>& edit) {
+        ImageRequest next = wanted;
+        edit(next);
+        return changeOf(wanted.view, next, false);
+    };
+    EXPECT_EQ(changeOf(std::nullopt, wanted, false), ImageChange::kStartOver) << "the first one";
+    EXPECT_EQ(changeOf(wanted.view, wanted, true), ImageChange::kStartOver);
+    EXPECT_EQ(change([](ImageRequest&) {}), ImageChange::kNone);
+    EXPECT_EQ(change([](ImageRequest& r) { r.view.camera.eye.x += 1; }), ImageChange::kStartOver);
+    EXPECT_EQ(change([](ImageRequest& r) { r.view.settings.width += 1; }), ImageChange::kStartOver);
+    EXPECT_EQ(change([](ImageRequest& r) { r.view.settings.height += 1; }), ImageChange::kStartOver);
+    EXPECT_EQ(change([](ImageRequest& r) { r.look_changed = true; }), ImageChange::kLook);
+    EXPECT_EQ(change([](ImageRequest& r) { r.view.settings.spp = 9; }), ImageChange::kNone) << "it only goes on";
+    EXPECT_EQ(change([](ImageRequest& r) { r.paused = true; }), ImageChange::kNone);
+}
+
+class ImageControllerTest : public testing::Test {
+protected:
+    void SetUp() override {
+        device = createDevice({});
+        SceneDescription description;
+        description.materials.emplace_back();
+        description.shapes.push_back({ShapeKind::kSphere, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
+        description.lights.push_back(PointLight{{2, 4, 2}, {30, 30, 30}});
+        scene = openScene(device, description, false);
+        uploadSceneTables(device, scene, wanted.view.settings);
+        createBandTracer(device, tracer, scene, wanted.view.settings, kSliceLanes, 1);
+        wanted.view.look.scale = scene.space.scale;
+        image.open(device, tracer);
+    }
+    void TearDown() override {
+        image.close();
+        destroyBandTracer(device, tracer);
+        destroyDeviceScene(device, scene);
+        destroyDevice(device);
+    }
+
+    /// Frames until condition holds; false where it takes too long.
+    bool goOn(const std::function<bool()>& condition) {
+        for (int frame = 0; frame < 20000 && !condition(); ++frame) {
+            if (auto found = image.update(wanted)) result = found;
+            wanted.look_changed = false;
+            if (!image.work()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            image.live()->clearUpdates();
+        }
+        return condition();
+    }
+    bool rests() const { return image.live() && image.live()->progress().resting; }
+
+    Device device;
+    DeviceScene scene;
+    BandTracer tracer;
+    ImageRequest wanted = request();
+    ImageController image;
+    std::optional<PickResult> result;
+};
+
+TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
+    EXPECT_EQ(image.live(), nullptr);
+    image.update(wanted);
+    EXPECT_FALSE(image.moved()) << "it comes from nowhere";
+    EXPECT_EQ(image.size(), (PictureSize{40, 32}));
+    EXPECT_TRUE(image.live()->view().settings.first_hits);
+    ASSERT_TRUE(goOn([&] { return rests(); }));
+    image.update(wanted);
+    EXPECT_FALSE(image.moved());
+    EXPECT_EQ(image.live()->progress().samples, 3u);
+    wanted.view.camera.eye.x += 0.1;
+    image.update(wanted);
+    EXPECT_TRUE(image.moved());
+    EXPECT_EQ(image.live()->progress().samples, 0u);
+    image.rest();
+    EXPECT_FALSE(image.moved());
+    ASSERT_TRUE(goOn([&] { return rests(); }));
+    image.restart();
+    image.update(wanted);
+    EXPECT_EQ(image.live()->progress().samples, 0u) << "another scene";
+    wanted.view.settings.spp = 5;
+    ASSERT_TRUE(goOn([&] { return rests(); }));
+    EXPECT_EQ(image.live()->progress().samples, 5u);
+}
+
+TEST_F(ImageControllerTest, AnotherLookTracesNothing) {
+    ASSERT_TRUE(goOn([&] { return rests(); }));
+    wanted.view.look.exposure = 1;
+    wanted.look_changed = true;
+    image.update(wanted);
+    EXPECT_FALSE(image.moved());
+    EXPECT_EQ(image.live()->progress().samples, 3u);
+    EXPECT_FALSE(image.live()->updates().empty()) << "there is something to show";
+    EXPECT_EQ(image.live()->view().look.exposure, 1);
+}
+
+TEST_F(ImageControllerTest, PausedItGoesOnForWhomeverWaits) {
+    wanted.paused = true;
+    ASSERT_TRUE(goOn([&] { return image.live() && image.live()->progress().samples > 0; })) << "a first picture";
+    image.update(wanted);
+    EXPECT_FALSE(image.mayWork());
+    EXPECT_FALSE(image.work());
+    EXPECT_FALSE(image.owes());
+    image.wantFilm();
+    EXPECT_TRUE(image.owes());
+    EXPECT_TRUE(image.mayWork());
+    ASSERT_TRUE(goOn([&] { return image.filmIsReady(); }));
+    EXPECT_EQ(image.takeFilm().rgba.size(), 40u * 32 * 4);
+    EXPECT_FALSE(image.wantsFilm());
+    EXPECT_FALSE(image.mayWork());
+}
+
+TEST_F(ImageControllerTest, FindsWhatIsPicked) {
+    image.pick({0.5, 0.5, true});
+    EXPECT_TRUE(image.owes());
+    ASSERT_TRUE(goOn([&] { return result.has_value(); }));
+    EXPECT_TRUE(result->centre);
+    EXPECT_NEAR(result->pick.position.z, 1, 0.05) << "the ball's front";
+    EXPECT_FALSE(image.owes());
+    result.reset();
+    image.pick({0, 0});
+    ASSERT_TRUE(goOn([&] { return !image.owes(); }));
+    EXPECT_FALSE(result) << "nothing is there";
+    image.pick({1, 1}); // the last pixel, not the one after it
+    ASSERT_TRUE(goOn([&] { return !image.owes(); }));
+}
+
+TEST_F(ImageControllerTest, TakesAnotherScene) {
+    ASSERT_TRUE(goOn([&] { return rests(); }));
+    image.wantFilm();
+    image.open(device, tracer);
+    EXPECT_EQ(image.live(), nullptr);
+    image.update(wanted);
+    EXPECT_FALSE(image.moved()) << "nothing of it was there to move";
+    EXPECT_TRUE(image.wantsFilm());
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of a scene, and what they make necessary; no device is needed.
+#include "runtime/window/edit/scene_editor.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/device_scene/scene_rows.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/default_lighting.h"
+#include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/shown_scene.h"
+
+namespace pointrt {
+namespace {
+
+OpenedScene opened(const SceneDescription& described, const RenderSettings& settings = {}) {
+    OpenedScene scene;
+    scene.described = described;
+    scene.described.path = "scans/statue.pro";
+    scene.settings = settings;
+    scene.bounds_min = {-1, -1, -1};
+    scene.bounds_max = {1, 1, 1};
+    scene.camera = frameCamera({}, scene.bounds_min, scene.bounds_max, 1);
+    scene.staged_for = scene.camera.eye;
+    scene.staged = scene.described;
+    addSurroundings(scene.staged, settings, scene.camera, scene.bounds_min, scene.bounds_max);
+    return scene;
+}
+
+PointLight lampAt(double x) { return {{x, 3, 0}, {9, 9, 9}}; }
+
+class SceneEditorTest : public testing::Test {
+protected:
+    /// As a panel's room button does.
+    void goTo(std::optional<Room> room, std::optional<std::uint32_t> lamps = std::nullopt) {
+        work.settings.room = room;
+        work.settings.lights = lamps;
+        editor.restage();
+    }
+
+    Workspace work;
+    SceneEditor editor{work};
+};
+
+TEST_F(SceneEditorTest, ShowsWhatWasOpened) {
+    work.picks.emplace_back();
+    EXPECT_FALSE(editor.isOpen());
+    editor.open(opened({}), 17);
+    EXPECT_TRUE(editor.isOpen());
+    EXPECT_EQ(work.title, "statue.pro");
+    EXPECT_EQ(work.samples_wanted, 17u);
+    EXPECT_EQ(work.scene.lights.size(), 3u) << "the studio's";
+    EXPECT_TRUE(work.picks.empty());
+    EXPECT_EQ(work.scene_up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(work.look.shown, SHOWN_BEAUTY);
+    EXPECT_FALSE(editor.waits());
+    editor.restage();
+    EXPECT_EQ(work.scene.lights.size(), 3u) << "nothing to do";
+}
+
+TEST_F(SceneEditorTest, WaitsUntilEditsAreDone) {
+    editor.open(opened({}), 4);
+    Requests asked;
+    asked.look_changed = true;
+    editor.note(asked);
+    EXPECT_FALSE(editor.waits()) << "the light is the same";
+    asked.scene_changed = true;
+    editor.note(asked);
+    editor.note({});
+    EXPECT_TRUE(editor.waits());
+    editor.settle();
+    EXPECT_FALSE(editor.waits());
+    asked = {};
+    asked.settings_changed = true;
+    editor.note(asked);
+    EXPECT_TRUE(editor.waits());
+    editor.open(opened({}), 4);
+    EXPECT_FALSE(editor.waits());
+}
+
+TEST_F(SceneEditorTest, PutsUpTheRoomThatIsAskedFor) {
+    editor.open(opened({}), 4);
+    const SceneDescription studio = work.scene;
+    goTo(Room::kMatte, 5);
+    EXPECT_EQ(work.scene.lights.size(), 5u);
+    EXPECT_NE(work.scene.shapes, studio.shapes);
+    EXPECT_FALSE(work.scene.materials.empty());
+    goTo(Room::kNone);
+    EXPECT_TRUE(work.scene.shapes.empty());
+    EXPECT_TRUE(work.scene.materials.empty()) << "of a room that was taken down";
+    goTo(std::nullopt);
+    EXPECT_EQ(work.scene.lights, studio.lights);
+    EXPECT_EQ(work.scene.shapes, studio.shapes);
+}
+
+TEST_F(SceneEditorTest, FindsTheLampsOfARoomAgain) {
+    editor.open(opened({}), 4);
+    goTo(Room::kMatte);
+    const auto ring = work.scene.lights;
+    work.scene.lights = {lampAt(1)};
+    goTo(Room::kMirror);
+    EXPECT_EQ(work.scene.lights.size(), 3u) << "its own";
+    goTo(Room::kMatte);
+    EXPECT_EQ(work.scene.lights, (std::vector<LightDescription>{lampAt(1)}));
+    goTo(Room::kMatte, 2);
+    EXPECT_EQ(work.scene.lights.size(), 2u) << "another number of them is asked for";
+    goTo(Room::kMatte);
+    EXPECT_EQ(work.scene.lights, ring);
+}
+
+TEST_F(SceneEditorTest, ASceneFilesLampsAreInEveryRoom) {
+    SceneDescription scene;
+    scene.lights = {lampAt(2)};
+    editor.open(opened(scene), 4);
+    work.scene.lights = {lampAt(4)};
+    goTo(Room::kMatte);
+    EXPECT_EQ(work.scene.lights, (std::vector<LightDescription>{lampAt(4)}));
+}
+
+TEST_F(SceneEditorTest, KeepsMaterialsAndViewsFromRoomToRoom) {
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.instances.resize(1);
+    editor.open(opened(scene), 4);
+    work.scene.materials[1].color = {1, 0, 0};
+    work.scene.instances[0].material = 1;
+    work.scene.views.push_back({"mine", {}});
+    goTo(Room::kMatte);
+    goTo(Room::kNone);
+    ASSERT_EQ(work.scene.materials.size(), 2u);
+    EXPECT_EQ(work.scene.materials[1].color, (Color{1, 0, 0}));
+    EXPECT_EQ(work.scene.instances[0].material, 1u);
+    EXPECT_EQ(work.scene.views.size(), 1u);
+}
+
+TEST_F(SceneEditorTest, FiltersByTheRuleUntilTheUserSaysOtherwise) {
+    RenderSettings settings;
+    settings.integrator = Integrator::kWhitted;
+    editor.open(opened({}, settings), 4);
+    EXPECT_TRUE(work.denoise) << "the studio's lamps are soft";
+    goTo(Room::kMirror);
+    EXPECT_FALSE(work.denoise) << "the ring's are not";
+    work.denoise = true;
+    goTo(Room::kMatte);
+    EXPECT_TRUE(work.denoise);
+}
+
+TEST_F(SceneEditorTest, PutsTheScanOnAnotherSide) {
+    editor.open(opened({}), 4);
+    goTo(Room::kMatte);
+    work.scene.lights = {lampAt(1)};
+    ViewCamera home = work.camera;
+    editor.setUp({0, 0, 1}, home, 1);
+    EXPECT_EQ(work.scene_up, (Vec3{0, 0, 1}));
+    EXPECT_EQ(sceneUp(work.scene, work.settings), (Vec3{0, 0, 1}));
+    EXPECT_EQ(home.up, (Vec3{0, 0, 1}));
+    EXPECT_LT(home.eye.y, -1) << "in front of it, where Z is up";
+    EXPECT_EQ(work.scene.lights.size(), 3u) << "lamps begin anew";
+    EXPECT_TRUE(editor.waits());
+}
+
+TEST_F(SceneEditorTest, ViewsAreKeptUnderTheirNames) {
+    editor.open(opened({}), 4);
+    saveView(work);
+    saveView(work);
+    work.view_name = "front";
+    saveView(work);
+    EXPECT_EQ(work.view_name, "");
+    work.view_name = "view 1";
+    work.camera.fov_deg = 33;
+    saveView(work);
+    ASSERT_EQ(work.scene.views.size(), 3u);
+    EXPECT_EQ(work.scene.views[0].name, "view 2");
+    EXPECT_EQ(work.scene.views[1].name, "front");
+    EXPECT_EQ(work.scene.views[2].name, "view 1");
+    EXPECT_EQ(work.scene.views[2].camera.fov_deg, 33);
+}
+
+TEST_F(SceneEditorTest, SavesWhatIsShown) {
+    editor.open(opened({}), 40);
+    work.look.exposure = 1.5f;
+    work.denoise = true;
+    const SceneDescription saved = sceneAsShown(work, {64, 48});
+    EXPECT_EQ(saved.render.size, (PixelSize{64, 48}));
+    EXPECT_EQ(saved.render.spp, 40u);
+    EXPECT_EQ(saved.render.exposure, 1.5f);
+    EXPECT_EQ(saved.render.denoise, DenoiseChoice::kOn);
+    EXPECT_EQ(saved.lights, work.scene.lights) << "the studio's are its own now";
+    EXPECT_EQ(saved.render.room, Room::kNone);
+    work.samples_wanted = 256;
+    EXPECT_EQ(sceneAsShown(work, {64, 48}).render.denoise, DenoiseChoice::kOff) << "there is nothing to filter then";
+}
+
+/// What it takes from one description to another.
+class ReworkTest : public testing::Test {
+protected:
+    ReworkTest() {
+        before.shapes.emplace_back();
+        before.materials.emplace_back();
+        before.lights = {lampAt(1)};
+        scene.description = before;
+        scene.features = makeSceneRows(scene, before, settings).features;
+    }
+    Rework to(const SceneDescription& after) { return reworkFor(scene, Integrator::kWhitted, after, settings); }
+
+    SceneDescription before;
+    RenderSettings settings = [] {
+        RenderSettings whitted;
+        whitted.integrator = Integrator::kWhitted;
+        return whitted;
+    }();
+    DeviceScene scene;
+};
+
+TEST_F(ReworkTest, ValuesAreRows) {
+    SceneDescription after = before;
+    after.lights = {lampAt(2), lampAt(3)};
+    after.materials[0].color = {1, 0, 0};
+    after.shapes[0].center = {0, -1, 0};
+    EXPECT_EQ(to(after), Rework::kTables);
+}
+
+TEST_F(ReworkTest, OtherKindsAreOtherPrograms) {
+    SceneDescription after = before;
+    after.lights.emplace_back(SphereLight{{0, 3, 0}, 0.5, {1, 1, 1}, true});
+    EXPECT_EQ(to(after), Rework::kPrograms);
+    after = before;
+    after.sky = SkyDescription{};
+    after.sky->image = "sky.hdr";
+    EXPECT_EQ(to(after), Rework::kPrograms);
+    settings.integrator = Integrator::kPath;
+    EXPECT_EQ(to(before), Rework::kPrograms);
+}
+
+TEST_F(ReworkTest, OtherPlacesAreLoadedAnew) {
+    SceneDescription after = before;
+    after.instances.resize(1);
+    EXPECT_EQ(to(after), Rework::kReload);
+}
+
+TEST_F(ReworkTest, NobodyWaitsWhileHeDrags) {
+    constexpr bool drags = true, lacks_photons = true;
+    EXPECT_EQ(nextStep(Rework::kNothing, !drags, !lacks_photons), EditStep::kNothing);
+    for (const bool lacks : {false, true}) {
+        EXPECT_EQ(nextStep(Rework::kTables, drags, lacks), EditStep::kUpload);
+        EXPECT_EQ(nextStep(Rework::kTables, !drags, lacks), EditStep::kUpload);
+        EXPECT_EQ(nextStep(Rework::kPrograms, drags, lacks), EditStep::kNothing);
+        EXPECT_EQ(nextStep(Rework::kPrograms, !drags, lacks), EditStep::kRelight);
+        EXPECT_EQ(nextStep(Rework::kReload, !drags, lacks), EditStep::kRelight);
+    }
+    EXPECT_EQ(nextStep(Rework::kNothing, drags, lacks_photons), EditStep::kNothing);
+    EXPECT_EQ(nextStep(Rework::kNothing, !drags, lacks_photons), EditStep::kRelight);
+}
+
+} // namespace
+} // namespace pointrt
