@@ -62,9 +62,11 @@ Bounds findBounds(const DeviceScene& scene) {
     return all.value_or(Bounds{{-1, -1, -1}, {1, 1, 1}});
 }
 
-/// Rough metal and plastic read it; others only where it makes no difference, which zeros tell sooner.
+/// Rough kinds read it; others only where it makes no difference, which zeros tell sooner.
 bool needsGgxAlbedo(std::uint32_t features) {
-    return (features & (FEATURE_MATERIAL(MATERIAL_METAL) | FEATURE_MATERIAL(MATERIAL_PLASTIC))) != 0;
+    return std::any_of(kMaterialKinds.begin(), kMaterialKinds.end(), [&](const MaterialKindRow& each) {
+        return hasTrait(each.kind, MATERIAL_IS_ROUGH) && (features & FEATURE_MATERIAL(each.kind)) != 0;
+    });
 }
 
 template <typename Row>

@@ -52,8 +52,6 @@ struct ToRenderUnits {
 };
 
 constexpr std::array<std::uint32_t, 5> kShapeKinds = {SHAPE_PLANE, SHAPE_DISC, SHAPE_QUAD, SHAPE_BOX, SHAPE_SPHERE};
-constexpr std::array<float, 5> kMaterialKinds = {MATERIAL_MATTE, MATERIAL_METAL, MATERIAL_PLASTIC, MATERIAL_MIRROR,
-                                                 MATERIAL_GLASS};
 
 template <typename Kind, typename Number, std::size_t N>
 Number numberOf(const std::array<Number, N>& numbers, Kind kind) {
@@ -162,7 +160,7 @@ gpu::Material packMaterial(const RenderSpace& space, const MaterialDescription& 
     const std::uint32_t bits =
         (material.splat_color ? MATERIAL_USES_SPLAT_COLOR : 0u) | (material.thin ? MATERIAL_THIN : 0u);
     return {packColor(material.color, std::bit_cast<float>(bits)),
-            {numberOf(kMaterialKinds, material.kind), material.roughness, material.index, material.mirror_share},
+            {static_cast<float>(material.kind), material.roughness, material.index, material.mirror_share},
             {material.specular, material.shininess, 0, 0},
             packColor(material.emission, std::bit_cast<float>(NO_LIGHT)),
             packColor(scaled(material.absorption, space.scale))};

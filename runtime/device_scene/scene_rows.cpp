@@ -25,6 +25,10 @@ MaterialDescription materialOfRow(const float* row, const RenderSettings& settin
 
 std::uint32_t packColor(const std::array<std::uint8_t, 3>& c) { return c[0] | c[1] << 8 | std::uint32_t{c[2]} << 16; }
 
+MaterialKind kindOf(const gpu::Material& material) {
+    return kMaterialKinds.at(static_cast<std::size_t>(materialKind(material))).kind;
+}
+
 class RowMaker {
 public:
     RowMaker(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings)
@@ -42,9 +46,9 @@ public:
 private:
     /// Mirrors and glass do, and are asked to.
     bool bundlesLight(const gpu::Material& material) const {
-        const auto kind = static_cast<int>(material.gloss.x);
-        const bool mirrors = kind == MATERIAL_MATTE && material.gloss.w > 0;
-        return settings_.caustics && (kind == MATERIAL_MIRROR || kind == MATERIAL_GLASS || mirrors);
+        const MaterialKind kind = kindOf(material);
+        const bool mirrors = hasTrait(kind, MATERIAL_MIRRORS_BY_SHARE) && mirrorShare(material) > 0;
+        return settings_.caustics && (hasTrait(kind, MATERIAL_IS_CLEAR) || mirrors);
     }
 
     bool castsCaustics(std::uint32_t first, const gpu::InstanceParams& params) const {
@@ -125,9 +129,9 @@ private:
 /// Whether a surface of the material may send rays on: with integrators by chance all do, with others what mirrors, and
 /// where they gloss highlights matte ones with a highlight as well.
 bool sendsOn(const gpu::Material& material, Integrator integrator) {
-    const bool mirrors = material.gloss.x != MATERIAL_MATTE || material.gloss.w > 0;
+    const bool mirrors = !hasTrait(kindOf(material), MATERIAL_MIRRORS_BY_SHARE) || mirrorShare(material) > 0;
     return hasTrait(integrator, INTEGRATOR_BY_CHANCE) || (mirrors && showsLight(integrator)) ||
-           (material.phong.x > 0 && hasTrait(integrator, INTEGRATOR_GLOSSES_HIGHLIGHTS));
+           (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_GLOSSES_HIGHLIGHTS));
 }
 
 std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
@@ -135,7 +139,7 @@ std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
     for (const gpu::Light& light : rows.lights)
         if (LIGHT_KIND(light) != LIGHT_SKY) bits |= FEATURE_LIGHT(LIGHT_KIND(light));
     for (const gpu::Material& material : rows.materials) {
-        bits |= FEATURE_MATERIAL(material.gloss.x);
+        bits |= FEATURE_MATERIAL(materialKind(material));
         if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;
     }
     for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);

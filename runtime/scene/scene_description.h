@@ -11,13 +11,12 @@
 #include <vector>
 
 #include "runtime/light/light.h"
+#include "runtime/scene/material_kinds.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/util/color.h"
 #include "runtime/util/vec.h"
 
 namespace pointrt {
-
-enum class MaterialKind { kMatte, kMetal, kPlastic, kMirror, kGlass };
 
 struct MaterialDescription {
     std::string name;

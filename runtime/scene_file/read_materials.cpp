@@ -1,34 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "runtime/scene/material_fields.h"
 #include "runtime/scene_file/read_parts.h"
 
 namespace pointrt {
 namespace {
 
-/// A kind's name and the keys that mean something to it.
-struct Kind {
-    MaterialKind kind;
-    std::string_view name;
-    std::vector<std::string_view> keys;
-};
+constexpr std::string_view kAbsorption = "absorption";
 
-const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all = {
-        {MaterialKind::kMatte, "matte", {"mirror_share", "specular", "shininess"}},
-        {MaterialKind::kMetal, "metal", {"roughness"}},
-        {MaterialKind::kPlastic, "plastic", {"roughness", "index"}},
-        {MaterialKind::kMirror, "mirror", {}},
-        {MaterialKind::kGlass, "glass", {"index", "thin", "absorption", "tint", "tint_distance"}},
-    };
-    return all;
+const MaterialKindRow& kindOf(const SceneValue& table) {
+    std::vector<std::string_view> words;
+    for (const MaterialKindRow& each : kMaterialKinds) words.push_back(each.word);
+    const auto value = find(table, "kind");
+    return kMaterialKinds[value ? choiceOf(*value, words) : 0];
 }
 
-const Kind& kindOf(const SceneValue& table) {
-    std::vector<std::string_view> names;
-    for (const Kind& each : kinds()) names.push_back(each.name);
-    const auto value = find(table, "kind");
-    return kinds()[value ? choiceOf(*value, names) : 0];
+/// The keys that mean something to a kind.
+std::vector<std::string_view> keysOf(MaterialKind kind) {
+    std::vector<std::string_view> keys = {"kind", "color", "splat_color", "emission"};
+    for (const MaterialField* field : fieldsOf(kind)) {
+        keys.push_back(field->key);
+        if (field->key == kAbsorption) keys.insert(keys.end(), {"tint", "tint_distance"});
+    }
+    return keys;
 }
 
 /// Beer-Lambert: what is left of tint after tint_distance inside.
@@ -44,9 +39,8 @@ Color absorptionOfTint(const SceneValue& table, const SceneValue& tint_value) {
     return absorption;
 }
 
-void readGlass(const SceneValue& table, MaterialDescription& material) {
-    takeFlag(table, "thin", material.thin);
-    takeColor(table, "absorption", kLight, material.absorption);
+/// In place of absorption it may say what colour it gives to light.
+void readTint(const SceneValue& table, MaterialDescription& material) {
     if (material.thin)
         forbid(table, {"absorption", "tint", "tint_distance"}, "a thin pane has no inside that absorbs; use \"color\"");
     const auto tint = find(table, "tint");
@@ -55,11 +49,22 @@ void readGlass(const SceneValue& table, MaterialDescription& material) {
     material.absorption = absorptionOfTint(table, *tint);
 }
 
+void readField(const SceneValue& table, const MaterialField& field, MaterialDescription& material) {
+    const Range range{field.low, field.high};
+    if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
+        takeNumber(table, field.key, range, material.**number);
+    if (const auto* flag = std::get_if<bool MaterialDescription::*>(&field.member))
+        takeFlag(table, field.key, material.**flag);
+    if (const auto* color = std::get_if<Color MaterialDescription::*>(&field.member))
+        takeColor(table, field.key, range, material.**color);
+    if (field.key == kAbsorption) readTint(table, material);
+}
+
 /// Matte, metal and plastic splats keep their own colours unless the file gives one. Where those rule, or light is only
 /// reflected and let through, nothing is taken off by default.
 void readColor(const SceneValue& table, MaterialDescription& material) {
     const bool colored = find(table, "color").has_value();
-    const bool clear = material.kind == MaterialKind::kMirror || material.kind == MaterialKind::kGlass;
+    const bool clear = hasTrait(material.kind, MATERIAL_IS_CLEAR);
     material.splat_color = !colored && !clear;
     takeFlag(table, "splat_color", material.splat_color);
     if (material.splat_color || clear) material.color = {1, 1, 1};
@@ -67,21 +72,14 @@ void readColor(const SceneValue& table, MaterialDescription& material) {
 }
 
 MaterialDescription readMaterial(const SceneValue& table) {
-    const Kind& kind = kindOf(table);
-    std::vector<std::string_view> keys = {"kind", "color", "splat_color", "emission"};
-    keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
-    requireKnownKeys(table, "a material of kind \"" + std::string(kind.name) + "\"", keys);
+    const MaterialKindRow& kind = kindOf(table);
+    requireKnownKeys(table, "a material of kind \"" + std::string(kind.word) + "\"", keysOf(kind.kind));
 
     MaterialDescription material;
     material.kind = kind.kind;
     readColor(table, material);
-    takeNumber(table, "roughness", kShare, material.roughness);
-    takeNumber(table, "index", {1, 4}, material.index);
-    takeNumber(table, "mirror_share", kShare, material.mirror_share);
-    takeNumber(table, "specular", kShare, material.specular);
-    takeNumber(table, "shininess", {1, 1000}, material.shininess);
     takeColor(table, "emission", kLight, material.emission);
-    if (kind.kind == MaterialKind::kGlass) readGlass(table, material);
+    for (const MaterialField* field : fieldsOf(kind.kind)) readField(table, *field, material);
     return material;
 }
 

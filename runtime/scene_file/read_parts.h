@@ -11,8 +11,6 @@
 
 namespace pointrt {
 
-constexpr std::size_t kMaxMaterials = 256;
-
 struct SceneReading {
     SceneDescription scene; ///< path and up come before the sections, materials and lights before what asks for them
     std::map<std::string, std::uint32_t, std::less<>> material_of_name;

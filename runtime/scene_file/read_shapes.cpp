@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/scene/material_fields.h"
 #include "runtime/scene_file/read_parts.h"
 #include "shaders/shared/scene_layout.h"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "runtime/scene/material_fields.h"
 #include "runtime/scene_file/values.h"
 #include "runtime/scene_file/write_parts.h"
 
@@ -18,43 +19,21 @@ bool isPlain(const SceneDescription& scene, std::uint32_t material) {
     });
 }
 
-const char* nameOfKind(MaterialKind kind) {
-    constexpr const char* names[] = {"matte", "metal", "plastic", "mirror", "glass"};
-    return names[static_cast<std::size_t>(kind)];
-}
-
 /// In quotes where TOML needs them.
 std::string keyOf(const std::string& name) {
     constexpr const char* bare = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     return name.find_first_not_of(bare) == std::string::npos ? name : tomlOf(name);
 }
 
-void putGlass(SceneWriting& writing, const MaterialDescription& material) {
-    put(writing, "index", tomlOf(material.index));
-    if (material.thin)
-        put(writing, "thin", "true");
-    else
-        put(writing, "absorption", tomlOf(material.absorption));
-}
-
-void putKind(SceneWriting& writing, const MaterialDescription& material) {
-    switch (material.kind) {
-    case MaterialKind::kMatte:
-        put(writing, "mirror_share", tomlOf(material.mirror_share));
-        put(writing, "specular", tomlOf(material.specular));
-        put(writing, "shininess", tomlOf(material.shininess));
-        return;
-    case MaterialKind::kPlastic:
-        put(writing, "index", tomlOf(material.index));
-        [[fallthrough]];
-    case MaterialKind::kMetal:
-        put(writing, "roughness", tomlOf(material.roughness));
-        return;
-    case MaterialKind::kGlass:
-        return putGlass(writing, material);
-    case MaterialKind::kMirror:
-        return;
-    }
+/// Switches that are off are left out.
+void putField(SceneWriting& writing, const MaterialField& field, const MaterialDescription& material) {
+    if (field.unless && material.*field.unless) return;
+    if (const auto* number = std::get_if<float MaterialDescription::*>(&field.member))
+        put(writing, field.key, tomlOf(material.**number));
+    if (const auto* flag = std::get_if<bool MaterialDescription::*>(&field.member); flag && material.**flag)
+        put(writing, field.key, "true");
+    if (const auto* color = std::get_if<Color MaterialDescription::*>(&field.member))
+        put(writing, field.key, tomlOf(material.**color));
 }
 
 } // namespace
@@ -84,11 +63,11 @@ void writeMaterials(SceneWriting& writing) {
         if (writing.material_names[m].empty()) continue;
         const MaterialDescription& material = writing.scene.materials[m];
         begin(writing, "[material." + keyOf(writing.material_names[m]) + "]");
-        put(writing, "kind", std::string("\"") + nameOfKind(material.kind) + "\"");
+        put(writing, "kind", std::string("\"") + rowOf(material.kind).word + "\"");
         put(writing, "color", tomlOf(material.color));
         if (material.splat_color) put(writing, "splat_color", "true");
         if (material.emission != Color{0, 0, 0}) put(writing, "emission", tomlOf(material.emission));
-        putKind(writing, material);
+        for (const MaterialField* field : writtenFieldsOf(material.kind)) putField(writing, *field, material);
     }
 }
 

@@ -3,7 +3,7 @@
 #ifndef POINTRT_SHADERS_NEXT_PATH_GLSL
 #define POINTRT_SHADERS_NEXT_PATH_GLSL
 #include "shaders/surface/surface_interaction.glsl"
-#include "shaders/material/matter.glsl"
+#include "shaders/material/make_bsdf.glsl"
 #include "shaders/trace/offset.glsl"
 #include "shaders/integrator/shading.glsl"
 

@@ -6,7 +6,7 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/surface/surface_interaction.glsl"
-#include "shaders/material/matter.glsl"
+#include "shaders/material/make_bsdf.glsl"
 #include "shaders/math/sampler.glsl"
 #include "shaders/math/color.glsl"
 #include "shaders/integrator/next_path.glsl"
@@ -32,21 +32,21 @@ void main() {
     bool back = isBack(point);
     Material row = loadMaterial(materialOf(point));
     vec3 normal = point.normal, way_back = -path.direction;
-    SurfaceMaterial matter = surfaceMaterial(row, point.albedo, back, dot(normal, way_back));
+    Bsdf bsdf = materialBsdf(row, point.albedo, back, dot(normal, way_back));
     vec3 flux = path.throughput * (back ? transmittance(row, point.t) : vec3(1.0));
 
     float u = sample1(index, push.sample_index, bounce, params.seed);
-    bool reflects = u < matter.reflect_chance, refracts = !reflects && u < matter.reflect_chance + matter.refract_chance;
+    bool reflects = u < bsdf.reflect_chance, refracts = !reflects && u < bsdf.reflect_chance + bsdf.refract_chance;
     bool met = live && point.t >= 0.0 && (bounce > 0u || meetsTarget(path, point));
-    bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(matter);
+    bool stays = met && !reflects && !refracts && bounce > 0u && hasSmoothLobe(bsdf);
     if (stays) {
-        float chance = 1.0 - matter.reflect_chance - matter.refract_chance;
+        float chance = 1.0 - bsdf.reflect_chance - bsdf.refract_chance;
         photons[index] = Photon(vec4(point.position, uintBitsToFloat(packSnorm4x8(vec4(normal, 0.0)))), vec4(flux / chance, 1.0));
     }
     // as radiance is carried over boundaries without its factor, so is light that ends or starts in glass
-    float boundary = matter.thin ? 1.0 : matter.eta * matter.eta;
-    NextRay ray = NextRay(refracts ? refractedWay(matter, normal, way_back) : reflect(-way_back, normal),
-                          flux * (refracts ? matter.albedo * boundary : matter.reflect_tint), 0.0);
+    float boundary = bsdf.thin ? 1.0 : bsdf.eta * bsdf.eta;
+    NextRay ray = NextRay(refracts ? refractedWay(bsdf, normal, way_back) : reflect(-way_back, normal),
+                          flux * (refracts ? bsdf.albedo * boundary : bsdf.reflect_tint), 0.0);
     bool goes_on = met && (reflects || refracts) && bounce < params.bounces && largest(ray.weight) > 0.0;
     appendRay(goes_on, index, pathAfter(point, path, ray, 0u));
 }

@@ -6,7 +6,7 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/surface/surface_interaction.glsl"
-#include "shaders/material/matter.glsl"
+#include "shaders/material/make_bsdf.glsl"
 #include "shaders/film/film.glsl"
 #include "shaders/light/sky.glsl"
 #include "shaders/integrator/next_path.glsl"
@@ -17,8 +17,11 @@
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
-// Glass alone sends on two rays at once, one of which integrators by chance follow.
-const bool kMayDefer = mayHaveMaterial(MATERIAL_GLASS) && !integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE);
+// What refracts sends on two rays at once, one of which integrators by chance follow.
+#define REFRACTS(number, NAME, Name, word, label, lobes, traits)                                                       \
+    | (((traits) & MATERIAL_REFRACTS) != 0u ? FEATURE_MATERIAL(number) : 0u)
+const bool kMayRefract = (kFeatures & (0u MATERIALS(REFRACTS))) != 0u;
+const bool kMayDefer = kMayRefract && !integratorHas(kIntegrator, INTEGRATOR_BY_CHANCE);
 
 void appendLightQuery(bool wants, uint index, SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
     appendEntry(APPEND_LIGHT_QUERY, wants, index);
@@ -58,9 +61,9 @@ const uint kShadings = 0u INTEGRATORS(SHADING_OF_ROW);
 const uint kShading = kShadings >> (INTEGRATOR_BITS * kIntegrator) & ((1u << INTEGRATOR_BITS) - 1u);
 
 // As the integrator does that the program is built for.
-Shading shadeHit(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
+Shading shadeHit(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {
 #define SHADE(number, NAME, function) \
-    if (kShading == number) return function(path, point, row, matter, pixel);
+    if (kShading == number) return function(path, point, row, bsdf, pixel);
     SHADINGS(SHADE)
     return onlyLight(vec3(0.0));
 }
@@ -91,9 +94,9 @@ void main() {
     settleSides(point, path);
     bool back = isBack(point);
     Material row = loadMaterial(materialOf(point));
-    SurfaceMaterial matter = matterOf(row, point.albedo, back, -dot(point.normal, path.direction));
+    Bsdf bsdf = makeBsdf(row, point.albedo, back, -dot(point.normal, path.direction));
     path.throughput *= back ? transmittance(row, point.t) : vec3(1.0);
-    Shading shading = shadeHit(path, point, row, matter, imagePixel(index));
+    Shading shading = shadeHit(path, point, row, bsdf, imagePixel(index));
     if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
     if (live && !kCameraPass) addLight(index, shading.added, bounce);
     appendLightQuery(live && largest(shading.direct_weight) > 0.0 && params.light_count > 0u, index, point,

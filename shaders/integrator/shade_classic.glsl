@@ -15,17 +15,17 @@ NextRay lastOrNext(vec3 direction, vec3 weight, bool last, float u, inout vec3 a
     return NextRay(direction, !last && u < chance ? weight / chance : vec3(0.0), 0.0);
 }
 
-Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
+Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {
     vec3 throughput = path.throughput, view = -path.direction;
     uint bounce = bounceOf(path.bits);
     vec2 u = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_DIRECTION), params.seed);
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
-    SpecularPair pair = specularPair(matter, point.normal, view);
-    vec3 added = throughput * (row.emission.rgb + smoothAlbedo(matter) * ambientLight(point.normal));
+    SpecularPair pair = specularPair(bsdf, point.normal, view);
+    vec3 added = throughput * (row.emission.rgb + smoothAlbedo(bsdf) * ambientLight(point.normal));
     bool last = bounce >= ofLane(params.bounces);
     NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
     NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
-    return Shading(added, hasSmoothLobe(matter) ? throughput : vec3(0.0), reflected, refracted);
+    return Shading(added, hasSmoothLobe(bsdf) ? throughput : vec3(0.0), reflected, refracted);
 }
 
 #endif

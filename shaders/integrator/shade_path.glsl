@@ -25,17 +25,17 @@ vec3 roulette(vec3 throughput, uint bounce, float u) {
     return u < survival ? throughput / survival : vec3(0.0);
 }
 
-Shading shadePath(PathState path, SurfaceInteraction point, Material row, SurfaceMaterial matter, uint pixel) {
+Shading shadePath(PathState path, SurfaceInteraction point, Material row, Bsdf bsdf, uint pixel) {
     vec3 throughput = path.throughput, view = -path.direction;
     if (point.t < 0.0) return onlyLight(throughput * skySeen(path));
     uint bounce = bounceOf(path.bits);
     vec3 added = throughput * emissionSeen(path, row);
     vec2 u = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_DIRECTION), params.seed);
     vec2 choices = sample2(pixel, push.sample_index, dimensionPair(bounce, PAIR_CHOICES), params.seed);
-    Scattering scattered = sampleBsdf(matter, point.normal, view, vec3(u, choices.x));
+    Scattering scattered = sampleBsdf(bsdf, point.normal, view, vec3(u, choices.x));
     bool last = bounce >= ofLane(params.bounces);
     vec3 weight = last ? vec3(0.0) : roulette(throughput * scattered.weight, bounce, choices.y);
-    vec3 lit = hasSmoothLobe(matter) ? throughput : vec3(0.0);
+    vec3 lit = hasSmoothLobe(bsdf) ? throughput : vec3(0.0);
     return Shading(added, lit, NextRay(scattered.direction, weight, scattered.pdf), noRay());
 }
 

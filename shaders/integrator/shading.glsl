@@ -20,8 +20,6 @@ NextRay noRay() { return NextRay(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0); }
 
 Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay()); }
 
-bool isThin(Material row) { return (floatBitsToUint(row.base.w) & MATERIAL_THIN) != 0u; }
-
 // Of light that came t through a material; a pane has no inside.
 vec3 transmittance(Material row, float t) {
     return isThin(row) ? vec3(1.0) : exp(-row.absorption.rgb * max(t, 0.0));

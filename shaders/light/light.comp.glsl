@@ -4,18 +4,18 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/light/direct_light.glsl"
 #include "shaders/material/material.glsl"
-#include "shaders/material/matter.glsl"
+#include "shaders/material/make_bsdf.glsl"
 #include "shaders/film/film.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 
 // What a surface makes of a light's sample. Path tracing leaves out what rays scattered by chance towards a lamp bring
 // (balance heuristic, Veach 1997); but for a sun's disc, which they leave out.
-vec3 scatteredLight(SurfaceMaterial matter, vec3 normal, vec3 view, LightSample to, uint kind, float chance) {
-    if (isClassic()) return classicBsdf(matter, normal, view, to.direction, to.pdf > 0.0);
-    float scatter_pdf = bsdfPdf(matter, normal, view, to.direction), light_pdf = to.pdf * chance;
+vec3 scatteredLight(Bsdf bsdf, vec3 normal, vec3 view, LightSample to, uint kind, float chance) {
+    if (isClassic()) return classicBsdf(bsdf, normal, view, to.direction, to.pdf > 0.0);
+    float scatter_pdf = bsdfPdf(bsdf, normal, view, to.direction), light_pdf = to.pdf * chance;
     float share = light_pdf > 0.0 && isFoundByChance(kind) ? light_pdf / (light_pdf + scatter_pdf) : 1.0;
-    return evaluateBsdf(matter, normal, view, to.direction) * (share / chance);
+    return evaluateBsdf(bsdf, normal, view, to.direction) * (share / chance);
 }
 
 void main() {
@@ -24,13 +24,13 @@ void main() {
     if (path == NO_INDEX) return;
     uint turns = lightTurns(), mask = light_masks[path];
     vec3 normal = query.normal, view = query.view;
-    SurfaceMaterial matter = matterOf(loadMaterial(query.material), query.albedo, false, dot(normal, view));
+    Bsdf bsdf = makeBsdf(loadMaterial(query.material), query.albedo, false, dot(normal, view));
     float chance = lightChance();
     vec3 light_sum = vec3(0.0);
     for (uint turn = 0u; turn < turns; turn++) {
         Light light;
         LightSample to = sampleTurn(query, path, turn, light);
-        vec3 scattered = scatteredLight(matter, normal, view, to, lightKind(light), chance);
+        vec3 scattered = scatteredLight(bsdf, normal, view, to, lightKind(light), chance);
         light_sum += (mask >> turn & 1u) == 0u ? scattered * to.radiance_over_pdf : vec3(0.0);
     }
     addLight(path, query.throughput * light_sum, query.bounce + 1u);

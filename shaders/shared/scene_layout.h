@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Materials, shapes and instances as the shaders read them: one header for C++ and GLSL (lights: light_layout.h).
+// Shapes and instances as the shaders read them: one header for C++ and GLSL (lights: light_layout.h, materials:
+// materials.h).
 // Lengths are in render units, the frame that all instances and shapes share (runtime/device_scene/render_space.h).
 #ifndef POINTRT_SHADERS_SCENE_LAYOUT_H
 #define POINTRT_SHADERS_SCENE_LAYOUT_H
 
 #include "shaders/shared/light_layout.h"
+#include "shaders/shared/materials.h"
+
 #ifdef __cplusplus
 #include "shaders/shared/vectors.h"
 namespace pointrt::gpu {
 #endif
-
-// What happens to light at a surface.
-#define MATERIAL_MATTE 0   // Lambert, a mirror share, and for phong and whitted a Phong highlight
-#define MATERIAL_METAL 1   // GGX; base is the reflectance at normal incidence
-#define MATERIAL_PLASTIC 2 // a GGX dielectric coat over Lambert
-#define MATERIAL_MIRROR 3  // base is the reflectance
-#define MATERIAL_GLASS 4   // smooth; reflects and refracts
-
-#define MATERIAL_USES_SPLAT_COLOR 1u
-#define MATERIAL_THIN 2u // glass: a pane, which light crosses without being bent
-
-struct Material {
-    vec4 base;       // linear reflectance; w: as bits, MATERIAL_USES_SPLAT_COLOR, MATERIAL_THIN
-    vec4 gloss;      // x: MATERIAL_*, y: roughness (GGX alpha is its square), z: index of refraction, w: mirror share
-    vec4 phong;      // x: weight of the Phong highlight, y: its exponent
-    vec4 emission;   // radiance, on both sides; w: as bits, the light that stands for it or NO_LIGHT
-    vec4 absorption; // glass: of the light inside, per unit length
-};
-#define MATERIAL_VECTORS 5
 
 #define SHAPE_PLANE 0  // z = 0
 #define SHAPE_DISC 1   // z = 0, x^2 + y^2 <= 1

@@ -38,8 +38,7 @@ void main() {
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
     Material row = loadMaterial(material);
-    bool colored = (floatBitsToUint(row.base.w) & MATERIAL_USES_SPLAT_COLOR) != 0u;
-    vec3 albedo = row.base.rgb * (colored ? linearFromSrgb(surface.color) : vec3(1.0));
+    vec3 albedo = row.base.rgb * (usesSplatColor(row) ? linearFromSrgb(surface.color) : vec3(1.0));
     uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
     uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
     surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, surface.radius / cubeScale(),

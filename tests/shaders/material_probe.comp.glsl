@@ -36,7 +36,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= inputs.length()) return;
     vec3 n = surface.normal.xyz, wo = surface.view.xyz;
-    SurfaceMaterial s = surfaceMaterial(surface.material, surface.albedo.rgb, surface.albedo.w == 1.0, dot(n, wo));
+    Bsdf s = materialBsdf(surface.material, surface.albedo.rgb, surface.albedo.w == 1.0, dot(n, wo));
     Scattering drawn = sampleBsdf(s, n, wo, inputs[i].xyz);
     vec3 wi = surface.view.w == 1.0 ? inputs[i].xyz : drawn.direction;
     SpecularPair pair = specularPair(s, n, wo);

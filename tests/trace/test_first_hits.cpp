@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "pointrt/pro_index_layout.h"
+#include "runtime/image/film_parts.h"
 #include "tests/support/first_hit_check.h"
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/reference.h"
@@ -245,6 +246,30 @@ TEST(FirstHits, NameTheMaterialsRow) {
     // splats of that range of colours, which is all of them, wear the scene's material itself
     scene.instances[0].overrides.push_back({MaterialOverride::ColorRange{{0, 0, 0}, {255, 255, 255}}, 0, ""});
     EXPECT_EQ(materialsAt(renderScene(scene, settings).film), (std::array{0u, 1u, NO_INDEX}));
+}
+
+/// A scene that has all of it: a scan and a ball of glass over a floor under a lamp.
+TEST(FilmParts, AreAllFilled) {
+    const SphereFile sphere(2000);
+    SceneDescription scene;
+    scene.materials.resize(2);
+    scene.materials[1].kind = MaterialKind::kGlass;
+    scene.instances.push_back({sphere.path, {}, {}, {}});
+    scene.shapes.push_back({ShapeKind::kDisc, {0, -1, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}, 0});
+    scene.shapes.push_back({ShapeKind::kSphere, {1.5, 0, 1}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 0.8}, 1});
+    scene.lights.push_back(SphereLight{{3, 4, 2}, 0.5, {30, 30, 30}});
+    RenderSettings settings = square(32);
+    settings.integrator = Integrator::kPath;
+    settings.spp = 8;
+    settings.camera.eye = Vec3{0, 2, 7};
+    settings.camera.target = Vec3{0, 0, 0};
+    const Film film = renderScene(scene, settings).film;
+    forEachFilmPart(film, [&](const FilmPart& part, const auto& values) {
+        ASSERT_EQ(values.size(), part.channels.size() * 32 * 32) << part.channels.front();
+        const bool differ = std::any_of(values.begin(), values.end(), [&](auto each) { return each != values[0]; });
+        EXPECT_TRUE(differ || part.channels.front() == "samples") << part.channels.front();
+    });
+    EXPECT_EQ(film.samples[0], 8.0f);
 }
 
 } // namespace

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include "runtime/scene/material_fields.h"
+
 namespace pointrt {
 namespace {
 
-/// The most that a scene file holds.
-constexpr std::size_t kMaxMaterials = 256;
 /// Materials made here are called so, and a number.
 constexpr const char* kScanName = "scan";
 
@@ -61,8 +61,8 @@ bool usedBeside(const SceneDescription& scene, InstanceRange range, std::uint32_
 MaterialDescription freshMaterial(MaterialKind kind) {
     MaterialDescription material;
     material.kind = kind;
-    material.splat_color = kind != MaterialKind::kMirror && kind != MaterialKind::kGlass;
-    material.color = kind == MaterialKind::kGlass ? Color{1, 1, 1} : Color{0.9f, 0.9f, 0.9f};
+    material.splat_color = !hasTrait(kind, MATERIAL_IS_CLEAR);
+    material.color = hasTrait(kind, MATERIAL_REFRACTS) ? Color{1, 1, 1} : Color{0.9f, 0.9f, 0.9f};
     return material;
 }
 

@@ -3,7 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "runtime/window/edit/material_edit.h"
@@ -14,8 +16,12 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kScanKinds[] = {"As scanned", "Matte", "Metal", "Plastic", "Mirror", "Glass"};
-constexpr std::span<const char* const> kKinds(kScanKinds + 1, 5);
+constexpr auto kScanKinds = [] {
+    std::array<const char*, 1 + kMaterialKinds.size()> labels{"As scanned"};
+    for (std::size_t i = 0; i < kMaterialKinds.size(); ++i) labels[1 + i] = kMaterialKinds[i].label;
+    return labels;
+}();
+constexpr std::span<const char* const> kKinds = std::span(kScanKinds).subspan(1);
 
 bool noteScene(Workspace& w, bool changed) { return noteEdit(w.requests, Edit::kScene, changed); }
 
