@@ -6,8 +6,9 @@ BEGIN {
     print "|---|---|---|"
 }
 {
-    uses = $2 == "" ? "nothing of ours" : $2
+    uses = $2
     gsub(/format\/include\/pointrt/, "pointrt/*.h", uses)
     gsub(/ /, ", ", uses)
+    if (uses == "") uses = "nothing of ours"
     printf "| `%s` | %s | %s |\n", $1, $3, uses
 }
