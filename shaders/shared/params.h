@@ -53,7 +53,7 @@ struct FrameParams {
     float unused_2;
     vec3 sky_up;       // unit vector
     float depth_black; // distance at which the depth view is black
-    uint width; // of the image
+    uint width;        // of the image
     uint height;
     uint first_row; // of the band
     uint rows;
@@ -92,8 +92,8 @@ struct Control {
     uint queued[2];    // rays in the queues
     uint light_queries_appended;
     uint light_query_count; // of those being answered
-    uint asked_appended; // to the list that trace and shadow read next
-    uint hits_appended;  // to that of surface
+    uint asked_appended;    // to the list that trace and shadow read next
+    uint hits_appended;     // to that of surface
     uint unused_2;
     uint unused_3;
     uint primary_rays; // of this sample

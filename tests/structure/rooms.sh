@@ -37,6 +37,12 @@ case_tree() {
     # shellcheck disable=SC2046
     awk -f "$check" "$2" $(sources)
 }
+# CONTRIBUTING.md has the rooms as they are.
+case_table() {
+    diff <(awk -f "$1/tests/structure/room_table.awk" "$2") \
+        <(sed -n '/^| room | what it is for/,/^$/p' "$1/CONTRIBUTING.md" | sed '$d') ||
+        fail "CONTRIBUTING.md: put there what awk -f tests/structure/room_table.awk build/dev/rooms.txt prints"
+}
 case_arrow_up() {
     smallTree
     printf '#include "high/c.h"\n' >>low/a.h

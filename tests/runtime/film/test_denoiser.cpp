@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/film/denoiser.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -83,18 +84,8 @@ double errorOf(const Film& film, const Film& truth, const Where& where = everywh
 bool isLeft(std::uint32_t x, std::uint32_t) { return x < kSide / 2; }
 bool isRight(std::uint32_t x, std::uint32_t) { return x >= kSide / 2; }
 
-class DenoiserTest : public testing::Test {
+class DenoiserTest : public DeviceFixture {
 protected:
-    void SetUp() override {
-        setenv("POINTRT_VALIDATION", "1", 1);
-        messages_before_ = validationMessages();
-        device = createDevice({});
-    }
-    void TearDown() override {
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages_before_);
-    }
-
     Film denoised(Film film) {
         denoiseFilm(device, film);
         return film;
@@ -120,10 +111,7 @@ protected:
         EXPECT_NEAR(meanOf(result, beyond), 0.8, 0.008);
     }
 
-    Device device;
-
 private:
-    std::uint64_t messages_before_ = 0;
 };
 
 TEST_F(DenoiserTest, TakesNoiseFromAPlaneAndKeepsItsMean) {

@@ -16,6 +16,7 @@
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
 #include "shaders/scale_words.spv.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -38,18 +39,8 @@ std::vector<std::uint32_t> countingWords(std::size_t count) {
     return words;
 }
 
-class DeviceTest : public testing::Test {
+class DeviceTest : public DeviceFixture {
 protected:
-    void SetUp() override {
-        setenv("POINTRT_VALIDATION", "1", 1);
-        messages_before_ = validationMessages();
-        device = createDevice({});
-    }
-    void TearDown() override {
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages_before_);
-    }
-
     std::vector<std::uint32_t> download(const Buffer& buffer) {
         std::vector<std::uint32_t> words(buffer.bytes / 4);
         downloadBuffer(device, buffer, words.data(), buffer.bytes);
@@ -82,10 +73,7 @@ protected:
         return scaled;
     }
 
-    Device device;
-
 private:
-    std::uint64_t messages_before_ = 0;
 };
 
 std::vector<std::uint32_t> scaled(std::vector<std::uint32_t> words) {

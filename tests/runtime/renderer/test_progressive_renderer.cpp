@@ -7,23 +7,16 @@
 #include "runtime/gpu/device.h"
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/renderer/pick.h"
+#include "tests/support/ball_scene.h"
 
 namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kWidth = 40, kHeight = 33, kSamples = 3;
 
-/// A ball of glass and one of plastic over a floor under a small lamp.
 LoadRequest testRequest() {
     LoadRequest request;
-    SceneDescription& scene = request.scene;
-    scene.materials.resize(2);
-    scene.materials[0].kind = MaterialKind::kPlastic;
-    scene.materials[1].kind = MaterialKind::kGlass;
-    scene.shapes.push_back({ShapeKind::kSphere, {-1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
-    scene.shapes.push_back({ShapeKind::kSphere, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1});
-    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
-    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
+    request.scene = ballScene();
     request.settings.width = kWidth;
     request.settings.height = kHeight;
     request.settings.spp = kSamples;

@@ -32,32 +32,14 @@ gpu::vec4 pack(Vec3 v, float w = 0) {
 Vec3 vecOf(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
 
 std::vector<gpu::vec4> ask(const PhotonMap& map, const std::vector<Probe>& probes) {
-    constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    setenv("POINTRT_VALIDATION", "1", 1);
-    const std::uint64_t messages_before = validationMessages();
-    Device device = createDevice({});
-    std::vector<gpu::vec4> answers(probes.size());
-    const auto filled = [&](const auto& rows) {
-        return createFilledBuffer(device, "probe", rows.data(), rows.size() * sizeof rows[0], kStorage);
-    };
+    ValidatedDevice validated;
+    Device& device = validated.device;
     std::vector<gpu::Photon> photons = map.photons;
     photons.resize(photons.size() + 1); // buffers cannot be empty
-    Buffer buffers[] = {filled(photons), filled(map.buckets), filled(std::vector{map.frame}), filled(probes),
-                        createBuffer(device, "answers", answers.size() * sizeof answers[0], kStorage)};
-    Program program = createProgram(device, "photon probe", photon_probe_spv);
-    VkDescriptorPool pool = createDescriptorPool(device, 1);
-    const VkDescriptorSet set = createDescriptorSet(
-        device, pool, program, bindingsInOrder({&buffers[0], &buffers[1], &buffers[2], &buffers[3], &buffers[4]}));
-    const VkCommandBuffer commands = beginCommands(device);
-    recordDispatch(commands, program, set, {}, {static_cast<std::uint32_t>((probes.size() + 63) / 64), 1, 1});
-    submitAndWait(device, commands);
-    downloadBuffer(device, buffers[4], answers.data(), buffers[4].bytes);
-    destroyDescriptorPool(device, pool);
-    destroyProgram(device, program);
-    for (Buffer& buffer : buffers) destroyBuffer(device, buffer);
-    destroyDevice(device);
-    EXPECT_EQ(validationMessages(), messages_before);
-    return answers;
+    return answersOf<gpu::vec4>(device, photon_probe_spv,
+                                {filledBuffer(device, photons), filledBuffer(device, map.buckets),
+                                 filledBuffer(device, std::vector{map.frame}), filledBuffer(device, probes)},
+                                probes.size(), {});
 }
 
 /// As packSnorm4x8 does.

@@ -13,25 +13,13 @@
 #include "runtime/gpu/device.h"
 #include "runtime/image/tonemap.h"
 #include "runtime/scene/camera.h"
+#include "tests/support/ball_scene.h"
 #include "tests/support/whole_frame.h"
 
 namespace pointrt {
 namespace {
 
 constexpr double kSlice_s = 0.004;
-
-/// A ball of glass and one of plastic over a floor under a small lamp.
-SceneDescription testScene() {
-    SceneDescription scene;
-    scene.materials.resize(2);
-    scene.materials[0].kind = MaterialKind::kPlastic;
-    scene.materials[1].kind = MaterialKind::kGlass;
-    scene.shapes.push_back({ShapeKind::kSphere, {-1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
-    scene.shapes.push_back({ShapeKind::kSphere, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1});
-    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
-    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
-    return scene;
-}
 
 RenderSettings testSettings(Integrator integrator) {
     RenderSettings settings;
@@ -48,7 +36,7 @@ protected:
     void SetUp() override {
         messages = validationMessages();
         device = createDevice({});
-        scene = openScene(device, testScene(), false);
+        scene = openScene(device, ballScene(), false);
         view.settings = testSettings(GetParam());
         uploadSceneTables(device, scene, view.settings);
         view.camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 72.0 / 56);
