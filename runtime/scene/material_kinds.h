@@ -20,7 +20,7 @@ struct MaterialKindRow {
     std::uint32_t traits;
 };
 
-#define POINTRT_LISTED(number, NAME, Name, word, label, lobes, traits)                                                    \
+#define POINTRT_LISTED(number, NAME, Name, word, label, lobes, traits)                                                 \
     MaterialKindRow{MaterialKind::k##Name, word, label, traits},
 constexpr std::array kMaterialKinds = {MATERIALS(POINTRT_LISTED)};
 #undef POINTRT_LISTED
