@@ -156,98 +156,92 @@ std::uint64_t gridWords(const pro_index& index) {
     return index.size[2] != 0 && layer > most / index.size[2] ? most : layer * index.size[2];
 }
 
+namespace {
+
+/// Calls on(member, its offset in the header) for what a header says of a file.
+template <typename Info, typename On>
+void eachInfoField(Info& info, const On& on) {
+    on(info.version_major, PRO_OFF_VERSION_MAJOR);
+    on(info.version_minor, PRO_OFF_VERSION_MINOR);
+    on(info.file_bytes, PRO_OFF_FILE_BYTES);
+    on(info.flags, PRO_OFF_FLAGS);
+    on(info.max_depth, PRO_OFF_MAX_DEPTH);
+    on(info.splat_count, PRO_OFF_SPLAT_COUNT);
+    on(info.node_count, PRO_OFF_NODE_COUNT);
+    on(info.leaf_count, PRO_OFF_LEAF_COUNT);
+    on(info.ref_count, PRO_OFF_REF_COUNT);
+    on(info.material_count, PRO_OFF_MATERIAL_COUNT);
+    on(info.radius_max, PRO_OFF_RADIUS_MAX);
+    on(info.radius_step, PRO_OFF_RADIUS_STEP);
+    on(info.blend_slab, PRO_OFF_BLEND_SLAB);
+    on(info.scale, PRO_OFF_SCALE);
+    on(info.origin, PRO_OFF_ORIGIN);
+    on(info.bounds_min, PRO_OFF_BOUNDS_MIN);
+    on(info.bounds_max, PRO_OFF_BOUNDS_MAX);
+}
+
+/// The same of the frame of the tracing index.
+template <typename Index, typename On>
+void eachFrameField(Index& index, const On& on) {
+    on(index.shift, PRO_OFF_GRID_SHIFT);
+    on(index.origin, PRO_OFF_GRID_ORIGIN);
+    on(index.size, PRO_OFF_GRID_SIZE);
+    on(index.uneven, PRO_OFF_GRID_UNEVEN);
+    on(index.brick_count, PRO_OFF_BRICK_COUNT);
+}
+
+/// The same of a section's record in the table.
+template <typename Record, typename On>
+void eachSectionField(Record& section, const On& on) {
+    on(section.kind, PRO_SEC_OFF_KIND);
+    on(section.stride, PRO_SEC_OFF_STRIDE);
+    on(section.count, PRO_SEC_OFF_COUNT);
+    on(section.offset, PRO_SEC_OFF_OFFSET);
+    on(section.length, PRO_SEC_OFF_LENGTH);
+    on(section.xxh3, PRO_SEC_OFF_XXH3);
+    on(section.flags, PRO_SEC_OFF_FLAGS);
+}
+
+auto loadFrom(const std::byte* bytes) {
+    return [bytes](auto& member, std::size_t offset) { std::memcpy(&member, bytes + offset, sizeof member); };
+}
+
+auto storeTo(std::byte* bytes) {
+    return [bytes](const auto& member, std::size_t offset) { store(bytes, offset, member); };
+}
+
+std::size_t recordOffset(std::uint32_t index) { return PRO_TABLE_OFFSET + std::size_t{index} * PRO_SECTION_BYTES; }
+
+} // namespace
+
 pro_info loadInfo(const std::byte* header) {
     pro_info info{};
-    info.version_major = loadU32(header, PRO_OFF_VERSION_MAJOR);
-    info.version_minor = loadU32(header, PRO_OFF_VERSION_MINOR);
-    info.file_bytes = loadU64(header, PRO_OFF_FILE_BYTES);
-    info.flags = loadU32(header, PRO_OFF_FLAGS);
-    info.max_depth = loadU32(header, PRO_OFF_MAX_DEPTH);
-    info.splat_count = loadU32(header, PRO_OFF_SPLAT_COUNT);
-    info.node_count = loadU32(header, PRO_OFF_NODE_COUNT);
-    info.leaf_count = loadU32(header, PRO_OFF_LEAF_COUNT);
-    info.ref_count = loadU32(header, PRO_OFF_REF_COUNT);
-    info.material_count = loadU32(header, PRO_OFF_MATERIAL_COUNT);
-    info.radius_max = load<float>(header, PRO_OFF_RADIUS_MAX);
-    info.radius_step = load<float>(header, PRO_OFF_RADIUS_STEP);
-    info.blend_slab = load<float>(header, PRO_OFF_BLEND_SLAB);
-    info.scale = load<double>(header, PRO_OFF_SCALE);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        info.origin[axis] = load<double>(header, PRO_OFF_ORIGIN + 8 * axis);
-        info.bounds_min[axis] = load<double>(header, PRO_OFF_BOUNDS_MIN + 8 * axis);
-        info.bounds_max[axis] = load<double>(header, PRO_OFF_BOUNDS_MAX + 8 * axis);
-    }
+    eachInfoField(info, loadFrom(header));
     return info;
 }
 
 void storeInfo(std::byte* header, const pro_info& info) {
     storeU32(header, PRO_OFF_MAGIC, PRO_MAGIC_WORD0);
     storeU32(header, PRO_OFF_MAGIC + 4, PRO_MAGIC_WORD1);
-    storeU32(header, PRO_OFF_VERSION_MAJOR, info.version_major);
-    storeU32(header, PRO_OFF_VERSION_MINOR, info.version_minor);
-    storeU64(header, PRO_OFF_FILE_BYTES, info.file_bytes);
-    storeU32(header, PRO_OFF_FLAGS, info.flags);
-    storeU32(header, PRO_OFF_MAX_DEPTH, info.max_depth);
-    storeU32(header, PRO_OFF_SPLAT_COUNT, info.splat_count);
-    storeU32(header, PRO_OFF_NODE_COUNT, info.node_count);
-    storeU32(header, PRO_OFF_LEAF_COUNT, info.leaf_count);
-    storeU32(header, PRO_OFF_REF_COUNT, info.ref_count);
-    storeU32(header, PRO_OFF_MATERIAL_COUNT, info.material_count);
-    store(header, PRO_OFF_RADIUS_MAX, info.radius_max);
-    store(header, PRO_OFF_RADIUS_STEP, info.radius_step);
-    store(header, PRO_OFF_BLEND_SLAB, info.blend_slab);
-    store(header, PRO_OFF_SCALE, info.scale);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        store(header, PRO_OFF_ORIGIN + 8 * axis, info.origin[axis]);
-        store(header, PRO_OFF_BOUNDS_MIN + 8 * axis, info.bounds_min[axis]);
-        store(header, PRO_OFF_BOUNDS_MAX + 8 * axis, info.bounds_max[axis]);
-    }
+    eachInfoField(info, storeTo(header));
 }
 
 pro_index loadFrame(const std::byte* header) {
     pro_index index{};
-    index.shift = loadU32(header, PRO_OFF_GRID_SHIFT);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        index.origin[axis] = loadU32(header, PRO_OFF_GRID_ORIGIN + 4 * axis);
-        index.size[axis] = loadU32(header, PRO_OFF_GRID_SIZE + 4 * axis);
-    }
-    index.uneven = loadU32(header, PRO_OFF_GRID_UNEVEN);
-    index.brick_count = loadU32(header, PRO_OFF_BRICK_COUNT);
+    eachFrameField(index, loadFrom(header));
     return index;
 }
 
-void storeFrame(std::byte* header, const pro_index& index) {
-    storeU32(header, PRO_OFF_GRID_SHIFT, index.shift);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        storeU32(header, PRO_OFF_GRID_ORIGIN + 4 * axis, index.origin[axis]);
-        storeU32(header, PRO_OFF_GRID_SIZE + 4 * axis, index.size[axis]);
-    }
-    storeU32(header, PRO_OFF_GRID_UNEVEN, index.uneven);
-    storeU32(header, PRO_OFF_BRICK_COUNT, index.brick_count);
-}
+void storeFrame(std::byte* header, const pro_index& index) { eachFrameField(index, storeTo(header)); }
 
 Section loadSection(const std::byte* header, std::uint32_t index) {
-    const std::byte* record = header + PRO_TABLE_OFFSET + std::size_t{index} * PRO_SECTION_BYTES;
     Section section;
-    section.kind = loadU32(record, PRO_SEC_OFF_KIND);
-    section.stride = loadU32(record, PRO_SEC_OFF_STRIDE);
-    section.count = loadU64(record, PRO_SEC_OFF_COUNT);
-    section.offset = loadU64(record, PRO_SEC_OFF_OFFSET);
-    section.length = loadU64(record, PRO_SEC_OFF_LENGTH);
-    section.xxh3 = loadU64(record, PRO_SEC_OFF_XXH3);
-    section.flags = loadU32(record, PRO_SEC_OFF_FLAGS);
+    eachSectionField(section, loadFrom(header + recordOffset(index)));
     return section;
 }
 
 void storeSection(std::byte* header, std::uint32_t index, const Section& section) {
-    std::byte* record = header + PRO_TABLE_OFFSET + std::size_t{index} * PRO_SECTION_BYTES;
-    storeU32(record, PRO_SEC_OFF_KIND, section.kind);
-    storeU32(record, PRO_SEC_OFF_STRIDE, section.stride);
-    storeU64(record, PRO_SEC_OFF_COUNT, section.count);
-    storeU64(record, PRO_SEC_OFF_OFFSET, section.offset);
-    storeU64(record, PRO_SEC_OFF_LENGTH, section.length);
-    storeU64(record, PRO_SEC_OFF_XXH3, section.xxh3);
-    storeU32(record, PRO_SEC_OFF_FLAGS, section.flags);
+    eachSectionField(section, storeTo(header + recordOffset(index)));
 }
 
 std::uint64_t checksum(const void* data, std::size_t bytes) { return XXH3_64bits(data, bytes); }

@@ -63,7 +63,7 @@ CLI::Validator range(Value least, Value most) {
 
 void addInputFormat(CLI::App& app, std::string& format) {
     std::vector<std::string> names;
-    for (const InputFormat* each : inputFormats()) names.emplace_back(each->name);
+    for (const InputFormat& each : inputFormats()) names.emplace_back(each.name);
     std::string list = names.front();
     for (std::size_t i = 1; i < names.size(); ++i) list += (i + 1 < names.size() ? ", " : " or ") + names[i];
     app.add_option("--input-format", format, "Format: " + list + " (default: by content)")

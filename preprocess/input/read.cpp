@@ -17,7 +17,7 @@ void readFiles(const std::vector<std::string>& paths, const ReadOptions& options
                 progress((static_cast<double>(i) + share) / static_cast<double>(paths.size()));
             };
         const Source source = openSource(paths[i]);
-        formatOf(source, options.format).read(source, sink);
+        formatOf(source, options.format).reader.read(source, sink);
     }
     if (progress) progress(1);
 }

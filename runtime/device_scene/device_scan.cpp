@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "pointrt/pro_index_layout.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 
@@ -109,13 +110,9 @@ void upload(Device& device, DeviceScan& scan) {
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
     DeviceScan scan;
     scan.path = path;
-    try {
-        mapFile(scan);
-        upload(device, scan);
-    } catch (...) {
-        destroyScan(device, scan);
-        throw;
-    }
+    const OnError undo([&] { destroyScan(device, scan); });
+    mapFile(scan);
+    upload(device, scan);
     if (verbose)
         std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
                      scan.info.splat_count, isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",

@@ -11,6 +11,7 @@
 #include "runtime/device_scene/ggx_albedo.h"
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/util/on_error.h"
 #include "shaders/shared/ggx_table.h"
 
 namespace pointrt {
@@ -147,31 +148,27 @@ void addBlank(Device& device, DeviceScene& scene) {
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose) {
     DeviceScene scene;
     scene.description = std::move(description);
-    try {
-        std::vector<pro_info> infos;
-        for (const InstanceDescription& each : scene.description.instances) {
-            Instance instance;
-            instance.file = fileNumber(device, scene, each.path, verbose);
-            const DeviceScan& file = scene.files[instance.file];
-            instance.oriented = (file.info.flags & PRO_FLAG_ORIENTED) != 0;
-            scene.instances.push_back(instance);
-            scene.splat_count += file.info.splat_count;
-            infos.push_back(file.info);
-        }
-        scene.space = chooseRenderSpace(scene.description, infos);
-        scene.bounds = findBounds(scene);
-        for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-            Instance& instance = scene.instances[i];
-            instance.params = placeInstance(scene.space, scene.files[instance.file],
-                                            scene.description.instances[i].placement, static_cast<std::uint32_t>(i));
-            instance.params_buffer =
-                createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        }
-        if (scene.instances.empty()) addBlank(device, scene);
-    } catch (...) {
-        destroyDeviceScene(device, scene);
-        throw;
+    const OnError undo([&] { destroyDeviceScene(device, scene); });
+    std::vector<pro_info> infos;
+    for (const InstanceDescription& each : scene.description.instances) {
+        Instance instance;
+        instance.file = fileNumber(device, scene, each.path, verbose);
+        const DeviceScan& file = scene.files[instance.file];
+        instance.oriented = (file.info.flags & PRO_FLAG_ORIENTED) != 0;
+        scene.instances.push_back(instance);
+        scene.splat_count += file.info.splat_count;
+        infos.push_back(file.info);
     }
+    scene.space = chooseRenderSpace(scene.description, infos);
+    scene.bounds = findBounds(scene);
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        Instance& instance = scene.instances[i];
+        instance.params = placeInstance(scene.space, scene.files[instance.file],
+                                        scene.description.instances[i].placement, static_cast<std::uint32_t>(i));
+        instance.params_buffer =
+            createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    }
+    if (scene.instances.empty()) addBlank(device, scene);
     return scene;
 }
 
@@ -188,15 +185,11 @@ bool standsAlike(const SceneDescription& a, const SceneDescription& b) {
                       });
 }
 
-bool furnishAlike(Device& device, DeviceScene& scene, const SceneDescription& description,
-                  const RenderSettings& settings) {
-    if (!standsAlike(scene.description, description) || skyImage(description) != scene.sky_image) return false;
-    SceneRows rows = makeSceneRows(scene, description, settings);
-    if (rows.features != scene.features) return false;
+void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
+                     const RenderSettings& settings, SceneRows rows) {
     scene.description = description;
     furnishSky(device, scene, settings, std::nullopt);
     furnishRows(device, scene, std::move(rows));
-    return true;
 }
 
 bool castsCaustics(const DeviceScene& scene) {

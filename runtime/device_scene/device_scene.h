@@ -24,6 +24,8 @@ struct Instance {
     bool oriented = false;
 };
 
+struct SceneRows; // of scene_rows.h
+
 struct DeviceScene {
     SceneDescription description;
     RenderSpace space;
@@ -53,11 +55,10 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
 /// override asks for a material row that its file does not have; nothing is changed then.
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
-/// Furnishes scene for description in a few milliseconds, where programs built for what it was furnished for will do.
-/// Returns false, with nothing changed, where there are other kinds of lights, materials or shapes, another image of
-/// the sky, or other files or places. Throws as uploadSceneTables does.
-bool furnishAlike(Device& device, DeviceScene& scene, const SceneDescription& description,
-                  const RenderSettings& settings);
+/// Furnishes scene for description in a few milliseconds by its rows (see makeSceneRows). It must name the files,
+/// places and sky image that are there, and its rows' features must be the scene's, for which its programs were built.
+void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
+                     const RenderSettings& settings, SceneRows rows);
 
 /// Whether the same files stand at the same places.
 bool standsAlike(const SceneDescription& a, const SceneDescription& b);

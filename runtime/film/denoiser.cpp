@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/util/on_error.h"
 #include "shaders/denoise.spv.h"
 #include "shaders/denoise_clean.spv.h"
 #include "shaders/denoise_prepare.spv.h"
@@ -143,14 +144,10 @@ Denoiser createDenoiser(Device& device, std::uint32_t width, std::uint32_t heigh
     Denoiser denoiser;
     denoiser.width = width;
     denoiser.height = height;
-    try {
-        createBuffers(device, denoiser);
-        createPrograms(device, denoiser, inputs.has_variance);
-        createSets(device, denoiser, inputs);
-    } catch (...) {
-        destroyDenoiser(device, denoiser);
-        throw;
-    }
+    const OnError undo([&] { destroyDenoiser(device, denoiser); });
+    createBuffers(device, denoiser);
+    createPrograms(device, denoiser, inputs.has_variance);
+    createSets(device, denoiser, inputs);
     return denoiser;
 }
 

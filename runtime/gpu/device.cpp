@@ -11,6 +11,7 @@
 
 #include "format/base/error.h"
 #include "runtime/gpu/device_choice.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -184,19 +185,15 @@ void createMessenger(Device& device) {
 
 Device createDevice(const DeviceRequest& request) {
     Device device;
-    try {
-        device.instance = createInstance(request.instance_extensions);
-        createMessenger(device);
-        device.verbose = request.verbose;
-        const QueueNeeds needs = queueNeeds(device, request);
-        if (needs.present) loadWindowFunctions(device.instance);
-        describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
-        device.page_bits = std::min(device.page_bits, request.page_bits_most);
-        createLogicalDevice(device, request);
-    } catch (...) {
-        destroyDevice(device);
-        throw;
-    }
+    const OnError undo([&] { destroyDevice(device); });
+    device.instance = createInstance(request.instance_extensions);
+    createMessenger(device);
+    device.verbose = request.verbose;
+    const QueueNeeds needs = queueNeeds(device, request);
+    if (needs.present) loadWindowFunctions(device.instance);
+    describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
+    device.page_bits = std::min(device.page_bits, request.page_bits_most);
+    createLogicalDevice(device, request);
     if (device.verbose)
         std::fprintf(stderr, "device: %s, subgroups of %u, %s\n", device.name.c_str(), device.subgroup_size,
                      device.external_memory_host ? "can import host memory" : "cannot import host memory");
@@ -223,12 +220,8 @@ Device workerDevice(Device& device) {
     Device worker = device;
     worker.command_pool = VK_NULL_HANDLE;
     worker.fence = VK_NULL_HANDLE;
-    try {
-        createPoolAndFence(worker);
-    } catch (...) {
-        destroyWorkerDevice(worker);
-        throw;
-    }
+    const OnError undo([&] { destroyWorkerDevice(worker); });
+    createPoolAndFence(worker);
     return worker;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -40,17 +41,13 @@ PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data
     const std::uint64_t page_bytes = texelBytes(format) << device.page_bits;
     requireFewPages(what, bytes, page_bytes);
     PagedBuffer buffer;
-    try {
-        std::uint64_t start = 0;
-        do {
-            buffer.pages.push_back(createTexelBuffer(device, what, static_cast<const std::byte*>(data) + start,
-                                                     std::min(page_bytes, bytes - start), format));
-            start += page_bytes;
-        } while (start < bytes);
-    } catch (...) {
-        destroyPagedBuffer(device, buffer);
-        throw;
-    }
+    const OnError undo([&] { destroyPagedBuffer(device, buffer); });
+    std::uint64_t start = 0;
+    do {
+        buffer.pages.push_back(createTexelBuffer(device, what, static_cast<const std::byte*>(data) + start,
+                                                 std::min(page_bytes, bytes - start), format));
+        start += page_bytes;
+    } while (start < bytes);
     return buffer;
 }
 

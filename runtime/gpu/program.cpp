@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -207,13 +208,9 @@ Program createProgram(Device& device, const char* name, std::span<const std::uin
     Program program;
     program.name = name;
     program.shader = reflectShader(spirv);
-    try {
-        createLayouts(device, program);
-        createPipeline(device, program, spirv, constants);
-    } catch (...) {
-        destroyProgram(device, program);
-        throw;
-    }
+    const OnError undo([&] { destroyProgram(device, program); });
+    createLayouts(device, program);
+    createPipeline(device, program, spirv, constants);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
     if (device.verbose) std::fprintf(stderr, "pipeline %s: %.0f ms\n", name, elapsed.count());
     return program;

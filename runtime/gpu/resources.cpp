@@ -8,6 +8,7 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -140,13 +141,9 @@ Buffer createBuffer(Device& device, const char* what, std::uint64_t bytes, VkBuf
                                               mebibytes(device.max_allocation_bytes)};
     Buffer buffer;
     buffer.bytes = bytes;
-    try {
-        createHandle(device, what, buffer, usage);
-        allocateMemory(device, what, buffer, home);
-    } catch (...) {
-        destroyBuffer(device, buffer);
-        throw;
-    }
+    const OnError undo([&] { destroyBuffer(device, buffer); });
+    createHandle(device, what, buffer, usage);
+    allocateMemory(device, what, buffer, home);
     return buffer;
 }
 
@@ -160,12 +157,8 @@ void destroyBuffer(Device& device, Buffer& buffer) {
 Buffer createFilledBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,
                           VkBufferUsageFlags usage) {
     Buffer buffer = createBuffer(device, what, bytes, usage);
-    try {
-        uploadBuffer(device, buffer, data, bytes);
-    } catch (...) {
-        destroyBuffer(device, buffer);
-        throw;
-    }
+    const OnError undo([&] { destroyBuffer(device, buffer); });
+    uploadBuffer(device, buffer, data, bytes);
     return buffer;
 }
 
@@ -207,12 +200,8 @@ std::uint64_t texelBytes(VkFormat format) {
 }
 
 void createTexelView(Device& device, const char* what, Buffer& buffer, VkFormat format) {
-    try {
-        addView(device, what, buffer, format);
-    } catch (...) {
-        destroyBuffer(device, buffer);
-        throw;
-    }
+    const OnError undo([&] { destroyBuffer(device, buffer); });
+    addView(device, what, buffer, format);
 }
 
 void uploadBuffer(Device& device, Buffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset) {

@@ -6,6 +6,7 @@
 
 #include "runtime/tracer/frame_params.h"
 #include "runtime/tracer/sample_recorder.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -34,15 +35,11 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
                       std::uint32_t lanes, std::uint64_t film_pixels) {
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
-    try {
-        tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
-        tracer.programs = createPrograms(device, scene, settings);
-        tracer.caustics = emptyCaustics(device);
-        createBindings(device, tracer);
-    } catch (...) {
-        destroyBandTracer(device, tracer);
-        throw;
-    }
+    const OnError undo([&] { destroyBandTracer(device, tracer); });
+    tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
+    tracer.programs = createPrograms(device, scene, settings);
+    tracer.caustics = emptyCaustics(device);
+    createBindings(device, tracer);
 }
 
 void destroyBandTracer(Device& device, BandTracer& tracer) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/tracer/frame_buffers.h"
 
+#include "runtime/util/on_error.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -24,26 +25,22 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
         return buffer;
     };
     constexpr VkBufferUsageFlags kRead = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
-    try {
-        buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-        constexpr std::uint64_t kQueueWords = 4 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
-        buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
-        buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
-        buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
-                              VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
-        buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
-        buffers.surfaces =
-            texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
-        buffers.light_queries =
-            texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
-        buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
-        buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
-        createFilm(device, buffers, film_pixels);
-    } catch (...) {
-        destroyFrameBuffers(device, buffers);
-        throw;
-    }
+    const OnError undo([&] { destroyFrameBuffers(device, buffers); });
+    buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    constexpr std::uint64_t kQueueWords = 4 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
+    buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+    buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+                          VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+    buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+    buffers.surfaces =
+        texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.light_queries =
+        texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
+    buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
+    createFilm(device, buffers, film_pixels);
     return buffers;
 }
 

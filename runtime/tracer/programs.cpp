@@ -8,6 +8,7 @@
 #include "format/base/parallel.h"
 #include "runtime/tracer/caustics.h"
 #include "runtime/tracer/frame_buffers.h"
+#include "runtime/util/on_error.h"
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/first_hits.spv.h"
@@ -125,12 +126,8 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     Programs programs;
     programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
     programs.show_light = showsLight(settings.integrator);
-    try {
-        buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
-    } catch (...) {
-        destroyPrograms(device, programs);
-        throw;
-    }
+    const OnError undo([&] { destroyPrograms(device, programs); });
+    buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     return programs;
 }
 

@@ -2,6 +2,8 @@
 // Queues and lists that a whole subgroup appends to at once.
 #ifndef POINTRT_SHADERS_APPEND_GLSL
 #define POINTRT_SHADERS_APPEND_GLSL
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_basic : require
 
 #define APPEND_RAY 0u // to the queue that the step does not read
 #define APPEND_LIGHT_QUERY 1u

@@ -3,6 +3,8 @@
 #ifndef POINTRT_SHADERS_QUEUE_GLSL
 #define POINTRT_SHADERS_QUEUE_GLSL
 
+layout(local_size_x = WORKGROUP_SIZE) in;
+
 // Workgroups in a stretch: their entries and paths come to many pages, through which processors read ahead.
 #define STRETCH 16u
 

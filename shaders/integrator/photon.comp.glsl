@@ -3,16 +3,12 @@
 // those that came by way of such.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/surface/surface_interaction.glsl"
 #include "shaders/material/make_bsdf.glsl"
 #include "shaders/math/sampler.glsl"
 #include "shaders/math/color.glsl"
 #include "shaders/integrator/next_path.glsl"
 #include "shaders/frame/append.glsl"
-
-layout(local_size_x = WORKGROUP_SIZE) in;
 
 // Photons are sent to one thing each. What else they meet on the way they are sent to as well, apart.
 bool meetsTarget(PathState path, SurfaceInteraction point) {

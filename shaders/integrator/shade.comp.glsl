@@ -3,8 +3,6 @@
 // that go on.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/surface/surface_interaction.glsl"
 #include "shaders/material/make_bsdf.glsl"
 #include "shaders/film/film.glsl"
@@ -14,8 +12,6 @@
 #include "shaders/integrator/shade_classic.glsl"
 #include "shaders/integrator/shade_path.glsl"
 #include "shaders/integrator/shade_view.glsl"
-
-layout(local_size_x = WORKGROUP_SIZE) in;
 
 // What refracts sends on two rays at once, one of which integrators by chance follow.
 #define REFRACTS(number, NAME, Name, word, label, lobes, traits)                                                       \

@@ -7,8 +7,6 @@
 #include "shaders/film/film.glsl"
 #include "shaders/light/caustic.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 void main() {
     uint path;
     DirectLightQuery query = currentLightQuery(path);

@@ -7,8 +7,6 @@
 #include "shaders/material/make_bsdf.glsl"
 #include "shaders/film/film.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 // What a surface makes of a light's sample. Path tracing leaves out what rays scattered by chance towards a lamp bring
 // (balance heuristic, Veach 1997); but for a sun's disc, which they leave out.
 vec3 scatteredLight(Bsdf bsdf, vec3 normal, vec3 view, LightSample to, uint kind, float chance) {

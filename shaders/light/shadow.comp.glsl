@@ -8,8 +8,6 @@
 #include "shaders/trace/trace.glsl"
 #include "shaders/trace/offset.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 bool isShadowed(DirectLightQuery query, LightSample to, bool asks) {
     float own_t;
     vec3 origin = leaveSurface(query.position, query.normal, query.radius, to.direction, own_t);

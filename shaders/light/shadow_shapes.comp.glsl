@@ -3,16 +3,12 @@
 // rays that may meet instances.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "shaders/light/direct_light.glsl"
 #include "shaders/trace/shapes.glsl"
 #include "shaders/trace/offset.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/reach.glsl"
-
-layout(local_size_x = WORKGROUP_SIZE) in;
 
 // A lamp is not hidden by itself: its distance from here and as a shape differ by rounding.
 bool shapesHide(vec3 origin, bool on_shape, LightSample to, uint lamp) {

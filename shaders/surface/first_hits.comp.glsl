@@ -4,8 +4,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/surface/surface_interaction.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 void main() {
     uint index;
     PathState path = currentPath(index);

@@ -7,8 +7,6 @@
 #include "shaders/surface/blend.glsl"
 #include "shaders/math/color.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 bool between(vec3 v, uint low, uint high) {
     // colours are stored in 256 steps, blends of them are not: half a step is granted
     const float kHalfStep = 0.5 / 255.0;

@@ -2,8 +2,6 @@
 // First hits of the rays listed for instances.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/trace/trace_queued.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/store_hit.glsl"

@@ -2,8 +2,6 @@
 // First hits of the camera rays in the tiles that a beam left over.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/frame/bindings.glsl"
 #include "shaders/frame/queue.glsl"
 #include "shaders/trace/splat.glsl"
@@ -11,8 +9,6 @@
 #include "shaders/frame/camera_ray.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/store_hit.glsl"
-
-layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint lane = balancedLane();

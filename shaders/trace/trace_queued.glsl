@@ -5,8 +5,6 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 
-layout(local_size_x = WORKGROUP_SIZE) in;
-
 // Up to t_max, in cube units.
 TraceHit tracePath(uint path, float t_max) {
     uvec4 origin = loadPathTexel(path, PATH_ORIGIN), left = loadPathTexel(path, PATH_LEFT_NORMAL);

@@ -3,15 +3,11 @@
 // camera rays have their beams.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
-#extension GL_KHR_shader_subgroup_basic : require
 #include "shaders/frame/path.glsl"
 #include "shaders/trace/shapes.glsl"
 #include "shaders/trace/offset.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/reach.glsl"
-
-layout(local_size_x = WORKGROUP_SIZE) in;
 
 void main() {
     uint index;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files as bytes to damage, and folders that vanish.
+// Files as bytes to damage.
 #pragma once
 
 #include <algorithm>
@@ -20,28 +20,6 @@
 #include <xxhash.h>
 
 namespace pointrt::test {
-
-/// An empty folder, removed with everything in it.
-struct TempFolder {
-    std::filesystem::path path;
-
-    TempFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "pointrt-test-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-        path = name;
-    }
-    TempFolder(const TempFolder&) = delete;
-    TempFolder& operator=(const TempFolder&) = delete;
-    ~TempFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-
-    std::string operator/(const char* name) const { return (path / name).string(); }
-    std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
-    }
-};
 
 using Bytes = std::vector<std::byte>;
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "file_bytes.h"
+#include "tests/support/temporary_folder.h"
 #include "tiny_index.h"
 
 namespace {
@@ -33,12 +34,12 @@ TEST(Golden, Version10Reads) {
 TEST(Golden, Version10VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV10)).empty()); }
 
 TEST(Golden, SameContentIsWrittenAsTheSameBytes) {
-    const TempFolder folder;
-    tinyScene().write(folder / "from_scene.pro");
-    EXPECT_EQ(readBytes(folder / "from_scene.pro"), readBytes(kTinyV10));
+    const TemporaryFolder folder;
+    tinyScene().write(folder.file("from_scene.pro"));
+    EXPECT_EQ(readBytes(folder.file("from_scene.pro")), readBytes(kTinyV10));
     const ProFile golden(kTinyV10);
-    writePro(folder / "from_file.pro", golden.info(), golden.view());
-    EXPECT_EQ(readBytes(folder / "from_file.pro"), readBytes(kTinyV10));
+    writePro(folder.file("from_file.pro"), golden.info(), golden.view());
+    EXPECT_EQ(readBytes(folder.file("from_file.pro")), readBytes(kTinyV10));
 }
 
 const std::string kTinyV11 = POINTRT_GOLDEN_DIR "/tiny_v1_1.pro";
@@ -69,15 +70,15 @@ TEST(Golden, Version11Reads) {
 TEST(Golden, Version11VerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV11)).empty()); }
 
 TEST(Golden, SameIndexIsWrittenAsTheSameBytes) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
-    tinyIndex().write(scene, folder / "from_scene.pro");
-    EXPECT_EQ(readBytes(folder / "from_scene.pro"), readBytes(kTinyV11));
+    tinyIndex().write(scene, folder.file("from_scene.pro"));
+    EXPECT_EQ(readBytes(folder.file("from_scene.pro")), readBytes(kTinyV11));
     const ProFile golden(kTinyV11);
-    writePro(folder / "from_file.pro", golden.info(), golden.view(), golden.index());
-    EXPECT_EQ(readBytes(folder / "from_file.pro"), readBytes(kTinyV11));
-    writePro(folder / "without.pro", golden.info(), golden.view());
-    EXPECT_EQ(readBytes(folder / "without.pro"), readBytes(kTinyV10)) << "without an index it is still version 1.0";
+    writePro(folder.file("from_file.pro"), golden.info(), golden.view(), golden.index());
+    EXPECT_EQ(readBytes(folder.file("from_file.pro")), readBytes(kTinyV11));
+    writePro(folder.file("without.pro"), golden.info(), golden.view());
+    EXPECT_EQ(readBytes(folder.file("without.pro")), readBytes(kTinyV10)) << "without an index it is still version 1.0";
 }
 
 } // namespace

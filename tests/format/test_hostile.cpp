@@ -10,6 +10,7 @@
 
 #include "file_bytes.h"
 #include "scene_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -17,9 +18,9 @@ using namespace pointrt;
 using namespace pointrt::test;
 
 Bytes bytesOf(Scene scene) {
-    const TempFolder folder;
-    scene.write(folder / "a.pro");
-    return readBytes(folder / "a.pro");
+    const TemporaryFolder folder;
+    scene.write(folder.file("a.pro"));
+    return readBytes(folder.file("a.pro"));
 }
 
 const Bytes& tiny() {
@@ -270,10 +271,10 @@ TEST(Hostile, DeepChainIsRefusedWithoutRecursion) {
     scene.nodes.assign(std::size_t{kGroups} * 8, 0);
     for (std::uint32_t group = 0; group + 1 < kGroups; ++group) scene.nodes[group * 8] = PRO_NODE_INNER | (group + 1);
     scene.nodes[(kGroups - 1) * 8] = 1;
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const pro_view view = scene.view();
     pro_message message{};
-    EXPECT_EQ(pro_write((folder / "a.pro").c_str(), &scene.info, &view, &message), PRO_BAD_ARGUMENT);
+    EXPECT_EQ(pro_write((folder.file("a.pro")).c_str(), &scene.info, &view, &message), PRO_BAD_ARGUMENT);
     EXPECT_EQ(message.finding, 3006u);
 }
 
@@ -408,11 +409,11 @@ TEST(Hostile, WrongArguments) {
 }
 
 TEST(Hostile, FilesThatCannotBeRead) {
-    const TempFolder folder;
-    writeBytes(folder / "empty.pro", {});
-    ASSERT_EQ(mkfifo((folder / "pipe.pro").c_str(), 0600), 0);
+    const TemporaryFolder folder;
+    writeBytes(folder.file("empty.pro"), {});
+    ASSERT_EQ(mkfifo((folder.file("pipe.pro")).c_str(), 0600), 0);
     for (const std::string& path :
-         {folder / "missing.pro", folder / "empty.pro", folder / "pipe.pro", folder.path.string()}) {
+         {folder.file("missing.pro"), folder.file("empty.pro"), folder.file("pipe.pro"), folder.path.string()}) {
         pro_file* file = nullptr;
         pro_message message{};
         EXPECT_EQ(pro_open(path.c_str(), 0, &file, &message), PRO_CANNOT_READ) << path;

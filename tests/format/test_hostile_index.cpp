@@ -5,6 +5,7 @@
 #include <random>
 
 #include "file_bytes.h"
+#include "tests/support/temporary_folder.h"
 #include "tiny_index.h"
 
 namespace {
@@ -13,10 +14,10 @@ using namespace pointrt;
 using namespace pointrt::test;
 
 Bytes bytesOf(Index index) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
-    index.write(scene, folder / "a.pro");
-    return readBytes(folder / "a.pro");
+    index.write(scene, folder.file("a.pro"));
+    return readBytes(folder.file("a.pro"));
 }
 
 const Bytes& indexed() {
@@ -183,13 +184,14 @@ TEST(HostileIndex, GroupsCannotHangAWalk) {
     expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS), groupWord(9), 9104);     // one that meets none
     expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
     EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
     Index deep = deepIndex(PRO_INDEX_HALVINGS_MAX + 1);
     const pro_view view = scene.view();
     const pro_index index = deep.view();
     pro_message message{};
-    EXPECT_EQ(pro_write_indexed((folder / "a.pro").c_str(), &scene.info, &view, &index, &message), PRO_BAD_ARGUMENT);
+    EXPECT_EQ(pro_write_indexed((folder.file("a.pro")).c_str(), &scene.info, &view, &index, &message),
+              PRO_BAD_ARGUMENT);
     EXPECT_EQ(message.finding, 9104u);
 }
 
@@ -265,9 +267,9 @@ TEST(Index, TracersNeedNoOctree) {
 }
 
 TEST(Index, FilesWithoutOneAreTracedFromTheirOctree) {
-    const TempFolder folder;
-    tinyScene().write(folder / "a.pro");
-    Bytes bytes = readBytes(folder / "a.pro");
+    const TemporaryFolder folder;
+    tinyScene().write(folder.file("a.pro"));
+    Bytes bytes = readBytes(folder.file("a.pro"));
     pro_file* file = nullptr;
     ASSERT_EQ(pro_open_memory(bytes.data(), bytes.size(), PRO_OPEN_TRACE, &file, nullptr), PRO_OK);
     pro_view view;

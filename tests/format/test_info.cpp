@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "file_bytes.h"
+#include "tests/support/temporary_folder.h"
 #include "tiny_index.h"
 
 namespace {
@@ -25,13 +26,13 @@ std::string text(const std::string& path) {
 }
 
 struct Info : testing::Test {
-    TempFolder folder;
-    std::string pro = folder / "a.pro", ply = folder / "a.ply";
+    TemporaryFolder folder;
+    std::string pro = folder.file("a.pro"), ply = folder.file("a.ply");
 
     void SetUp() override { tinyScene().write(pro); }
 
     Outcome run(const std::string& arguments) {
-        const std::string out = folder / "out.txt", err = folder / "err.txt";
+        const std::string out = folder.file("out.txt"), err = folder.file("err.txt");
         const std::string command = std::string(POINTRT_INFO) + " " + arguments + " >" + out + " 2>" + err;
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
@@ -143,11 +144,11 @@ TEST_F(Info, BrokenFilesAreOneLineAndExitOne) {
     const Outcome broken = run(pro);
     EXPECT_EQ(broken.code, 1);
     EXPECT_EQ(broken.err, "pointrt-info: error: " + pro + ": reference 0: past the last splat (finding 4006)\n");
-    const Outcome missing = run(folder / "missing.pro");
+    const Outcome missing = run(folder.file("missing.pro"));
     EXPECT_EQ(missing.code, 1);
-    EXPECT_EQ(missing.err, "pointrt-info: error: " + (folder / "missing.pro") + ": No such file or directory\n");
-    EXPECT_EQ(run(folder / "missing.pro --verify").code, 1);
-    EXPECT_EQ(run(folder / "missing.pro --export " + ply).code, 1);
+    EXPECT_EQ(missing.err, "pointrt-info: error: " + (folder.file("missing.pro")) + ": No such file or directory\n");
+    EXPECT_EQ(run(folder.file("missing.pro --verify")).code, 1);
+    EXPECT_EQ(run(folder.file("missing.pro --export ") + ply).code, 1);
     EXPECT_FALSE(std::filesystem::exists(ply));
 }
 
@@ -164,7 +165,7 @@ TEST_F(Info, WrongUsageIsExitTwo) {
 }
 
 TEST_F(Info, UnwritableOutputIsExitFour) {
-    EXPECT_EQ(run(pro + " --export " + (folder / "missing/a.ply")).code, 4);
+    EXPECT_EQ(run(pro + " --export " + (folder.file("missing/a.ply"))).code, 4);
     writeBytes(ply, Bytes(3));
     const Outcome result = run(pro + " --export " + ply);
     EXPECT_EQ(result.code, 4);

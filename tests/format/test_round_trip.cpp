@@ -7,6 +7,7 @@
 
 #include "file_bytes.h"
 #include "scene_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -43,14 +44,14 @@ void expectSameContent(const ProFile& file, const Scene& scene) {
 }
 
 TEST(RoundTrip, TinyScene) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
-    scene.write(folder / "a.pro");
-    const ProFile file(folder / "a.pro");
+    scene.write(folder.file("a.pro"));
+    const ProFile file(folder.file("a.pro"));
     expectSameContent(file, scene);
     const pro_info& info = file.info();
     EXPECT_EQ(info.version_major, 1u);
-    EXPECT_EQ(info.file_bytes, std::filesystem::file_size(folder / "a.pro"));
+    EXPECT_EQ(info.file_bytes, std::filesystem::file_size(folder.file("a.pro")));
     EXPECT_EQ(info.flags, scene.info.flags);
     EXPECT_EQ(info.max_depth, 2u);
     EXPECT_EQ(info.radius_step, 0.03125f);
@@ -65,7 +66,7 @@ TEST(RoundTrip, TinyScene) {
 }
 
 TEST(RoundTrip, OriginInANationalGridLosesNothing) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
     const double origin[3] = {500000.123456789, 4500000.987654321, -12.5};
     for (int axis = 0; axis < 3; ++axis) {
@@ -73,51 +74,51 @@ TEST(RoundTrip, OriginInANationalGridLosesNothing) {
         scene.info.bounds_max[axis] += origin[axis] - scene.info.origin[axis];
         scene.info.origin[axis] = origin[axis];
     }
-    scene.write(folder / "a.pro");
-    EXPECT_EQ(ProFile(folder / "a.pro").info().origin[1], 4500000.987654321);
-    EXPECT_TRUE(findingsOf(readBytes(folder / "a.pro")).empty());
+    scene.write(folder.file("a.pro"));
+    EXPECT_EQ(ProFile(folder.file("a.pro")).info().origin[1], 4500000.987654321);
+    EXPECT_TRUE(findingsOf(readBytes(folder.file("a.pro"))).empty());
 }
 
 TEST(RoundTrip, OptionalSectionsMayBeMissing) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = tinyScene();
     scene.order.clear();
     scene.metadata.clear();
-    scene.write(folder / "a.pro");
-    const ProFile file(folder / "a.pro");
+    scene.write(folder.file("a.pro"));
+    const ProFile file(folder.file("a.pro"));
     EXPECT_TRUE(file.order().empty());
     EXPECT_EQ(file.view().order, nullptr);
     EXPECT_TRUE(file.metadata().empty());
 }
 
 TEST(RoundTrip, NoReferencesAndARootLeaf) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = sceneOf(randomSplats(3, 0.01f));
     ASSERT_TRUE(scene.refs.empty());
     ASSERT_EQ(scene.nodes.size(), 8u);
-    scene.write(folder / "a.pro");
-    EXPECT_EQ(ProFile(folder / "a.pro").info().max_depth, 0u);
-    EXPECT_TRUE(findingsOf(readBytes(folder / "a.pro")).empty());
+    scene.write(folder.file("a.pro"));
+    EXPECT_EQ(ProFile(folder.file("a.pro")).info().max_depth, 0u);
+    EXPECT_TRUE(findingsOf(readBytes(folder.file("a.pro"))).empty());
 }
 
 TEST(RoundTrip, BuiltSceneHasNoFindings) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = sceneOf(randomSplats(3000, 0.02f));
     ASSERT_GT(scene.refs.size(), 3000u);
-    scene.write(folder / "a.pro");
-    EXPECT_TRUE(findingsOf(readBytes(folder / "a.pro")).empty());
-    expectSameContent(ProFile(folder / "a.pro"), scene);
+    scene.write(folder.file("a.pro"));
+    EXPECT_TRUE(findingsOf(readBytes(folder.file("a.pro"))).empty());
+    expectSameContent(ProFile(folder.file("a.pro")), scene);
 }
 
 TEST(RoundTrip, SameContentSameBytes) {
-    const TempFolder folder;
-    sceneOf(randomSplats(500, 0.02f)).write(folder / "a.pro");
-    sceneOf(randomSplats(500, 0.02f)).write(folder / "b.pro");
-    EXPECT_EQ(readBytes(folder / "a.pro"), readBytes(folder / "b.pro"));
+    const TemporaryFolder folder;
+    sceneOf(randomSplats(500, 0.02f)).write(folder.file("a.pro"));
+    sceneOf(randomSplats(500, 0.02f)).write(folder.file("b.pro"));
+    EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(folder.file("b.pro")));
 }
 
 TEST(RoundTrip, DepthTwentyOneOpens) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     std::vector<pro_splat> splats = randomSplats(2, 1e-6f);
     for (int axis = 0; axis < 3; ++axis) { // neighbours at the finest step
         splats[0].position[axis] = 1000.5f * PRO_POSITION_STEP;
@@ -128,16 +129,16 @@ TEST(RoundTrip, DepthTwentyOneOpens) {
     options.max_depth = PRO_MAX_DEPTH;
     options.radius_step = 0.125f;
     Scene scene = sceneOf(splats, options);
-    scene.write(folder / "a.pro");
-    EXPECT_EQ(ProFile(folder / "a.pro").info().max_depth, 21u);
-    EXPECT_TRUE(findingsOf(readBytes(folder / "a.pro")).empty());
+    scene.write(folder.file("a.pro"));
+    EXPECT_EQ(ProFile(folder.file("a.pro")).info().max_depth, 21u);
+    EXPECT_TRUE(findingsOf(readBytes(folder.file("a.pro"))).empty());
 }
 
 TEST(RoundTrip, MillionSplats) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     Scene scene = sceneOf(randomSplats(1000000, 0.003f));
-    scene.write(folder / "a.pro");
-    const ProFile file(folder / "a.pro");
+    scene.write(folder.file("a.pro"));
+    const ProFile file(folder.file("a.pro"));
     EXPECT_EQ(file.info().splat_count, scene.info.splat_count);
     EXPECT_EQ(file.info().ref_count, scene.info.ref_count);
     EXPECT_TRUE(std::equal(file.splats().begin(), file.splats().end(), scene.view().splats));

@@ -12,6 +12,7 @@
 #include <csignal>
 
 #include "file_bytes.h"
+#include "tests/support/temporary_folder.h"
 #include "tiny_scene.h"
 
 namespace {
@@ -31,34 +32,34 @@ bool mentions(const OpenResult& result, const char* words) {
 }
 
 TEST(Writer, NoFolder) {
-    const TempFolder folder;
-    const OpenResult written = tryWrite(folder / "missing/a.pro");
+    const TemporaryFolder folder;
+    const OpenResult written = tryWrite(folder.file("missing/a.pro"));
     EXPECT_EQ(written.result, PRO_CANNOT_WRITE);
     EXPECT_TRUE(mentions(written, "folder does not exist")) << written.message.text;
     EXPECT_EQ(folder.entries(), 0u);
 }
 
 TEST(Writer, ReplacesAFileAndLeavesNothingElse) {
-    const TempFolder folder;
-    writeBytes(folder / "a.pro", Bytes(5));
-    EXPECT_EQ(tryWrite(folder / "a.pro").result, PRO_OK);
+    const TemporaryFolder folder;
+    writeBytes(folder.file("a.pro"), Bytes(5));
+    EXPECT_EQ(tryWrite(folder.file("a.pro")).result, PRO_OK);
     EXPECT_EQ(folder.entries(), 1u);
-    EXPECT_EQ(ProFile(folder / "a.pro").info().splat_count, 5u);
+    EXPECT_EQ(ProFile(folder.file("a.pro")).info().splat_count, 5u);
 }
 
 TEST(Writer, AnOpenFileStaysWhatItWas) {
-    const TempFolder folder;
-    ASSERT_EQ(tryWrite(folder / "a.pro").result, PRO_OK);
-    const ProFile before(folder / "a.pro");
+    const TemporaryFolder folder;
+    ASSERT_EQ(tryWrite(folder.file("a.pro")).result, PRO_OK);
+    const ProFile before(folder.file("a.pro"));
     Scene other = tinyScene();
     other.metadata = "{}";
-    ASSERT_EQ(tryWrite(folder / "a.pro", other).result, PRO_OK);
+    ASSERT_EQ(tryWrite(folder.file("a.pro"), other).result, PRO_OK);
     EXPECT_EQ(before.metadata(), tinyScene().metadata);
-    EXPECT_EQ(ProFile(folder / "a.pro").metadata(), "{}");
+    EXPECT_EQ(ProFile(folder.file("a.pro")).metadata(), "{}");
 }
 
 TEST(Writer, NeitherFoldersNorDevicesAreReplaced) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     EXPECT_EQ(tryWrite(folder.path.string()).result, PRO_CANNOT_WRITE);
     EXPECT_EQ(tryWrite("/dev/null").result, PRO_CANNOT_WRITE);
     struct stat status;
@@ -67,19 +68,19 @@ TEST(Writer, NeitherFoldersNorDevicesAreReplaced) {
 }
 
 TEST(Writer, RespectsTheUmask) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const mode_t before = umask(027);
-    EXPECT_EQ(tryWrite(folder / "a.pro").result, PRO_OK);
+    EXPECT_EQ(tryWrite(folder.file("a.pro")).result, PRO_OK);
     umask(before);
     struct stat status;
-    ASSERT_EQ(stat((folder / "a.pro").c_str(), &status), 0);
+    ASSERT_EQ(stat((folder.file("a.pro")).c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0640u);
 }
 
 TEST(Writer, ContentThatWouldNotOpenIsRefused) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const auto expectRefused = [&](Scene scene, std::uint32_t finding) {
-        const OpenResult written = tryWrite(folder / "a.pro", std::move(scene));
+        const OpenResult written = tryWrite(folder.file("a.pro"), std::move(scene));
         EXPECT_EQ(written.result, PRO_BAD_ARGUMENT);
         EXPECT_EQ(written.message.finding, finding) << written.message.text;
         EXPECT_EQ(folder.entries(), 0u);
@@ -102,7 +103,7 @@ TEST(Writer, ContentThatWouldNotOpenIsRefused) {
 /// A file system of 64 KiB, mounted in a child process of its own mount namespace, so that nothing outlives the test.
 /// The child's exit status is the result of body, or 77 where mounting is not allowed.
 template <typename Body>
-int onTinyDisk(const TempFolder& folder, Body&& body) {
+int onTinyDisk(const TemporaryFolder& folder, Body&& body) {
     const pid_t child = fork();
     if (child == 0) {
         if (unshare(CLONE_NEWNS) != 0 || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
@@ -116,12 +117,12 @@ int onTinyDisk(const TempFolder& folder, Body&& body) {
 }
 
 TEST(Writer, FullDisk) {
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const int outcome = onTinyDisk(folder, [&] {
         Scene large = tinyScene();
         large.metadata = std::string(200000, ' ');
-        if (tryWrite(folder / "small.pro").result != PRO_OK) return 1;
-        const OpenResult written = tryWrite(folder / "large.pro", large);
+        if (tryWrite(folder.file("small.pro")).result != PRO_OK) return 1;
+        const OpenResult written = tryWrite(folder.file("large.pro"), large);
         if (written.result != PRO_CANNOT_WRITE) return 2;
         if (!mentions(written, "the disk is full")) return 3;
         if (folder.entries() != 1) return 4;
@@ -133,13 +134,13 @@ TEST(Writer, FullDisk) {
 
 TEST(Writer, FileSizeLimit) {
     // as a full disk, without root: the kernel stops the file at the limit
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const pid_t child = fork();
     if (child == 0) {
         const rlimit limit = {20000, 20000};
         signal(SIGXFSZ, SIG_IGN);
         setrlimit(RLIMIT_FSIZE, &limit);
-        const OpenResult written = tryWrite(folder / "a.pro");
+        const OpenResult written = tryWrite(folder.file("a.pro"));
         _exit(written.result == PRO_CANNOT_WRITE && mentions(written, "too large") ? 0 : 1);
     }
     int status = 0;
@@ -150,7 +151,7 @@ TEST(Writer, FileSizeLimit) {
 
 TEST(Writer, KilledLeavesNothing) {
     // the limit's signal kills the writer half way: only a file without a name vanishes then
-    const TempFolder folder;
+    const TemporaryFolder folder;
     const int probe = open(folder.path.c_str(), O_TMPFILE | O_WRONLY, 0600);
     if (probe < 0) GTEST_SKIP() << "NOT TESTED: this file system has no nameless files";
     close(probe);
@@ -160,7 +161,7 @@ TEST(Writer, KilledLeavesNothing) {
         setrlimit(RLIMIT_FSIZE, &limit);
         setrlimit(RLIMIT_CORE, &no_core);
         signal(SIGXFSZ, SIG_DFL);
-        tryWrite(folder / "a.pro");
+        tryWrite(folder.file("a.pro"));
         _exit(0);
     }
     int status = 0;

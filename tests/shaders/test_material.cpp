@@ -20,6 +20,7 @@
 #include "shaders/material_probe.spv.h"
 #include "shaders/shared/scene_layout.h"
 #include "tests/runtime/gpu/probe.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -91,56 +92,49 @@ std::vector<vec4> evenInputs(std::uint32_t count) {
     return inputs;
 }
 
-class MaterialTest : public testing::Test {
+class MaterialTest : public DeviceFixture {
 protected:
     static constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
-    static void SetUpTestSuite() {
-        setenv("POINTRT_VALIDATION", "1", 1);
-        messages_before_ = validationMessages();
-        device_ = createDevice({});
-        program_ = createProgram(device_, "material_probe", material_probe_spv);
+    MaterialTest() {
+        program_ = createProgram(device, "material_probe", material_probe_spv);
         const std::vector<GgxAlbedo> table = ggxAlbedoTable();
-        table_ = createFilledBuffer(device_, "ggx albedo", table.data(), table.size() * sizeof(GgxAlbedo),
+        table_ = createFilledBuffer(device, "ggx albedo", table.data(), table.size() * sizeof(GgxAlbedo),
                                     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        createTexelView(device_, "ggx albedo", table_, VK_FORMAT_R32G32_SFLOAT);
+        createTexelView(device, "ggx albedo", table_, VK_FORMAT_R32G32_SFLOAT);
     }
-    static void TearDownTestSuite() {
-        destroyBuffer(device_, table_);
-        destroyProgram(device_, program_);
-        destroyDevice(device_);
-        EXPECT_EQ(validationMessages(), messages_before_);
+    ~MaterialTest() override {
+        destroyBuffer(device, table_);
+        destroyProgram(device, program_);
     }
 
     /// An answer for each input: random numbers, or with directions set, directions of light.
-    static std::vector<Answer> ask(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
+    std::vector<Answer> ask(Surface surface, const std::vector<vec4>& inputs, bool directions = false) {
         surface.view.w = directions ? 1.0f : 0.0f;
-        Buffer question = createFilledBuffer(device_, "surface", &surface, sizeof surface, kStorage);
-        Buffer asked = createFilledBuffer(device_, "inputs", inputs.data(), inputs.size() * sizeof(vec4), kStorage);
-        Buffer answered = createBuffer(device_, "answers", inputs.size() * sizeof(Answer), kStorage);
-        VkDescriptorPool pool = createDescriptorPool(device_, 1);
+        Buffer question = createFilledBuffer(device, "surface", &surface, sizeof surface, kStorage);
+        Buffer asked = createFilledBuffer(device, "inputs", inputs.data(), inputs.size() * sizeof(vec4), kStorage);
+        Buffer answered = createBuffer(device, "answers", inputs.size() * sizeof(Answer), kStorage);
+        VkDescriptorPool pool = createDescriptorPool(device, 1);
         const VkDescriptorSet set =
-            createDescriptorSet(device_, pool, program_, bindingsInOrder({&table_, &question, &asked, &answered}));
-        const VkCommandBuffer commands = beginCommands(device_);
+            createDescriptorSet(device, pool, program_, bindingsInOrder({&table_, &question, &asked, &answered}));
+        const VkCommandBuffer commands = beginCommands(device);
         recordDispatch(commands, program_, set, {}, {(static_cast<std::uint32_t>(inputs.size()) + 63) / 64, 1, 1});
-        submitAndWait(device_, commands);
+        submitAndWait(device, commands);
         std::vector<Answer> answers(inputs.size());
-        downloadBuffer(device_, answered, answers.data(), answered.bytes);
-        destroyDescriptorPool(device_, pool);
-        destroyBuffer(device_, answered);
-        destroyBuffer(device_, asked);
-        destroyBuffer(device_, question);
+        downloadBuffer(device, answered, answers.data(), answered.bytes);
+        destroyDescriptorPool(device, pool);
+        destroyBuffer(device, answered);
+        destroyBuffer(device, asked);
+        destroyBuffer(device, question);
         return answers;
     }
-    static Answer askOnce(const Surface& surface, vec4 input = {0.5f, 0.5f, 0.5f, 0}, bool directions = false) {
+    Answer askOnce(const Surface& surface, vec4 input = {0.5f, 0.5f, 0.5f, 0}, bool directions = false) {
         return ask(surface, {input}, directions)[0];
     }
 
 private:
-    static inline Device device_;
-    static inline Program program_;
-    static inline Buffer table_;
-    static inline std::uint64_t messages_before_ = 0;
+    Program program_;
+    Buffer table_;
 };
 
 std::string describe(const Surface& surface) {

@@ -3,9 +3,11 @@
 
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace pointrt::test {
@@ -25,6 +27,9 @@ public:
     std::string write(const std::string& name, const std::string& text) const {
         std::ofstream(path / name) << text;
         return file(name);
+    }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path), {}));
     }
 
     std::filesystem::path path;

@@ -13,7 +13,7 @@ namespace pointrt {
 
 class ValidatedDevice {
 public:
-    ValidatedDevice() : device(create()) {}
+    explicit ValidatedDevice(const DeviceRequest& request = {}) : device(create(request)) {}
     ~ValidatedDevice() {
         destroyDevice(device);
         EXPECT_EQ(validationMessages(), messages_before_);
@@ -22,10 +22,10 @@ public:
     ValidatedDevice& operator=(const ValidatedDevice&) = delete;
 
 private:
-    Device create() {
+    Device create(const DeviceRequest& request) {
         setenv("POINTRT_VALIDATION", "1", 1);
         messages_before_ = validationMessages();
-        return createDevice({});
+        return createDevice(request);
     }
 
     std::uint64_t messages_before_ = 0;
@@ -37,6 +37,8 @@ public:
 /// Tests that need one device each.
 class DeviceFixture : public testing::Test {
 protected:
+    explicit DeviceFixture(const DeviceRequest& request = {}) : validated_(request) {}
+
     ValidatedDevice validated_;
     Device& device = validated_.device;
 };

@@ -60,11 +60,13 @@ Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from
 void readScan(const Placement& placement, const std::filesystem::path& folder, Sink& sink) {
     const Source scan = openSource((folder / placement.file).string());
     const InputFormat& format = formatOf(scan, "");
-    if (&format == &formats::kConf) refuse(scan, "a .conf file cannot be a scan of another");
+    if (&format.reader == &readers::kConf) refuse(scan, "a .conf file cannot be a scan of another");
     sink.world_from_scan = placement.world_from_scan;
-    format.read(scan, sink);
+    format.reader.read(scan, sink);
     setSensor(sink.cloud, sink.scans.back(), sensorOf(sink.cloud, sink.scans.back(), placement.world_from_scan));
 }
+
+bool isMeshLine(std::string_view line, bool) { return nextWord(line) == "bmesh"; }
 
 void readConf(const Source& source, Sink& sink) {
     const std::vector<Placement> placements = parsePlacements(source);
@@ -86,13 +88,6 @@ void readConf(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kConf{
-    .name = "conf",
-    .title = "Stanford .conf",
-    .suffixes = "conf",
-    .content = Content::kText,
-    .isLine = [](std::string_view line, bool) { return nextWord(line) == "bmesh"; },
-    .read = readConf,
-};
+const FormatReader readers::kConf{.isLine = isMeshLine, .read = readConf};
 
 } // namespace pointrt

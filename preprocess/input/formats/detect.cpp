@@ -31,8 +31,8 @@ constexpr std::size_t kSniffed = 1 << 16;
 template <typename Predicate>
 const InputFormat* firstFormat(const Predicate& holds) {
     const auto formats = inputFormats();
-    const auto found = std::find_if(formats.begin(), formats.end(), [&](const auto* format) { return holds(*format); });
-    return found == formats.end() ? nullptr : *found;
+    const auto found = std::find_if(formats.begin(), formats.end(), holds);
+    return found == formats.end() ? nullptr : &*found;
 }
 
 const InputFormat* formatNamed(std::string_view name) {
@@ -70,7 +70,7 @@ bool looksLikeText(std::string_view bytes) {
 }
 
 const InputFormat* formatOfStart(std::string_view bytes) {
-    return firstFormat([&](const InputFormat& format) { return format.isStart && format.isStart(bytes); });
+    return firstFormat([&](const InputFormat& each) { return each.reader.isStart && each.reader.isStart(bytes); });
 }
 
 const InputFormat* formatOfLines(std::string_view bytes) {
@@ -81,7 +81,7 @@ const InputFormat* formatOfLines(std::string_view bytes) {
         const std::string_view word = nextWord(words);
         if (word.empty() || word[0] == '#') continue;
         const InputFormat* const format =
-            firstFormat([&](const InputFormat& each) { return each.isLine && each.isLine(line, first); });
+            firstFormat([&](const InputFormat& each) { return each.reader.isLine && each.reader.isLine(line, first); });
         if (format) return format;
         first = false;
     }
@@ -102,7 +102,7 @@ const InputFormat* formatOfPlainText(std::string_view bytes) {
 
 } // namespace
 
-const InputFormat& formatOf(const Source& source, const std::string& name) {
+const InputFormat& formatOf(const Source& source, std::string_view name) {
     const InputFormat* const named = formatNamed(name);
     if (!name.empty() && !named) throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", quoted(name)));
     if (!formatOfStart(source.bytes)) refuseForeign(source);

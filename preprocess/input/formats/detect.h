@@ -8,6 +8,6 @@ namespace pointrt {
 
 /// The format of that name or, when it is "", the one told by the content first and the suffix second.
 /// Throws Error: unknown format name (usage); a known format that this build does not read, no known format.
-const InputFormat& formatOf(const Source& source, const std::string& name);
+const InputFormat& formatOf(const Source& source, std::string_view name);
 
 } // namespace pointrt

@@ -195,6 +195,8 @@ void addFaces(const Source& source, const draco::Mesh& mesh, Sink& sink) {
     }
 }
 
+bool isDracoStart(std::string_view bytes) { return bytes.starts_with("DRACO"); }
+
 void readDraco(const Source& source, Sink& sink) {
     checkCounts(source);
     const Decoded decoded = decode(source);
@@ -205,13 +207,6 @@ void readDraco(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kDraco{
-    .name = "drc",
-    .title = "Draco",
-    .suffixes = "drc",
-    .content = Content::kAny,
-    .isStart = [](std::string_view bytes) { return bytes.starts_with("DRACO"); },
-    .read = readDraco,
-};
+const FormatReader readers::kDraco{.isStart = isDracoStart, .read = readDraco};
 
 } // namespace pointrt

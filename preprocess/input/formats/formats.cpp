@@ -3,10 +3,11 @@
 
 namespace pointrt {
 
-std::span<const InputFormat* const> inputFormats() {
-#define POINTRT_FORMAT_ADDRESS(format) &formats::format,
-    static constexpr const InputFormat* kFormats[] = {POINTRT_INPUT_FORMATS(POINTRT_FORMAT_ADDRESS)};
-#undef POINTRT_FORMAT_ADDRESS
+std::span<const InputFormat> inputFormats() {
+#define POINTRT_FORMAT_ROW(reader, name, title, suffixes, content)                                                     \
+    {readers::reader, name, title, suffixes, Content::content},
+    static constexpr InputFormat kFormats[] = {POINTRT_INPUT_FORMATS(POINTRT_FORMAT_ROW)};
+#undef POINTRT_FORMAT_ROW
     return kFormats;
 }
 
@@ -15,7 +16,7 @@ std::string readableFormats() {
     std::string list;
     for (std::size_t i = 0; i < formats.size(); ++i) {
         if (i != 0) list += i + 1 < formats.size() ? ", " : " and ";
-        list += formats[i]->title;
+        list += formats[i].title;
     }
     return list;
 }

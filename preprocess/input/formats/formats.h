@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats that are read. To add one: its file, which defines an InputFormat, here its name, and CMakeLists.txt.
+// The formats that are read. To add one: its file, which defines a FormatReader, here its row, and CMakeLists.txt.
 #pragma once
 
 #include <span>
@@ -17,12 +17,8 @@ enum class Content {
     kColumns, ///< text that no other format knows
 };
 
-/// All that is known of a format: option, help, messages and detection come from here.
-struct InputFormat {
-    std::string_view name;     ///< of --input-format
-    std::string_view title;    ///< for people, in messages and help
-    std::string_view suffixes; ///< of files, in lower case, a blank between two
-    Content content;
+/// What the code of a format does.
+struct FormatReader {
     /// Whether a file's first bytes are those of the format; null where they do not tell.
     bool (*isStart)(std::string_view bytes) = nullptr;
     /// Whether a line of text tells the format; comments are left out. first: of the file. Null where no line does.
@@ -31,19 +27,35 @@ struct InputFormat {
     void (*read)(const Source& source, Sink& sink);
 };
 
-/// The one list. A file defines "const InputFormat formats::kName{...}", which does not compile for a name that is not
-/// in it; a name that no file defines does not link.
+/// The one list: reader, name of --input-format, title for people, suffixes in lower case, content. Option, help,
+/// messages and detection come from here. A file defines "const FormatReader readers::kName{...}", which does not
+/// compile for a name that is not in it; a name that no file defines does not link.
+// clang-format off
 #define POINTRT_INPUT_FORMATS(FORMAT)                                                                                  \
-    FORMAT(kPly) FORMAT(kPcd) FORMAT(kXyz) FORMAT(kObj) FORMAT(kOff) FORMAT(kDraco) FORMAT(kConf)
+    FORMAT(kPly, "ply", "PLY", "ply", kAny)                                                                            \
+    FORMAT(kPcd, "pcd", "PCD", "pcd", kAny)                                                                            \
+    FORMAT(kXyz, "xyz", "XYZ/PTS/ASC/TXT/CSV", "xyz pts asc txt csv", kColumns)                                        \
+    FORMAT(kObj, "obj", "OBJ", "obj", kText)                                                                           \
+    FORMAT(kOff, "off", "OFF", "off", kText)                                                                           \
+    FORMAT(kDraco, "drc", "Draco", "drc", kAny)                                                                        \
+    FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)
+// clang-format on
 
-namespace formats {
-#define POINTRT_DECLARE_FORMAT(format) extern const InputFormat format;
-POINTRT_INPUT_FORMATS(POINTRT_DECLARE_FORMAT)
-#undef POINTRT_DECLARE_FORMAT
-} // namespace formats
+namespace readers {
+#define POINTRT_DECLARE_READER(reader, ...) extern const FormatReader reader;
+POINTRT_INPUT_FORMATS(POINTRT_DECLARE_READER)
+#undef POINTRT_DECLARE_READER
+} // namespace readers
+
+/// A row of the list.
+struct InputFormat {
+    const FormatReader& reader;
+    std::string_view name, title, suffixes; ///< suffixes: a blank between two
+    Content content;
+};
 
 /// In the order of the list.
-std::span<const InputFormat* const> inputFormats();
+std::span<const InputFormat> inputFormats();
 
 /// Their titles, for messages: "PLY, PCD and OBJ".
 std::string readableFormats();

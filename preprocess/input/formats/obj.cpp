@@ -169,13 +169,6 @@ void readObj(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kObj{
-    .name = "obj",
-    .title = "OBJ",
-    .suffixes = "obj",
-    .content = Content::kText,
-    .isLine = isVertexLine,
-    .read = readObj,
-};
+const FormatReader readers::kObj{.isLine = isVertexLine, .read = readObj};
 
 } // namespace pointrt

@@ -144,13 +144,6 @@ void readOff(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kOff{
-    .name = "off",
-    .title = "OFF",
-    .suffixes = "off",
-    .content = Content::kText,
-    .isLine = isKeywordLine,
-    .read = readOff,
-};
+const FormatReader readers::kOff{.isLine = isKeywordLine, .read = readOff};
 
 } // namespace pointrt

@@ -124,6 +124,8 @@ bool isFirstPcdLine(std::string_view line, bool first) {
     return first && (word == "VERSION" || word == "FIELDS" || word == "COLUMNS");
 }
 
+bool isPcdStart(std::string_view bytes) { return bytes.starts_with("# .PCD"); }
+
 void readPcd(const Source& source, Sink& sink) {
     const PcdHeader header = readPcdHeader(source);
     checkBodySize(source, header);
@@ -140,14 +142,6 @@ void readPcd(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kPcd{
-    .name = "pcd",
-    .title = "PCD",
-    .suffixes = "pcd",
-    .content = Content::kAny,
-    .isStart = [](std::string_view bytes) { return bytes.starts_with("# .PCD"); },
-    .isLine = isFirstPcdLine,
-    .read = readPcd,
-};
+const FormatReader readers::kPcd{.isStart = isPcdStart, .isLine = isFirstPcdLine, .read = readPcd};
 
 } // namespace pointrt

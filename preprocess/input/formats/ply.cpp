@@ -173,6 +173,8 @@ ScanTraits traitsOf(const PlyHeader& header) {
     return traits;
 }
 
+bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); }
+
 void readPly(const Source& source, Sink& sink) {
     const PlyHeader header = readPlyHeader(source);
     beginScan(sink, source, traitsOf(header));
@@ -187,13 +189,6 @@ void readPly(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kPly{
-    .name = "ply",
-    .title = "PLY",
-    .suffixes = "ply",
-    .content = Content::kAny,
-    .isStart = [](std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); },
-    .read = readPly,
-};
+const FormatReader readers::kPly{.isStart = isPlyStart, .read = readPly};
 
 } // namespace pointrt

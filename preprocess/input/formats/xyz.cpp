@@ -212,12 +212,6 @@ void readXyz(const Source& source, Sink& sink) {
 
 } // namespace
 
-const InputFormat formats::kXyz{
-    .name = "xyz",
-    .title = "XYZ/PTS/ASC/TXT/CSV",
-    .suffixes = "xyz pts asc txt csv",
-    .content = Content::kColumns,
-    .read = readXyz,
-};
+const FormatReader readers::kXyz{.read = readXyz};
 
 } // namespace pointrt

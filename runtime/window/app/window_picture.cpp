@@ -97,16 +97,16 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
 /// Brings the scene on the device to what the panels say.
 void Window::editScene(bool dragging) {
     editor_.restage();
-    Rework rework = Rework::kNothing;
+    Rework rework;
     if (editor_.waits())
         rework = reworkFor(loaded_->scene, loaded_->program_kinds.integrator, work_.scene, work_.settings);
-    if (nextStep(rework, dragging, loaded_->lacks_photons) == EditStep::kUpload) {
-        refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings);
+    if (nextStep(rework.kind, dragging, loaded_->lacks_photons) == EditStep::kUpload) {
+        refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings, std::move(rework.rows));
         editor_.settle();
         image_.restart();
-        rework = Rework::kNothing;
+        rework.kind = ReworkKind::kNothing;
     }
-    if (nextStep(rework, dragging, loaded_->lacks_photons) != EditStep::kRelight) return;
+    if (nextStep(rework.kind, dragging, loaded_->lacks_photons) != EditStep::kRelight) return;
     editor_.settle();
     jobs_.start(JobKind::kRelight, [&] {
         return startedJob<RefurnishJob>(

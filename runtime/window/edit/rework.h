@@ -5,15 +5,21 @@
 #include <cstdint>
 
 #include "runtime/device_scene/device_scene.h"
+#include "runtime/device_scene/scene_rows.h"
 
 namespace pointrt {
 
 /// The cheapest that will do comes first.
-enum class Rework : std::uint8_t {
+enum class ReworkKind : std::uint8_t {
     kNothing,
     kTables,   ///< rows of materials, shapes and lights: a few milliseconds
     kPrograms, ///< other programs or another picture of the sky as well: a job's
     kReload    ///< other scans, or other places: nothing that is there will do
+};
+
+struct Rework {
+    ReworkKind kind = ReworkKind::kNothing;
+    SceneRows rows; ///< where they are all it takes: kTables
 };
 
 /// What it takes until scene, for which programs of this integrator were built, is as description and settings say.
@@ -30,6 +36,6 @@ enum class EditStep : std::uint8_t {
 
 /// dragging: more of the same edit is to come, and must not wait for a job. lacks_photons: tables were uploaded
 /// without.
-EditStep nextStep(Rework rework, bool dragging, bool lacks_photons);
+EditStep nextStep(ReworkKind rework, bool dragging, bool lacks_photons);
 
 } // namespace pointrt

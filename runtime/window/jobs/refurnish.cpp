@@ -58,15 +58,13 @@ void refurnish(Device& device, LoadedScene& loaded, const SceneDescription& desc
     castPhotons(device, loaded.tracer, loaded.settings);
 }
 
-bool refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                  const RenderSettings& settings) {
-    if (settings.integrator != loaded.program_kinds.integrator) return false;
-    if (!furnishAlike(device, loaded.scene, description, settings)) return false;
+void refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                  const RenderSettings& settings, SceneRows rows) {
+    uploadSceneRows(device, loaded.scene, description, settings, std::move(rows));
     noteSettings(loaded, settings);
     forgetPhotons(loaded.tracer);
     loaded.lacks_photons = wantsPhotons(loaded.scene, loaded.settings);
     rebind(device, loaded.tracer);
-    return true;
 }
 
 } // namespace pointrt

@@ -2,6 +2,7 @@
 // A loaded scene lit anew while it is looked at: other lights, materials, surroundings.
 #pragma once
 
+#include "runtime/device_scene/scene_rows.h"
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/window/jobs/job.h"
 
@@ -14,9 +15,8 @@ namespace pointrt {
 void refurnish(Device& device, LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings,
                JobControl& control);
 
-/// The same in a few milliseconds and without photons, where the tracer's programs will do. Returns false, with nothing
-/// changed, where they will not.
-bool refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& description,
-                  const RenderSettings& settings);
+/// The same in a few milliseconds and without photons, where rows are all that is new: see Rework::kTables.
+void refurnishNow(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                  const RenderSettings& settings, SceneRows rows);
 
 } // namespace pointrt

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "runtime/util/on_error.h"
 #include "shaders/resolve.spv.h"
 #include "shaders/shared/params.h"
 #include "shaders/tonemap.spv.h"
@@ -57,12 +58,8 @@ bool needsFirstHits(const Look& look) { return kFilmViews.at(look.shown).group =
 
 DisplayPipeline createDisplayPipeline(Device& device, const FrameBuffers& frame, std::uint64_t film_pixels) {
     DisplayPipeline pipeline;
-    try {
-        createAll(device, pipeline, frame, film_pixels);
-    } catch (...) {
-        destroyDisplayPipeline(device, pipeline);
-        throw;
-    }
+    const OnError undo([&] { destroyDisplayPipeline(device, pipeline); });
+    createAll(device, pipeline, frame, film_pixels);
     return pipeline;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "runtime/util/on_error.h"
 #include "runtime/window/platform/glfw.h"
 #include "runtime/window/platform/key_names.h"
 
@@ -106,19 +107,15 @@ PlatformWindow createPlatformWindow(std::uint32_t width, std::uint32_t height, c
     const Glfw& g = glfw();
     if (!g.glfwInit()) failWithoutWindow(lastError());
     PlatformWindow window;
-    try {
-        if (!g.glfwVulkanSupported()) failWithoutWindow("no Vulkan driver for this display (" + lastError() + ")");
-        g.glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-        window.handle =
-            g.glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
-        if (!window.handle) failWithoutWindow(lastError());
-        window.inbox = std::make_unique<PlatformInbox>();
-        g.glfwSetWindowUserPointer(window.handle, window.inbox.get());
-        setCallbacks(window.handle);
-    } catch (...) {
-        destroyPlatformWindow(window);
-        throw;
-    }
+    const OnError undo([&] { destroyPlatformWindow(window); });
+    if (!g.glfwVulkanSupported()) failWithoutWindow("no Vulkan driver for this display (" + lastError() + ")");
+    g.glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    window.handle =
+        g.glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
+    if (!window.handle) failWithoutWindow(lastError());
+    window.inbox = std::make_unique<PlatformInbox>();
+    g.glfwSetWindowUserPointer(window.handle, window.inbox.get());
+    setCallbacks(window.handle);
     return window;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -57,15 +58,11 @@ Image createImage(Device& device, const char* what, VkFormat format, VkExtent2D 
     Image image;
     image.format = format;
     image.extent = extent;
-    try {
-        createHandle(device, image, usage, action.c_str());
-        allocateMemory(device, image, action.c_str());
-        // an image that is only copied takes no view
-        if (usage & ~kTransfer) image.view = createView(device, image.handle, format, swizzle);
-    } catch (...) {
-        destroyImage(device, image);
-        throw;
-    }
+    const OnError undo([&] { destroyImage(device, image); });
+    createHandle(device, image, usage, action.c_str());
+    allocateMemory(device, image, action.c_str());
+    // an image that is only copied takes no view
+    if (usage & ~kTransfer) image.view = createView(device, image.handle, format, swizzle);
     return image;
 }
 

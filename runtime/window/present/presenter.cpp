@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/gpu/program.h"
+#include "runtime/util/on_error.h"
 #include "runtime/window/present/frame_commands.h"
 
 namespace pointrt {
@@ -132,15 +133,11 @@ bool presentHeadless(Device& device, Presenter& presenter, const ImDrawData* ui)
 Presenter createPresenter(Device& device, VkSurfaceKHR surface, std::uint32_t width, std::uint32_t height) {
     Presenter presenter;
     presenter.surface = surface;
-    try {
-        if (surface) presenter.swapchain = createSwapchain(device, surface);
-        presenter.ui = createUiRenderer(device, frameFormat(presenter));
-        createFrameObjects(device, presenter);
-        createCanvas(device, presenter, {width, height}, nullptr);
-    } catch (...) {
-        destroyPresenter(device, presenter);
-        throw;
-    }
+    const OnError undo([&] { destroyPresenter(device, presenter); });
+    if (surface) presenter.swapchain = createSwapchain(device, surface);
+    presenter.ui = createUiRenderer(device, frameFormat(presenter));
+    createFrameObjects(device, presenter);
+    createCanvas(device, presenter, {width, height}, nullptr);
     return presenter;
 }
 

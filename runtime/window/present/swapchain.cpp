@@ -23,13 +23,19 @@ void checkWindow(VkResult result, const char* what) {
     check(result, what);
 }
 
-VkFormat chooseFormat(Device& device, VkSurfaceKHR surface) {
+/// What list, one of Vulkan's functions that do, tells of a surface.
+template <typename Item>
+std::vector<Item> listOf(Device& device, VkSurfaceKHR surface, const char* what,
+                         VkResult (*list)(VkPhysicalDevice, VkSurfaceKHR, std::uint32_t*, Item*)) {
     std::uint32_t count = 0;
-    checkWindow(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical, surface, &count, nullptr),
-                "list the formats of a window");
-    std::vector<VkSurfaceFormatKHR> formats(count);
-    checkWindow(vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical, surface, &count, formats.data()),
-                "list the formats of a window");
+    checkWindow(list(device.physical, surface, &count, nullptr), what);
+    std::vector<Item> items(count);
+    checkWindow(list(device.physical, surface, &count, items.data()), what);
+    return items;
+}
+
+VkFormat chooseFormat(Device& device, VkSurfaceKHR surface) {
+    const auto formats = listOf(device, surface, "list the formats of a window", vkGetPhysicalDeviceSurfaceFormatsKHR);
     for (VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         for (const VkSurfaceFormatKHR& format : formats)
             if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR) return wanted;
@@ -38,12 +44,8 @@ VkFormat chooseFormat(Device& device, VkSurfaceKHR surface) {
 
 /// Mailbox never waits and never tears. Without it a GPU keeps to the screen's rate; a CPU has no time to wait.
 VkPresentModeKHR choosePresentMode(Device& device, VkSurfaceKHR surface) {
-    std::uint32_t count = 0;
-    checkWindow(vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical, surface, &count, nullptr),
-                "list the present modes of a window");
-    std::vector<VkPresentModeKHR> modes(count);
-    checkWindow(vkGetPhysicalDeviceSurfacePresentModesKHR(device.physical, surface, &count, modes.data()),
-                "list the present modes of a window");
+    const auto modes =
+        listOf(device, surface, "list the present modes of a window", vkGetPhysicalDeviceSurfacePresentModesKHR);
     const auto has = [&](VkPresentModeKHR mode) { return std::count(modes.begin(), modes.end(), mode) > 0; };
     if (has(VK_PRESENT_MODE_MAILBOX_KHR)) return VK_PRESENT_MODE_MAILBOX_KHR;
     if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU && has(VK_PRESENT_MODE_IMMEDIATE_KHR))

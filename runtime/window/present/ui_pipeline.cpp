@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 
+#include "runtime/util/on_error.h"
 #include "runtime/window/present/ui_renderer.h"
 #include "shaders/ui_frag.spv.h"
 #include "shaders/ui_vert.spv.h"
@@ -195,16 +196,12 @@ void createPipeline(Device& device, UiRenderer& ui) {
 
 UiRenderer createUiRenderer(Device& device, VkFormat format) {
     UiRenderer ui;
-    try {
-        ui.pass = createPass(device, format);
-        ui.sampler = createLinearSampler(device);
-        createSet(device, ui);
-        createLayout(device, ui);
-        createPipeline(device, ui);
-    } catch (...) {
-        destroyUiRenderer(device, ui);
-        throw;
-    }
+    const OnError undo([&] { destroyUiRenderer(device, ui); });
+    ui.pass = createPass(device, format);
+    ui.sampler = createLinearSampler(device);
+    createSet(device, ui);
+    createLayout(device, ui);
+    createPipeline(device, ui);
     return ui;
 }
 

@@ -80,38 +80,34 @@ bakeAll() {
 python() { "$out/environment/bin/python" "$@"; }
 blenderRun() { blender -b --factory-startup --python-exit-code 1 -P "$here/render_reference.py" -- "$@"; }
 
-renderReferences() {
-    local scene=$1
-    # References of what the scene was before are of no use.
-    cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{mitsuba,cycles}.exr
-    cp "$out/$scene.json" "$out/$scene.rendered.json"
+# reference SCENE NAME SPP COMMAND...: a picture of SCENE, unless it is there; of 0 samples none.
+reference() {
+    local scene=$1 name=$2 samples=$3
+    [ "$samples" != 0 ] && [ ! -e "$out/$scene.$name.exr" ] || return 0
     # Renamed when complete, so that an interrupted run leaves no half picture to be kept.
-    if [ ! -e "$out/$scene.mitsuba.exr" ]; then
-        timed "$scene.hits" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/$scene.hits.exr" --first-hits
-        timed "$scene.mitsuba" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/partial.exr" \
-            --spp "$mitsuba_spp"
-        mv "$out/partial.exr" "$out/$scene.mitsuba.exr"
-    fi
-    if [ "$cycles_spp" != 0 ] && [ ! -e "$out/$scene.cycles.exr" ]; then
-        timed "$scene.cycles" blenderRun "$out/$scene.json" "$out/partial.exr" --spp "$cycles_spp"
-        mv "$out/partial.exr" "$out/$scene.cycles.exr"
-    fi
+    timed "$scene.$name" "${@:4}" "$out/$scene.json" "$out/partial.exr"
+    mv "$out/partial.exr" "$out/$scene.$name.exr"
+}
+
+# References of what the scene was before are of no use.
+dropStale() {
+    local scene=$1
+    cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{hits,mitsuba,cycles,light,paths}.exr
+    cp "$out/$scene.json" "$out/$scene.rendered.json"
+}
+
+renderReferences() {
+    dropStale "$1"
+    reference "$1" hits 1 python "$here/render_mitsuba.py" --first-hits
+    reference "$1" mitsuba "$mitsuba_spp" python "$here/render_mitsuba.py" --spp "$mitsuba_spp"
+    reference "$1" cycles "$cycles_spp" blenderRun --spp "$cycles_spp"
 }
 
 renderCausticReferences() {
-    local scene=$1
-    cmp -s "$out/$scene.json" "$out/$scene.rendered.json" || rm -f "$out/$scene".{light,paths}.exr
-    cp "$out/$scene.json" "$out/$scene.rendered.json"
-    if [ ! -e "$out/$scene.light.exr" ]; then
-        timed "$scene.hits" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/$scene.hits.exr" --first-hits
-        timed "$scene.light" python "$here/render_caustic.py" "$out/$scene.json" "$out/partial.exr" \
-            --photons "$photons"
-        mv "$out/partial.exr" "$out/$scene.light.exr"
-    fi
-    if [ "$check_spp" != 0 ] && [ ! -e "$out/$scene.paths.exr" ]; then
-        timed "$scene.paths" python "$here/render_mitsuba.py" "$out/$scene.json" "$out/partial.exr" --spp "$check_spp"
-        mv "$out/partial.exr" "$out/$scene.paths.exr"
-    fi
+    dropStale "$1"
+    reference "$1" hits 1 python "$here/render_mitsuba.py" --first-hits
+    reference "$1" light "$photons" python "$here/render_caustic.py" --photons "$photons"
+    reference "$1" paths "$check_spp" python "$here/render_mitsuba.py" --spp "$check_spp"
 }
 
 compareWith() {

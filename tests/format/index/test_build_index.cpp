@@ -10,6 +10,7 @@
 
 #include "tests/format/file_bytes.h"
 #include "tests/format/scene_builder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt {
 namespace {
@@ -49,16 +50,16 @@ TEST(BuildIndex, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
-    const test::TempFolder folder;
+    const test::TemporaryFolder folder;
     Scene scene = crowdedScene();
     const pro_view view = scene.view();
     const TracingIndex built = buildTracingIndex(scene.info, view);
     const pro_index index = indexView(built);
-    writePro(folder / "a.pro", scene.info, view, &index);
-    const test::Bytes bytes = test::readBytes(folder / "a.pro");
+    writePro(folder.file("a.pro"), scene.info, view, &index);
+    const test::Bytes bytes = test::readBytes(folder.file("a.pro"));
     EXPECT_TRUE(test::findingsOf(bytes).empty());
     EXPECT_EQ(test::openCopy(bytes).result, PRO_OK);
-    const ProFile file(folder / "a.pro", PRO_OPEN_TRACE);
+    const ProFile file(folder.file("a.pro"), PRO_OPEN_TRACE);
     ASSERT_NE(file.index(), nullptr);
     const pro_index& read = *file.index();
     EXPECT_EQ(read.shift, index.shift);

@@ -49,8 +49,8 @@ std::vector<std::string> suffixesOfReadme() {
 TEST(Formats, TheReadmeListsTheSuffixesOfAll) {
     const std::vector<std::string> listed = suffixesOfReadme();
     std::set<std::string> known;
-    for (const InputFormat* format : inputFormats())
-        forSuffixes(*format, [&](std::string_view suffix) {
+    for (const InputFormat& format : inputFormats())
+        forSuffixes(format, [&](std::string_view suffix) {
             EXPECT_TRUE(known.emplace(suffix).second) << suffix << " stands for two formats";
         });
     EXPECT_EQ(std::set(listed.begin(), listed.end()), known);
@@ -69,13 +69,13 @@ TEST(Formats, EachFileOfTheFolderIsCompiled) {
 TEST(Formats, NamesDifferAndEachIsComplete) {
     std::set<std::string_view> names;
     int columns = 0;
-    for (const InputFormat* format : inputFormats()) {
-        EXPECT_TRUE(names.insert(format->name).second) << format->name;
-        EXPECT_FALSE(format->title.empty()) << format->name;
-        EXPECT_NE(format->read, nullptr) << format->name;
+    for (const InputFormat& format : inputFormats()) {
+        EXPECT_TRUE(names.insert(format.name).second) << format.name;
+        EXPECT_FALSE(format.title.empty()) << format.name;
+        EXPECT_NE(format.reader.read, nullptr) << format.name;
         // what tells a format by its content: nothing but columns of numbers have no mark
-        EXPECT_EQ(!format->isStart && !format->isLine, format->content == Content::kColumns) << format->name;
-        columns += format->content == Content::kColumns;
+        EXPECT_EQ(!format.reader.isStart && !format.reader.isLine, format.content == Content::kColumns) << format.name;
+        columns += format.content == Content::kColumns;
     }
     EXPECT_EQ(columns, 1);
 }

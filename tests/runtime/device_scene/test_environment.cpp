@@ -16,6 +16,7 @@
 #include "runtime/gpu/resources.h"
 #include "shaders/environment_probe.spv.h"
 #include "tests/runtime/gpu/probe.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -81,20 +82,15 @@ Vec4 packed(Vec3 d) { return {static_cast<float>(d.x), static_cast<float>(d.y), 
 
 constexpr std::array<Vec3, 3> kUpright = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
-class EnvironmentTest : public testing::Test {
+class EnvironmentTest : public DeviceFixture {
 protected:
     void SetUp() override {
-        setenv("POINTRT_VALIDATION", "1", 1);
-        messages_before_ = validationMessages();
-        device = createDevice({});
         program = createProgram(device, "environment_probe", environment_probe_spv);
         pool = createDescriptorPool(device, 64);
     }
     void TearDown() override {
         destroyDescriptorPool(device, pool);
         destroyProgram(device, program);
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages_before_);
     }
 
     Buffer texelBuffer(const void* data, std::uint64_t bytes, VkFormat format) {
@@ -129,12 +125,10 @@ protected:
         return ask(environment, environmentFrame(environment, kUpright, 1), false, directions);
     }
 
-    Device device;
     Program program;
     VkDescriptorPool pool = VK_NULL_HANDLE;
 
 private:
-    std::uint64_t messages_before_ = 0;
 };
 
 /// Directions to the centres of a fine grid, and the solid angle of each of its rows.

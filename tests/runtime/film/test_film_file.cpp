@@ -23,6 +23,7 @@
 #include "runtime/image/film_parts.h"
 #include "runtime/image/image_exr.h"
 #include "runtime/image/image_read.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt {
 namespace {
@@ -34,13 +35,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 class FilmFile : public testing::Test {
 protected:
-    void SetUp() override {
-        char name[] = "/tmp/pointrt_film_XXXXXX";
-        ASSERT_NE(mkdtemp(name), nullptr);
-        folder = name;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-    std::string path(const char* name) const { return (folder / name).string(); }
+    std::string path(const char* name) const { return folder.file(name); }
     std::string write(const char* name, const Bytes& bytes) const {
         fs::remove(path(name)); // file systems make sure of what overwrites a file, and wait for the disk
         std::ofstream(path(name), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -50,7 +45,7 @@ protected:
         std::ifstream file(path(name), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    fs::path folder;
+    const test::TemporaryFolder folder;
 };
 
 struct Noise {

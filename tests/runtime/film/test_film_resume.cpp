@@ -17,6 +17,9 @@
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/renderer/progressive_renderer.h"
 #include "runtime/scene/camera.h"
+#include "tests/support/ball_scene.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -32,37 +35,16 @@ RenderSettings testSettings() {
     return settings;
 }
 
-/// A sphere of plastic over a floor under a small lamp: soft shadows and light by way of the floor.
-SceneDescription testScene() {
-    SceneDescription scene;
-    scene.materials.resize(1);
-    scene.materials[0].kind = MaterialKind::kPlastic;
-    scene.shapes.push_back({ShapeKind::kSphere, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-    scene.shapes.push_back({ShapeKind::kDisc, {0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {0, 1, 0}});
-    scene.lights.push_back(SphereLight{{2, 4, 2}, 0.5, {30, 30, 30}});
-    return scene;
-}
-
-class FilmResume : public testing::Test {
+class FilmResume : public DeviceFixture {
 protected:
     void SetUp() override {
-        char name[] = "/tmp/pointrt_resume_XXXXXX";
-        ASSERT_NE(mkdtemp(name), nullptr);
-        folder = name;
-        device = createDevice({});
         LoadRequest request;
-        request.scene = testScene();
+        request.scene = ballScene();
         request.settings = testSettings();
         loaded = loadScene(device, device, request, {});
-        camera = frameCamera({}, {-1, 0, -1}, {1, 2, 1}, 1);
+        camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 1);
     }
-    void TearDown() override {
-        loaded.reset();
-        destroyDevice(device);
-        fs::remove_all(folder);
-    }
-
-    std::string path() const { return (folder / "film.exr").string(); }
+    std::string path() const { return folder.file("film.exr"); }
     std::string signature(const RenderSettings& settings) const {
         return filmSignature(loaded->scene, settings, camera);
     }
@@ -88,8 +70,7 @@ protected:
         return "";
     }
 
-    fs::path folder;
-    Device device;
+    const test::TemporaryFolder folder;
     std::unique_ptr<LoadedScene> loaded;
     Camera camera;
 };

@@ -20,6 +20,7 @@
 #include "runtime/image/image_exr.h"
 #include "runtime/image/image_png.h"
 #include "runtime/util/output_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt {
 namespace {
@@ -28,14 +29,8 @@ namespace fs = std::filesystem;
 
 class ImageIo : public testing::Test {
 protected:
-    void SetUp() override {
-        char name[] = "/tmp/pointrt_image_XXXXXX";
-        ASSERT_NE(mkdtemp(name), nullptr);
-        folder = name;
-    }
-    void TearDown() override { fs::remove_all(folder); }
-    std::string path(const char* name) const { return (folder / name).string(); }
-    fs::path folder;
+    std::string path(const char* name) const { return folder.file(name); }
+    const test::TemporaryFolder folder;
 };
 
 /// Values that differ in every channel and pixel; every third pixel hits nothing.
@@ -259,7 +254,7 @@ TEST_F(ImageIo, ReplacesAndLeavesNothingElseBehind) {
     const auto size = fs::file_size(path("a.png"));
     writePng(path("a.png"), {64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 7)});
     EXPECT_NE(fs::file_size(path("a.png")), size);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
 void expectCannotWrite(const std::string& path, const char* reason, const std::function<void()>& body) {
@@ -279,7 +274,7 @@ TEST_F(ImageIo, SaysWhyItCannotWrite) {
     expectCannotWrite(missing, "the folder does not exist", [&] { writeExr(missing, testFilm(2, 2)); });
     expectCannotWrite(occupied, "it is a folder", [&] { requireWritable(occupied); });
     expectCannotWrite(occupied, "it is a folder", [&] { writePng(occupied, {1, 1, 3, {1, 2, 3}}); });
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+    EXPECT_EQ(folder.entries(), 1u);
     requireWritable(path("fine.png"));
 }
 

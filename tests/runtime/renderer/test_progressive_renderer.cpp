@@ -8,6 +8,7 @@
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/renderer/pick.h"
 #include "tests/support/ball_scene.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -26,20 +27,13 @@ LoadRequest testRequest() {
     return request;
 }
 
-class ProgressiveRendererTest : public testing::Test {
+class ProgressiveRendererTest : public DeviceFixture {
 protected:
     void SetUp() override {
-        messages = validationMessages();
-        device = createDevice({});
         loaded = loadScene(device, device, testRequest(), {});
         plan = {loaded->settings, loaded->camera, {kHeight, kHeight}};
         job.samples = kSamples;
         whole = render(plan);
-    }
-    void TearDown() override {
-        loaded.reset();
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages);
     }
 
     Film render(const RenderPlan& asked, const Film* start = nullptr) {
@@ -58,8 +52,6 @@ protected:
         EXPECT_EQ(a.normal, b.normal);
     }
 
-    std::uint64_t messages = 0;
-    Device device;
     std::unique_ptr<LoadedScene> loaded;
     RenderPlan plan;
     FrameJob job;
@@ -173,8 +165,9 @@ TEST_F(ProgressiveRendererTest, PicksWhatItsFilmHas) {
     EXPECT_GT(found, 3);
 }
 
-TEST(LoadScene, TellsItsStagesAndCanBeGivenUp) {
-    Device device = createDevice({});
+using LoadScene = DeviceFixture;
+
+TEST_F(LoadScene, TellsItsStagesAndCanBeGivenUp) {
     struct Enough {};
     std::vector<std::string> stages;
     double before = 0;
@@ -187,7 +180,6 @@ TEST(LoadScene, TellsItsStagesAndCanBeGivenUp) {
     EXPECT_NE(loadScene(device, device, testRequest(), stage), nullptr);
     EXPECT_EQ(stages, (std::vector<std::string>{"reading", "materials and lights", "programs"}));
     EXPECT_THROW(loadScene(device, device, testRequest(), stage), Enough);
-    destroyDevice(device);
 }
 
 TEST(FrameTiling, KeepsBandsWithinTheirBuffers) {

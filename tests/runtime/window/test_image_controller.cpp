@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "runtime/scene/camera.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -41,10 +42,9 @@ TEST(ImageChange, IsAsSmallAsCanBe) {
     EXPECT_EQ(change([](ImageRequest& r) { r.paused = true; }), ImageChange::kNone);
 }
 
-class ImageControllerTest : public testing::Test {
+class ImageControllerTest : public DeviceFixture {
 protected:
     void SetUp() override {
-        device = createDevice({});
         SceneDescription description;
         description.materials.emplace_back();
         description.shapes.push_back({ShapeKind::kSphere, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0});
@@ -59,7 +59,6 @@ protected:
         image.close();
         destroyBandTracer(device, tracer);
         destroyDeviceScene(device, scene);
-        destroyDevice(device);
     }
 
     /// Frames until condition holds; false where it takes too long.
@@ -74,7 +73,6 @@ protected:
     }
     bool rests() const { return image.live() && image.live()->progress().resting; }
 
-    Device device;
     DeviceScene scene;
     BandTracer tracer;
     ImageRequest wanted = request();

@@ -8,9 +8,11 @@
 #include <thread>
 
 #include "runtime/scene/camera.h"
+#include "runtime/window/edit/rework.h"
 #include "runtime/window/live/viewport_renderer.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -28,17 +30,9 @@ std::string lamp(const char* position) {
     return std::string("[[light]]\ntype = 'point'\nposition = ") + position + "\nintensity = 6\n";
 }
 
-class LoadJobTest : public testing::Test {
+class LoadJobTest : public DeviceFixture {
 protected:
-    void SetUp() override {
-        test::tinyScene().write(folder.file("tiny.pro"));
-        messages = validationMessages();
-        device = createDevice({});
-    }
-    void TearDown() override {
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages);
-    }
+    LoadJobTest() { test::tinyScene().write(folder.file("tiny.pro")); }
 
     Options optionsFor(const std::string& path) const {
         Options options;
@@ -100,6 +94,14 @@ protected:
         EXPECT_EQ(job.job().state(), JobState::kDone) << job.job().error();
     }
 
+    /// Whether it took no job.
+    bool furnishNow(LoadedScene& loaded, const SceneDescription& description, const RenderSettings& settings) {
+        Rework rework = reworkFor(loaded.scene, loaded.program_kinds.integrator, description, settings);
+        if (rework.kind != ReworkKind::kTables) return false;
+        refurnishNow(device, loaded, description, settings, std::move(rework.rows));
+        return true;
+    }
+
     /// All of one colour, 2^exponent times (0.25, 0.375, 0.5).
     std::string writeSky(const char* name, int exponent) const {
         std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
@@ -110,8 +112,6 @@ protected:
     const test::TemporaryFolder folder;
     Integrator integrator = Integrator::kWhitted;
     bool caustics = false; ///< they take a second each time
-    Device device;
-    std::uint64_t messages = 0; ///< of tests before
 };
 
 TEST_F(LoadJobTest, LoadsAScanWithWhatStandsAroundIt) {
@@ -164,7 +164,7 @@ TEST_F(LoadJobTest, MovesALightAtOnce) {
     live.setView(viewOf(*loaded), false);
     const std::vector<float> before = finish(live), expected = picture(*moved);
     EXPECT_NE(before, expected);
-    ASSERT_TRUE(refurnishNow(device, *loaded, moved->scene.description, moved->settings));
+    ASSERT_TRUE(furnishNow(*loaded, moved->scene.description, moved->settings));
     EXPECT_FALSE(loaded->lacks_photons);
     live.restart(true);
     EXPECT_EQ(finish(live), expected);
@@ -176,7 +176,7 @@ TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
     ViewportRenderer live(device, loaded->tracer, 0.01);
     live.setView(viewOf(*loaded), false);
     const auto change = [&](const LoadedScene& like) {
-        EXPECT_TRUE(refurnishNow(device, *loaded, like.scene.description, like.settings));
+        EXPECT_TRUE(furnishNow(*loaded, like.scene.description, like.settings));
         live.restart(false);
         return finish(live);
     };
@@ -196,10 +196,10 @@ TEST_F(LoadJobTest, OtherProgramsTakeAJob) {
     const auto round = loadText(kScan + lamp("[10, 24, 36]") +
                                 "[[light]]\ntype = 'sphere'\ncenter = [14, 22, 35]\n"
                                 "radius = 0.2\nradiance = 90\n");
-    EXPECT_FALSE(refurnishNow(device, *loaded, round->scene.description, round->settings));
+    EXPECT_FALSE(furnishNow(*loaded, round->scene.description, round->settings));
     RenderSettings path = loaded->settings;
     path.integrator = Integrator::kPath;
-    EXPECT_FALSE(refurnishNow(device, *loaded, loaded->scene.description, path));
+    EXPECT_FALSE(furnishNow(*loaded, loaded->scene.description, path));
     EXPECT_EQ(picture(*loaded), before) << "nothing was changed";
     relight(*loaded, *round);
     EXPECT_EQ(picture(*loaded), picture(*round));
@@ -219,7 +219,7 @@ TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
     EXPECT_GT(loaded->tracer.caustics.frame.count.x, 0u);
     EXPECT_FALSE(loaded->lacks_photons);
     EXPECT_EQ(picture(*loaded), picture(*ball));
-    ASSERT_TRUE(refurnishNow(device, *loaded, moved->scene.description, moved->settings));
+    ASSERT_TRUE(furnishNow(*loaded, moved->scene.description, moved->settings));
     EXPECT_TRUE(loaded->lacks_photons);
     EXPECT_EQ(loaded->tracer.caustics.frame.count.x, 0u);
     const std::vector<float> without = picture(*loaded);
@@ -247,7 +247,7 @@ TEST_F(LoadJobTest, ReadsASkyOnce) {
     const auto loaded = loadText(sky("dim.hdr", "")), bright = loadText(sky("bright.hdr", "")),
                turned = loadText(sky("dim.hdr", "strength = 0.5\nrotation = 30\n")),
                none = loadText(kScan + lamp("[10, 24, 36]"));
-    EXPECT_FALSE(refurnishNow(device, *loaded, bright->scene.description, bright->settings));
+    EXPECT_FALSE(furnishNow(*loaded, bright->scene.description, bright->settings));
     SceneDescription gone = bright->scene.description;
     gone.sky->image = folder.file("none.hdr");
     RefurnishJob job(device, *loaded, gone, bright->settings);
@@ -271,7 +271,7 @@ TEST_F(LoadJobTest, OtherScansAreLoadedNotRefurnished) {
     const std::vector<float> before = picture(*loaded);
     SceneDescription other = loaded->scene.description;
     other.instances[0].placement.translation.x += 1;
-    EXPECT_FALSE(refurnishNow(device, *loaded, other, loaded->settings));
+    EXPECT_FALSE(furnishNow(*loaded, other, loaded->settings));
     RefurnishJob job(device, *loaded, other, loaded->settings);
     wait(job.job());
     EXPECT_EQ(job.job().state(), JobState::kFailed);

@@ -20,6 +20,7 @@
 #include "runtime/window/platform/platform.h"
 #include "runtime/window/present/presenter.h"
 #include "runtime/window/widgets/ui_input.h"
+#include "tests/support/validated_device.h"
 
 namespace pointrt {
 namespace {
@@ -68,14 +69,16 @@ double bilinearError(const Image8& picture, const std::vector<std::uint32_t>& sm
     return worst;
 }
 
-class PresenterTest : public testing::Test {
+DeviceRequest withGraphics() {
+    DeviceRequest request;
+    request.graphics = true;
+    return request;
+}
+
+class PresenterTest : public DeviceFixture {
 protected:
+    PresenterTest() : DeviceFixture(withGraphics()) {}
     void SetUp() override {
-        setenv("POINTRT_VALIDATION", "1", 1);
-        messages_before_ = validationMessages();
-        DeviceRequest request;
-        request.graphics = true;
-        device = createDevice(request);
         presenter = createPresenter(device, VK_NULL_HANDLE, kWidth, kHeight);
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
@@ -85,8 +88,6 @@ protected:
     void TearDown() override {
         ImGui::DestroyContext();
         destroyPresenter(device, presenter);
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages_before_);
     }
 
     template <typename Record>
@@ -131,12 +132,10 @@ protected:
     }
 
     static constexpr std::uint32_t kWidth = 203, kHeight = 117;
-    Device device;
     Presenter presenter;
     UiInput input;
 
 private:
-    std::uint64_t messages_before_ = 0;
 };
 
 TEST_F(PresenterTest, BeginsBlack) {

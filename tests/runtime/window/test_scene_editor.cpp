@@ -201,7 +201,9 @@ protected:
         scene.description = before;
         scene.features = makeSceneRows(scene, before, settings).features;
     }
-    Rework to(const SceneDescription& after) { return reworkFor(scene, Integrator::kWhitted, after, settings); }
+    ReworkKind to(const SceneDescription& after) {
+        return reworkFor(scene, Integrator::kWhitted, after, settings).kind;
+    }
 
     SceneDescription before;
     RenderSettings settings = [] {
@@ -217,39 +219,39 @@ TEST_F(ReworkTest, ValuesAreRows) {
     after.lights = {lampAt(2), lampAt(3)};
     after.materials[0].color = {1, 0, 0};
     after.shapes[0].center = {0, -1, 0};
-    EXPECT_EQ(to(after), Rework::kTables);
+    EXPECT_EQ(to(after), ReworkKind::kTables);
 }
 
 TEST_F(ReworkTest, OtherKindsAreOtherPrograms) {
     SceneDescription after = before;
     after.lights.emplace_back(SphereLight{{0, 3, 0}, 0.5, {1, 1, 1}, true});
-    EXPECT_EQ(to(after), Rework::kPrograms);
+    EXPECT_EQ(to(after), ReworkKind::kPrograms);
     after = before;
     after.sky = SkyDescription{};
     after.sky->image = "sky.hdr";
-    EXPECT_EQ(to(after), Rework::kPrograms);
+    EXPECT_EQ(to(after), ReworkKind::kPrograms);
     settings.integrator = Integrator::kPath;
-    EXPECT_EQ(to(before), Rework::kPrograms);
+    EXPECT_EQ(to(before), ReworkKind::kPrograms);
 }
 
 TEST_F(ReworkTest, OtherPlacesAreLoadedAnew) {
     SceneDescription after = before;
     after.instances.resize(1);
-    EXPECT_EQ(to(after), Rework::kReload);
+    EXPECT_EQ(to(after), ReworkKind::kReload);
 }
 
 TEST_F(ReworkTest, NobodyWaitsWhileHeDrags) {
     constexpr bool drags = true, lacks_photons = true;
-    EXPECT_EQ(nextStep(Rework::kNothing, !drags, !lacks_photons), EditStep::kNothing);
+    EXPECT_EQ(nextStep(ReworkKind::kNothing, !drags, !lacks_photons), EditStep::kNothing);
     for (const bool lacks : {false, true}) {
-        EXPECT_EQ(nextStep(Rework::kTables, drags, lacks), EditStep::kUpload);
-        EXPECT_EQ(nextStep(Rework::kTables, !drags, lacks), EditStep::kUpload);
-        EXPECT_EQ(nextStep(Rework::kPrograms, drags, lacks), EditStep::kNothing);
-        EXPECT_EQ(nextStep(Rework::kPrograms, !drags, lacks), EditStep::kRelight);
-        EXPECT_EQ(nextStep(Rework::kReload, !drags, lacks), EditStep::kRelight);
+        EXPECT_EQ(nextStep(ReworkKind::kTables, drags, lacks), EditStep::kUpload);
+        EXPECT_EQ(nextStep(ReworkKind::kTables, !drags, lacks), EditStep::kUpload);
+        EXPECT_EQ(nextStep(ReworkKind::kPrograms, drags, lacks), EditStep::kNothing);
+        EXPECT_EQ(nextStep(ReworkKind::kPrograms, !drags, lacks), EditStep::kRelight);
+        EXPECT_EQ(nextStep(ReworkKind::kReload, !drags, lacks), EditStep::kRelight);
     }
-    EXPECT_EQ(nextStep(Rework::kNothing, drags, lacks_photons), EditStep::kNothing);
-    EXPECT_EQ(nextStep(Rework::kNothing, !drags, lacks_photons), EditStep::kRelight);
+    EXPECT_EQ(nextStep(ReworkKind::kNothing, drags, lacks_photons), EditStep::kNothing);
+    EXPECT_EQ(nextStep(ReworkKind::kNothing, !drags, lacks_photons), EditStep::kRelight);
 }
 
 } // namespace

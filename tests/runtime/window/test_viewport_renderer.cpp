@@ -14,6 +14,7 @@
 #include "runtime/image/tonemap.h"
 #include "runtime/scene/camera.h"
 #include "tests/support/ball_scene.h"
+#include "tests/support/validated_device.h"
 #include "tests/support/whole_frame.h"
 
 namespace pointrt {
@@ -31,11 +32,9 @@ RenderSettings testSettings(Integrator integrator) {
     return settings;
 }
 
-class ViewportRendererTest : public testing::TestWithParam<Integrator> {
+class ViewportRendererTest : public DeviceFixture, public testing::WithParamInterface<Integrator> {
 protected:
     void SetUp() override {
-        messages = validationMessages();
-        device = createDevice({});
         scene = openScene(device, ballScene(), false);
         view.settings = testSettings(GetParam());
         uploadSceneTables(device, scene, view.settings);
@@ -48,8 +47,6 @@ protected:
         live.reset();
         destroyBandTracer(device, tracer);
         destroyDeviceScene(device, scene);
-        destroyDevice(device);
-        EXPECT_EQ(validationMessages(), messages);
     }
 
     void finish() {
@@ -70,8 +67,6 @@ protected:
         return words;
     }
 
-    std::uint64_t messages = 0;
-    Device device;
     DeviceScene scene;
     Viewport view;
     BandTracer tracer;
