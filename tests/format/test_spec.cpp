@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// SPEC.md and findings.h list the same findings.
+// SPEC.md lists the findings that findings.h does, and its examples are the golden files' bytes.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -9,9 +9,13 @@
 
 namespace {
 
-std::set<std::string> numbersIn(const std::string& path, const char* pattern) {
+std::string textOf(const std::string& path) {
     const auto bytes = pointrt::test::readBytes(path);
-    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::set<std::string> numbersIn(const std::string& path, const char* pattern) {
+    const std::string text = textOf(path);
     std::set<std::string> numbers;
     const std::regex expression(pattern);
     for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match)
@@ -23,6 +27,30 @@ TEST(Spec, ListsEveryFinding) {
     const auto in_code = numbersIn(POINTRT_FORMAT_DIR "/src/findings.h", " = ([1-9][0-9]{3}),");
     EXPECT_GT(in_code.size(), 40u);
     EXPECT_EQ(in_code, numbersIn(POINTRT_FORMAT_DIR "/SPEC.md", "\\n\\| ([1-9][0-9]{3}) \\|"));
+}
+
+/// The bytes that the example which follows the mention of a file shows of it, compared; how many words it shows.
+int wordsShown(const std::string& name) {
+    const std::string spec = textOf(POINTRT_FORMAT_DIR "/SPEC.md"), golden = textOf(POINTRT_GOLDEN_DIR "/" + name);
+    const std::size_t begin = spec.find("```\n", spec.find(name + "`")) + 4;
+    const std::string block = spec.substr(begin, spec.find("```", begin) - begin);
+    const std::regex run("\\b([0-9a-f]{4})((?: [0-9a-f]{8})+)"), word("[0-9a-f]{8}");
+    int words = 0;
+    for (std::sregex_iterator match(block.begin(), block.end(), run), end; match != end; ++match) {
+        std::size_t at = std::stoul((*match)[1], nullptr, 16);
+        const std::string shown = (*match)[2];
+        for (std::sregex_iterator each(shown.begin(), shown.end(), word); each != end; ++each, ++words)
+            for (std::size_t digit = 0; digit < 8; digit += 2, ++at)
+                EXPECT_EQ(std::stoul(each->str().substr(digit, 2), nullptr, 16),
+                          static_cast<unsigned char>(golden.at(at)))
+                    << name << ", byte " << std::hex << at;
+    }
+    return words;
+}
+
+TEST(Spec, ShowsTheGoldenFilesBytes) {
+    EXPECT_GT(wordsShown("tiny_v1_0.pro"), 70);
+    EXPECT_GT(wordsShown("tiny_v1_1.pro"), 40);
 }
 
 } // namespace
