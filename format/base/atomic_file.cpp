@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/base/atomic_file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <random>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace pointrt::format {
 
@@ -49,11 +55,76 @@ int openUnnamed(const std::string& folder) {
     return -1;
 }
 
+/// Where path leads to: the file behind symbolic links, there or not. Empty, with errno, where they lead nowhere.
+std::string followLinks(std::string path) {
+    constexpr int kMostLinks = 40; // as many as Linux follows
+    for (int i = 0; i < kMostLinks; ++i) {
+        struct stat status;
+        if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
+        std::string target(4096, 0); // PATH_MAX
+        const ssize_t bytes = readlink(path.c_str(), target.data(), target.size());
+        if (bytes < 0) return {};
+        target.resize(static_cast<std::size_t>(bytes));
+        path = target.starts_with('/') ? target : folderOf(path) + "/" + target;
+    }
+    errno = ELOOP;
+    return {};
+}
+
+constexpr std::size_t kRandomLetters = 8; // 41 bits
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+
+std::string temporaryStem(const std::string& path) { return path + ".tmp-"; }
+
+std::string randomLetters() {
+    std::random_device device;
+    std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
+    std::string word;
+    for (std::size_t i = 0; i < kRandomLetters; ++i) word += kLetters[letter(device)];
+    return word;
+}
+
+bool isRandomLetters(std::string_view word) {
+    return word.size() == kRandomLetters && word.find_first_not_of(kLetters) == std::string_view::npos;
+}
+
+/// Takes away what was left of files for path: temporaries that no process has locked.
+void removeStale(const std::string& path, const std::string& folder) {
+    const std::string stem = temporaryStem(path.substr(path.rfind('/') + 1));
+    DIR* const entries = opendir(folder.c_str());
+    if (!entries) return;
+    while (const dirent* entry = readdir(entries)) {
+        const std::string_view name = entry->d_name;
+        if (!name.starts_with(stem) || !isRandomLetters(name.substr(stem.size()))) continue;
+        const int stale = openat(dirfd(entries), entry->d_name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+        if (stale < 0) continue;
+        if (flock(stale, LOCK_EX | LOCK_NB) == 0) unlinkat(dirfd(entries), entry->d_name, 0);
+        close(stale);
+    }
+    closedir(entries);
+}
+
+/// from gets the name to, unless something has it. False, with errno, where it does or cannot.
+bool renameUnlessThere(const std::string& from, const std::string& to) {
+#ifdef RENAME_NOREPLACE
+    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+    if (errno != EINVAL && errno != ENOSYS) return false; // the file system does not know how to
+#endif
+    if (link(from.c_str(), to.c_str()) == 0) return unlink(from.c_str()) == 0;
+    if (errno == EEXIST) return false;
+    // no links either, as on FAT: what appears between these two calls is lost
+    if (access(to.c_str(), F_OK) == 0) {
+        errno = EEXIST;
+        return false;
+    }
+    return rename(from.c_str(), to.c_str()) == 0;
+}
+
 } // namespace
 
 AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) close(descriptor_);
     if (named_) unlink(temporary_.c_str());
+    if (descriptor_ >= 0) close(descriptor_);
 }
 
 bool AtomicFile::fail(int error) {
@@ -61,22 +132,44 @@ bool AtomicFile::fail(int error) {
     return false;
 }
 
-bool AtomicFile::open(const std::string& path) {
-    path_ = path;
-    folder_ = folderOf(path);
-    temporary_ = path + ".tmp-" + std::to_string(getpid());
+bool AtomicFile::failExisting() {
+    error_ = "exists already";
+    name_is_taken_ = true;
+    return false;
+}
+
+bool AtomicFile::open(const std::string& path, Existing existing) {
+    existing_ = existing;
+    if (path.empty()) return fail(ENOENT);
+    path_ = followLinks(path);
+    if (path_.empty()) return fail(errno);
+    folder_ = folderOf(path_);
     struct stat status;
-    if (path.empty()) return fail(EINVAL);
-    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    const bool is_there = stat(path_.c_str(), &status) == 0;
+    if (is_there && !S_ISREG(status.st_mode)) {
         error_ = S_ISDIR(status.st_mode) ? "it is a folder" : "not a regular file"; // never rename over a device
         return false;
     }
+    if (is_there && existing == Existing::kKept) return failExisting();
     descriptor_ = openUnnamed(folder_);
-    if (descriptor_ >= 0) return true;
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
-    if (descriptor_ < 0) return fail(errno);
-    named_ = true;
-    return true;
+    return descriptor_ >= 0 || openNamed();
+}
+
+bool AtomicFile::openNamed() {
+    constexpr int kTries = 100; // another process may take a temporary for a stale one before it is locked
+    removeStale(path_, folder_);
+    for (int i = 0; i < kTries; ++i) {
+        temporary_ = temporaryStem(path_) + randomLetters();
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+        if (descriptor_ < 0 && errno == EEXIST) continue;
+        if (descriptor_ < 0) return fail(errno);
+        flock(descriptor_, LOCK_EX | LOCK_NB); // where there are no locks nothing is taken for stale either
+        struct stat status;
+        named_ = fstat(descriptor_, &status) == 0 && status.st_nlink > 0;
+        if (named_) return true;
+        close(std::exchange(descriptor_, -1));
+    }
+    return fail(EEXIST);
 }
 
 bool AtomicFile::write(const void* data, std::size_t bytes) {
@@ -91,18 +184,45 @@ bool AtomicFile::write(const void* data, std::size_t bytes) {
     return true;
 }
 
+/// Permissions, and where we may the owner, of the file that is replaced.
+void AtomicFile::takeOver() {
+    constexpr mode_t kPermissions = 0777; // no bits that lend anybody's rights
+    struct stat before;
+    if (stat(path_.c_str(), &before) != 0) return;
+    // who may not give files away keeps them: the content counts
+    if (fchown(descriptor_, before.st_uid, before.st_gid) != 0) errno = 0;
+    fchmod(descriptor_, before.st_mode & kPermissions);
+}
+
 bool AtomicFile::nameUnnamed() {
     const std::string unnamed = descriptorPath(descriptor_);
+    temporary_ = temporaryStem(path_) + randomLetters();
+    flock(descriptor_, LOCK_EX | LOCK_NB);
     if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) return fail(errno);
     named_ = true;
     return true;
 }
 
-bool AtomicFile::commit() {
-    if (fsync(descriptor_) != 0) return fail(errno);
+bool AtomicFile::replace() {
+    takeOver();
     if (!named_ && !nameUnnamed()) return false;
     if (rename(temporary_.c_str(), path_.c_str()) != 0) return fail(errno);
     named_ = false;
+    return true;
+}
+
+bool AtomicFile::appear() {
+    const bool appeared =
+        named_ ? renameUnlessThere(temporary_, path_)
+               : linkat(AT_FDCWD, descriptorPath(descriptor_).c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    if (!appeared) return errno == EEXIST ? failExisting() : fail(errno);
+    named_ = false;
+    return true;
+}
+
+bool AtomicFile::commit() {
+    if (fsync(descriptor_) != 0) return fail(errno);
+    if (!(existing_ == Existing::kKept ? appear() : replace())) return false;
     // the file is in place: what fails from here on could not be undone and only weakens safety against power loss
     const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {

@@ -7,8 +7,16 @@
 
 namespace pointrt::format {
 
-/// Where the file system allows it, the file has no name until commit, so that not even SIGKILL leaves anything
-/// behind; elsewhere it is PATH.tmp-PID until then. Without commit the destructor removes it.
+/// What becomes of a file that has the name already when the new one is complete.
+enum class Existing {
+    kReplaced, ///< its permissions, and where that is allowed its owner, are the new one's
+    kKept      ///< the new one fails, whoever made the other one and whenever
+};
+
+/// Where the file system allows it, the file has no name until commit, so that not even SIGKILL leaves anything behind;
+/// elsewhere it is PATH.tmp-XXXXXXXX until then, locked, and the next one that is opened for PATH takes away what a
+/// killed process has left of those. Without commit the destructor removes it. Where path is a symbolic link, the file
+/// is the one it leads to, and the link stays.
 class AtomicFile {
 public:
     AtomicFile() = default;
@@ -18,19 +26,28 @@ public:
 
     /// Each returns false on failure, and error() then says why in a few words. After a failure only the
     /// destructor may follow.
-    bool open(const std::string& path);
+    bool open(const std::string& path, Existing existing = Existing::kReplaced);
     bool write(const void* data, std::size_t bytes);
-    bool commit(); ///< syncs, renames over path, syncs the folder
+    bool commit(); ///< syncs, gives the file its name, syncs the folder
 
     const std::string& error() const { return error_; }
+    /// Whether it failed because a file has the name already: Existing::kKept.
+    bool nameIsTaken() const { return name_is_taken_; }
 
 private:
     bool fail(int error);
+    bool failExisting();
+    bool openNamed();
     bool nameUnnamed();
+    bool replace();
+    bool appear();
+    void takeOver();
 
     std::string path_, folder_, temporary_, error_;
+    Existing existing_ = Existing::kReplaced;
     int descriptor_ = -1;
     bool named_ = false; // temporary_ exists
+    bool name_is_taken_ = false;
 };
 
 } // namespace pointrt::format

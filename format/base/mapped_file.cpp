@@ -21,7 +21,10 @@ bool MappedFile::fail(const std::string& reason) {
     return false;
 }
 
-bool MappedFile::fail(int error) { return fail(std::generic_category().message(error)); }
+bool MappedFile::fail(int error) {
+    out_of_memory_ = error == ENOMEM;
+    return fail(std::generic_category().message(error));
+}
 
 void MappedFile::letGo() const { madvise(const_cast<std::byte*>(data_), size_, MADV_DONTNEED); }
 

@@ -9,7 +9,7 @@
 namespace pointrt::format {
 
 /// Unmaps when destroyed. The bytes change if another process writes into the file, and reading past a file that
-/// was cut short raises SIGBUS: .pro files are replaced by renaming, never written in place.
+/// was cut short raises SIGBUS (see prepareProcess): .pro files are replaced by renaming, never written in place.
 class MappedFile {
 public:
     MappedFile() = default;
@@ -21,6 +21,8 @@ public:
     bool map(const char* path);
 
     const std::string& error() const { return error_; }
+    /// Whether it was memory that map lacked: then the file is not to blame.
+    bool outOfMemory() const { return out_of_memory_; }
 
     /// Takes the pages out of this process's memory, though not out of the file cache; they come back when touched.
     void letGo() const;
@@ -34,6 +36,7 @@ private:
     const std::byte* data_ = nullptr;
     std::size_t size_ = 0;
     std::string error_;
+    bool out_of_memory_ = false;
 };
 
 } // namespace pointrt::format

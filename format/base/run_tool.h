@@ -5,8 +5,11 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
+#include "format/base/process.h"
 #include "pointrt/pro.hpp"
 
 namespace pointrt {
@@ -14,9 +17,10 @@ namespace pointrt {
 /// Runs body() -> int and turns exceptions into the one-line errors and exit codes of the contract.
 template <typename Body>
 int runTool(const char* tool_name, Body&& body) {
+    prepareProcess(tool_name);
     auto fail = [&](const char* reason, ExitCode code) {
         std::fflush(stdout);
-        std::fprintf(stderr, "%s: error: %s\n", tool_name, reason);
+        std::fprintf(stderr, "%s: error: %s\n", tool_name, printable(reason, std::string::npos).c_str());
         return static_cast<int>(code);
     };
     try {

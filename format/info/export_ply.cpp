@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <filesystem>
 #include <numeric>
 #include <vector>
 
@@ -68,13 +67,12 @@ bool writeSplats(format::AtomicFile& out, const ProFile& file) {
 } // namespace
 
 void exportPly(const ProFile& file, const std::string& path, bool overwrite) {
-    std::error_code ignored;
-    if (!overwrite && std::filesystem::exists(path, ignored))
-        throw Error(ExitCode::kCannotWrite, path + ": exists, -f overwrites it");
+    const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
     format::AtomicFile out;
     const std::string text = header(file.info());
-    if (!out.open(path) || !out.write(text.data(), text.size()) || !writeSplats(out, file) || !out.commit())
-        throw Error(ExitCode::kCannotWrite, path + ": cannot write: " + out.error());
+    if (!out.open(path, existing) || !out.write(text.data(), text.size()) || !writeSplats(out, file) || !out.commit())
+        throw Error(ExitCode::kCannotWrite,
+                    path + ": " + out.error() + (out.nameIsTaken() ? "; --force overwrites it" : ""));
 }
 
 } // namespace pointrt

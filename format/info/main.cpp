@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "format/base/printable.h"
 #include "format/base/run_tool.h"
 #include "format/info/export_ply.h"
 #include "format/info/metadata.h"
@@ -45,9 +46,11 @@ void printFindings(const Options& options, const FindingList& list) {
         std::printf("%s\n", dumpJson(json, false).c_str());
         return;
     }
+    const std::string shown = printable(options.input, std::string::npos);
     for (const pro_message& finding : list.findings)
-        std::printf("%s: finding %04u: %s\n", options.input.c_str(), finding.finding, finding.text);
-    if (list.findings.empty()) std::printf("%s: no findings\n", options.input.c_str());
+        std::printf("%s: finding %04u: %s\n", shown.c_str(), finding.finding,
+                    printable(finding.text, std::string::npos).c_str());
+    if (list.findings.empty()) std::printf("%s: no findings\n", shown.c_str());
 }
 
 int verify(const Options& options) {

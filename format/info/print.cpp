@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "format/base/printable.h"
 #include "format/info/metadata.h"
 
 namespace pointrt {
@@ -121,7 +122,8 @@ Json flagsJson(const pro_info& info) {
 std::string summaryText(const std::string& path, const Summary& s, const ProFile& file) {
     const pro_info& info = s.info;
     const float radius_min = info.radius_max * std::exp2(-float{PRO_RADIUS_CODE_MAX} * info.radius_step);
-    std::string text = fmt::format("{}: .pro version {}.{}\n\n", path, info.version_major, info.version_minor);
+    std::string text = fmt::format("{}: .pro version {}.{}\n\n", printable(path, std::string::npos), info.version_major,
+                                   info.version_minor);
     const auto line = [&](const char* name, const std::string& value) {
         text += fmt::format("{:<16}{}\n", name, value);
     };

@@ -46,7 +46,7 @@ pro_result badArgument(pro_message* message, const char* text) {
 pro_result map(MappedFile& mapped, const char* path, pro_message* message) {
     if (mapped.map(path)) return PRO_OK;
     setMessage(message, 0, "%s", mapped.error().c_str());
-    return PRO_CANNOT_READ;
+    return mapped.outOfMemory() ? PRO_OUT_OF_MEMORY : PRO_CANNOT_READ;
 }
 
 /// No exception passes the C interface; running out of memory is the only one there is.

@@ -90,23 +90,22 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
     return findings.count() == 0;
 }
 
-pro_result writeFile(const char* path, const pro_info& info, const Content& content, pro_message* message) {
+pro_result writeFile(const char* path, Existing existing, const pro_info& info, const Content& content,
+                     pro_message* message) {
     AtomicFile file;
     const Plan plan = planSections(info, content);
-    if (file.open(path) && writePlan(file, makeHeader(info, content.index, plan), plan) && file.commit()) return PRO_OK;
-    setMessage(message, 0, "cannot write: %s (%llu bytes are needed)", file.error().c_str(),
-               static_cast<unsigned long long>(plan.file_bytes));
+    if (file.open(path, existing) && writePlan(file, makeHeader(info, content.index, plan), plan) && file.commit())
+        return PRO_OK;
+    if (file.nameIsTaken())
+        setMessage(message, 0, "%s", file.error().c_str());
+    else
+        setMessage(message, 0, "cannot write: %s (%llu bytes are needed)", file.error().c_str(),
+                   static_cast<unsigned long long>(plan.file_bytes));
     return PRO_CANNOT_WRITE;
 }
 
-} // namespace
-
-pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message) {
-    return pro_write_indexed(path, info, view, nullptr, message);
-}
-
-pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
-                             pro_message* message) {
+pro_result writeAs(Existing existing, const char* path, const pro_info* info, const pro_view* view,
+                   const pro_index* index, pro_message* message) {
     setMessage(message, 0, "%s", "");
     try {
         if (!path || !info || !view || missingSection(*info, *view) || (index && !isWhole(*index))) {
@@ -118,9 +117,25 @@ pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_v
         versioned.version_major = PRO_VERSION_MAJOR;
         versioned.version_minor = index ? PRO_VERSION_MINOR : 0; // what a reader of 1.0 would miss nothing of is 1.0
         if (!checkInput(versioned, content, message)) return PRO_BAD_ARGUMENT;
-        return writeFile(path, versioned, content, message);
+        return writeFile(path, existing, versioned, content, message);
     } catch (const std::exception&) {
         setMessage(message, 0, "out of memory");
         return PRO_OUT_OF_MEMORY;
     }
+}
+
+} // namespace
+
+pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message) {
+    return pro_write_indexed(path, info, view, nullptr, message);
+}
+
+pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
+                             pro_message* message) {
+    return writeAs(Existing::kReplaced, path, info, view, index, message);
+}
+
+pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
+                         pro_message* message) {
+    return writeAs(Existing::kKept, path, info, view, index, message);
 }

@@ -2,15 +2,14 @@
 #include "preprocess/app/bake.h"
 
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <thread>
 
+#include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/base/report_file.h"
 #include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/interrupt.h"
@@ -42,9 +41,7 @@ void checkStats(const BakeOptions& options) {
         if (sameFile(path, other)) throw Error(ExitCode::kBadUsage, path + ": --stats would overwrite an input");
     if (sameFile(path, options.output))
         throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
-    const auto folder = std::filesystem::path(path).parent_path();
-    if (!folder.empty() && access(folder.c_str(), W_OK) != 0)
-        throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
+    requireReportWritable(path);
 }
 
 /// What only building and pruning the octree need, before the index takes memory.
@@ -56,16 +53,10 @@ void freeScaffold(PackedSplats& splats) {
 
 /// Found out before the work, not after it.
 void checkOutput(const BakeOptions& options) {
-    const std::filesystem::path path(options.output);
-    const auto fail = [&](const std::string& reason) {
-        throw Error(ExitCode::kCannotWrite, options.output + ": " + reason);
-    };
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) fail("is a directory");
-    if (!options.force && std::filesystem::exists(path, ignored)) fail("exists already; --force overwrites it");
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    if (!std::filesystem::is_directory(folder, ignored)) fail("no such folder: " + folder.string());
-    if (access(folder.c_str(), W_OK) != 0) fail(std::string("cannot write there: ") + std::strerror(errno));
+    format::AtomicFile output;
+    if (output.open(options.output, options.force ? format::Existing::kReplaced : format::Existing::kKept)) return;
+    throw Error(ExitCode::kCannotWrite,
+                options.output + ": " + output.error() + (output.nameIsTaken() ? "; --force overwrites it" : ""));
 }
 
 std::string sourceName(const BakeOptions& options) {
@@ -123,7 +114,7 @@ void store(const BakeOptions& options, const PackedSplats& splats, const Octree&
     }
     progress.begin("write", report.splats);
     const InterruptGuard guard;
-    report.octree = writePro(options.output, sections, options.index ? &index_view : nullptr);
+    report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <string_view>
 
 namespace pointrt {
@@ -33,6 +34,14 @@ double wholeShare(std::string_view stage, double share) {
     return 0;
 }
 
+constexpr const char* kWipe = "\r\033[K"; ///< the line that was redrawn
+
+/// On standard error. Where nobody can read it the work goes on: fmt::print would throw.
+template <typename... Values>
+void tell(fmt::format_string<Values...> text, const Values&... values) {
+    std::fputs(fmt::vformat(text, fmt::make_format_args(values...)).c_str(), stderr);
+}
+
 double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::steady_clock::time_point b) {
     return std::chrono::duration<double>(b - a).count();
 }
@@ -45,7 +54,7 @@ BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style)
 
 /// Leaves no half-drawn line before an error message.
 BakeProgress::~BakeProgress() {
-    if (line_open_) fmt::print(stderr, "\r\033[K");
+    if (line_open_) std::fputs(kWipe, stderr);
 }
 
 void BakeProgress::begin(const std::string& name, std::uint64_t points) {
@@ -79,7 +88,7 @@ double BakeProgress::rate(double share, double elapsed_s) const {
 
 void BakeProgress::writeLine(double share, double elapsed_s) {
     whole_share_ = std::max(whole_share_, wholeShare(stage_, share));
-    fmt::print(stderr, "progress {:.4f} {} {:.0f}\n", whole_share_, stage_, rate(share, elapsed_s));
+    tell("progress {:.4f} {} {:.0f}\n", whole_share_, stage_, rate(share, elapsed_s));
 }
 
 void BakeProgress::redraw(double share, double elapsed_s) {
@@ -87,7 +96,7 @@ void BakeProgress::redraw(double share, double elapsed_s) {
     const double points_per_s = rate(share, elapsed_s);
     if (points_per_s > 0) line += fmt::format("  {:.0f} points/s", points_per_s);
     if (share > 0.01) line += fmt::format("  {:.0f} s left", elapsed_s * (1 - share) / share);
-    fmt::print(stderr, "{}", line);
+    std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
     line_open_ = true;
 }
@@ -101,12 +110,12 @@ void BakeProgress::end() {
     else
         seconds_.emplace_back(stage_, elapsed_s);
     const bool show = verbosity_ == Verbosity::kDetailed || (verbosity_ == Verbosity::kNormal && !terminal_ && !lines_);
-    if (line_open_) fmt::print(stderr, "\r\033[K");
+    if (line_open_) std::fputs(kWipe, stderr);
     line_open_ = false;
     if (show && points_ > 0)
-        fmt::print(stderr, "{}: {} points, {:.2f} s\n", stage_, points_, elapsed_s);
+        tell("{}: {} points, {:.2f} s\n", stage_, points_, elapsed_s);
     else if (show)
-        fmt::print(stderr, "{}: {:.2f} s\n", stage_, elapsed_s);
+        tell("{}: {:.2f} s\n", stage_, elapsed_s);
     stage_.clear();
 }
 

@@ -2,6 +2,7 @@
 #include "preprocess/app/interrupt.h"
 
 #include <csignal>
+#include <cstddef>
 #include <initializer_list>
 #include <unistd.h>
 
@@ -14,7 +15,13 @@ constexpr int kSignalExitBase = 128; // the shells' convention
 volatile std::sig_atomic_t guarded = 0;
 
 extern "C" void onInterrupt(int signal) {
-    if (!guarded) _exit(kSignalExitBase + signal);
+    if (guarded) return;
+    static constexpr char kLine[] = "\r\033[Kpointrt-bake: interrupted, nothing was written\n";
+    constexpr std::size_t kWipe = 4; // of the progress that is drawn on a terminal
+    const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipe;
+    const ssize_t told = write(STDERR_FILENO, kLine + skipped, sizeof kLine - 1 - skipped);
+    static_cast<void>(told); // without a reader there is nobody to tell
+    _exit(kSignalExitBase + signal);
 }
 
 } // namespace
@@ -23,7 +30,7 @@ void installInterruptHandlers() {
     struct sigaction action {};
     action.sa_handler = onInterrupt;
     action.sa_flags = SA_RESTART; // a write that is put through must not fail half-way
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup stays in force

@@ -4,7 +4,8 @@
 
 namespace pointrt {
 
-/// Ends the process with 128 + signal on SIGINT, SIGTERM and SIGHUP; nothing is on disk before the output is written.
+/// Ends the process with 128 + signal on SIGINT, SIGTERM, SIGHUP and SIGXCPU (a batch system's time is up); nothing is
+/// on disk before the output is written.
 void installInterruptHandlers();
 
 /// While one lives interrupts are ignored: once writing has begun the run is as good as done, and ends with its file.

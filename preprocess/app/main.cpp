@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdio>
 
+#include "format/base/printable.h"
+#include "format/base/process.h"
 #include "format/base/run_tool.h"
 #include "preprocess/app/bake.h"
 #include "preprocess/app/interrupt.h"
@@ -11,9 +13,11 @@ int main(int argc, char** argv) {
         BakeOptions options;
         if (!parseOptions(argc, argv, options)) return static_cast<int>(ExitCode::kDone);
         installInterruptHandlers();
+        keepWorkingWithoutReaders();
         const BakeReport report = bake(options);
         if (options.verbosity != Verbosity::kQuiet)
-            std::fprintf(stderr, "%s: %s\n", options.output.c_str(), summaryLine(report).c_str());
+            std::fprintf(stderr, "%s: %s\n", printable(options.output, std::string::npos).c_str(),
+                         summaryLine(report).c_str());
         if (!options.stats_path.empty()) writeStats(report, options.stats_path);
         return static_cast<int>(ExitCode::kDone);
     });

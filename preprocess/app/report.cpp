@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "format/base/error.h"
+#include "format/base/report_file.h"
 
 namespace pointrt {
 
@@ -74,14 +71,7 @@ std::string missedBound(const BakeReport& report) {
 
 } // namespace
 
-void writeStats(const BakeReport& report, const std::string& path) {
-    const std::string text = toJson(report).dump(2) + "\n";
-    std::FILE* file = path == "-" ? stdout : std::fopen(path.c_str(), "wb");
-    if (!file) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
-    const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-    const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
-    if (!written || !closed) throw Error(ExitCode::kCannotWrite, path + ": " + std::strerror(errno));
-}
+void writeStats(const BakeReport& report, const std::string& path) { writeReport(path, toJson(report).dump(2) + "\n"); }
 
 std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };

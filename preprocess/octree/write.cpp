@@ -65,9 +65,10 @@ ProSections makeSections(const PackedSplats& splats, const Octree& octree, const
     return sections;
 }
 
-OctreeCounts writePro(const std::string& path, const ProSections& sections, const pro_index* index) {
+OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index) {
     pro_message message{};
-    const pro_result result = pro_write_indexed(path.c_str(), &sections.info, &sections.view, index, &message);
+    const auto write = overwrite ? pro_write_indexed : pro_write_new;
+    const pro_result result = write(path.c_str(), &sections.info, &sections.view, index, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
     // what the writer refuses to write is a scan that no .pro can hold
     const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;

@@ -35,9 +35,9 @@ struct ProSections {
 };
 ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content);
 
-/// Writes path, over what is there. Throws Error (kCannotWrite, or kBadInput where the cloud's scale does not fit the
-/// format) and leaves nothing behind on failure.
+/// Writes path, with overwrite over what is there. Throws Error (kCannotWrite, or kBadInput where the cloud's scale
+/// does not fit the format) and leaves nothing behind on failure.
 /// @param index may be null
-OctreeCounts writePro(const std::string& path, const ProSections& sections, const pro_index* index);
+OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index);
 
 } // namespace pointrt

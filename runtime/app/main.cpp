@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "format/base/process.h"
+#include "format/base/report_file.h"
 #include "format/base/run_tool.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
@@ -24,21 +26,22 @@ using namespace pointrt;
 
 void render(const Options& options) {
     const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
-    for (const std::string& path : {first, options.stats})
-        if (!path.empty() && path != "-") requireWritable(path);
+    if (!first.empty()) requireWritable(first);
+    if (!options.stats.empty()) requireReportWritable(options.stats);
     SceneDescription description = describeScene(options);
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);
     (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
     const std::string json = reportJson(report);
-    if (options.bench_frames != 0) writeText("-", json);
+    if (options.bench_frames != 0) writeReport("-", json);
     // A benchmark has already printed it.
-    if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-")) writeText(options.stats, json);
+    if (!options.stats.empty() && !(options.bench_frames != 0 && options.stats == "-"))
+        writeReport(options.stats, json);
 }
 
 void showWindow(const Options& options) {
-    if (!options.stats.empty() && options.stats != "-") requireWritable(options.stats);
+    if (!options.stats.empty()) requireReportWritable(options.stats);
 #ifdef POINTRT_HAS_WINDOW
     runWindow(options);
 #else
@@ -47,11 +50,12 @@ void showWindow(const Options& options) {
 }
 
 int run(int argc, const char* const* argv) {
+    keepWorkingWithoutReaders();
     secondsSinceStart(); // where the kernel does not tell, the clock starts here
     Options options;
     if (const std::optional<int> done = parseOptions(argc, argv, options)) return *done;
     if (options.list_devices)
-        writeText("-", listDevices());
+        writeReport("-", listDevices());
     else if (opensWindow(options))
         showWindow(options);
     else

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "pointrt/pro_index_layout.h"
 #include "runtime/util/on_error.h"
 
@@ -114,8 +115,9 @@ DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
     mapFile(scan);
     upload(device, scan);
     if (verbose)
-        std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n", path.c_str(),
-                     scan.info.splat_count, isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",
+        std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n",
+                     printable(path).c_str(), scan.info.splat_count,
+                     isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",
                      isPaged(scan.pages) ? ", in pages" : "", scan.built.grid.size[0] == 0 ? "from the file" : "built",
                      scan.index.size[0], scan.index.size[1], scan.index.size[2]);
     return scan;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "format/base/printable.h"
 #include "runtime/scene/material_fields.h"
 #include "runtime/scene_file/read_parts.h"
 

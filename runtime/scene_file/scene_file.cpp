@@ -9,6 +9,7 @@
 #include <set>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/scene_file/read_parts.h"
 
 namespace pointrt {

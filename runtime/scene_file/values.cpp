@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 
 namespace pointrt {
 namespace {
@@ -58,19 +59,6 @@ std::string joined(const std::vector<std::string_view>& words) {
     return text;
 }
 
-std::string printable(std::string_view text) {
-    constexpr std::size_t longest = 80;
-    std::string shown(text.substr(0, longest));
-    if (shown.size() < text.size()) {
-        // not through the middle of a UTF-8 character, whose later bytes are 10xxxxxx
-        while (!shown.empty() && (static_cast<unsigned char>(text[shown.size()]) & 0xC0) == 0x80) shown.pop_back();
-        shown += "...";
-    }
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-    return shown;
-}
-
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names) {
     constexpr std::size_t longest = 64; // of a text that can be near a name at all
     std::size_t least = text.size() > longest ? 0 : (text.size() + 2) / 3 + 1;
@@ -97,10 +85,8 @@ toml::table parseToml(std::string_view text, const std::string& file) {
     try {
         return toml::parse(text, std::string_view(file));
     } catch (const toml::parse_error& error) {
-        std::string reason(error.description());
-        for (char& c : reason)
-            if (static_cast<unsigned char>(c) < 0x20) c = '?';
-        throw Error{ExitCode::kBadInput, place(file, error.source()) + reason};
+        throw Error{ExitCode::kBadInput,
+                    place(file, error.source()) + printable(error.description(), std::string::npos)};
     }
 }
 

@@ -48,8 +48,6 @@ std::string placeOf(const SceneValue& value);
 [[noreturn]] void refuse(const SceneValue& value, const std::string& reason);
 /// "a, b, c"
 std::string joined(const std::vector<std::string_view>& words);
-/// On one line and of a bearable length.
-std::string printable(std::string_view text);
 /// ", did you mean "NAME"?" for the name nearest to text; "" where none is near.
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names);
 

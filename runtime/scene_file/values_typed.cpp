@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "format/base/printable.h"
 #include "runtime/scene_file/values.h"
 
 namespace pointrt {

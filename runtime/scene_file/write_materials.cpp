@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "format/base/printable.h"
 #include "runtime/scene/material_fields.h"
 #include "runtime/scene_file/values.h"
 #include "runtime/scene_file/write_parts.h"

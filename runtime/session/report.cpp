@@ -5,17 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <optional>
 #include <sstream>
 #include <utility>
-
-#include "format/base/error.h"
-#include "runtime/util/output_file.h"
 
 namespace pointrt {
 namespace {
@@ -53,11 +48,6 @@ std::string number(double value) {
 double median(const std::vector<double>& sorted) {
     const std::size_t half = sorted.size() / 2;
     return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-}
-
-void writeStandardOutput(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-        throw Error{ExitCode::kCannotWrite, std::string("standard output: ") + std::strerror(errno)};
 }
 
 } // namespace
@@ -103,11 +93,6 @@ std::string reportJson(const Report& report) {
                        {"denoise_ms", number(report.denoise_ms)},
                        {"rays", rays},
                        {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
-}
-
-void writeText(const std::string& path, const std::string& text) {
-    if (path == "-") return writeStandardOutput(text);
-    writeFile(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 double secondsSinceStart() {

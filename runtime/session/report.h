@@ -37,9 +37,6 @@ std::string jsonText(const std::string& text);
 /// A member a line; values are JSON already.
 std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members);
 
-/// text to path, or to standard output for "-". Throws Error kCannotWrite "PATH: reason".
-void writeText(const std::string& path, const std::string& text);
-
 /// Seconds since this process was started, from the kernel (in its steps of 10 ms); since the first call elsewhere.
 double secondsSinceStart();
 

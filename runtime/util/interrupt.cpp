@@ -12,7 +12,7 @@ volatile sig_atomic_t noted = 0;
 
 void note(int number) { noted = number; }
 
-constexpr int kSignals[] = {SIGINT, SIGTERM};
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU}; // the user, a batch system, a lost line, time's limit
 
 } // namespace
 

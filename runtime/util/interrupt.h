@@ -4,8 +4,8 @@
 
 namespace pointrt {
 
-/// From now on the first SIGINT or SIGTERM is only noted; a second one ends the process at once. A signal that the
-/// process was started to ignore stays ignored.
+/// From now on the first SIGINT, SIGTERM, SIGHUP or SIGXCPU is only noted; a second one ends the process at once. A
+/// signal that the process was started to ignore stays ignored.
 void noteInterrupts();
 
 /// True once one was noted. Cheap.

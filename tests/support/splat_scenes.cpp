@@ -99,7 +99,7 @@ Built writeScene(const std::string& path, Splats splats, const BuildOptions& opt
     content.metadata = "{}";
     content.pruned = options.prune;
     const ProSections sections = makeSections(built.packed, built.octree, content);
-    writePro(path, sections, nullptr);
+    writePro(path, true, sections, nullptr);
     return built;
 }
 

@@ -122,7 +122,8 @@ typedef void (*pro_report)(const pro_message* finding, void* user);
 PRO_API size_t pro_verify_memory(const void* data, size_t bytes, pro_report report, void* user);
 PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, size_t* findings, pro_message* message);
 
-/* Writes info and view as a .pro: temporary beside path, synced, renamed over path. Nothing is left behind on failure.
+/* Writes info and view as a .pro that appears whole under its name, replacing what is there and keeping that one's
+ * permissions; where path is a symbolic link, behind the link. Nothing is left behind on failure.
  * version_* and file_bytes of info are ignored; order may be NULL, metadata_bytes 0. The content passes the checks of
  * pro_open first: what it would refuse is PRO_BAD_ARGUMENT here, and the message has the finding's number.
  * The same content gives the same bytes. */
@@ -131,6 +132,11 @@ PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_v
 /* The same with a tracing index, which makes the file version 1.1; NULL is pro_write. */
 PRO_API pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view,
                                      const pro_index* index, pro_message* message);
+
+/* The same, but never replaces: a file that has the name already, or gets it from somebody else meanwhile, stays, and
+ * this one is PRO_CANNOT_WRITE. */
+PRO_API pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
+                                 pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */
 PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);

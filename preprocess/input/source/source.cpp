@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "format/base/printable.h"
 #include "preprocess/input/source/gzip.h"
 
 namespace pointrt {
@@ -90,10 +91,7 @@ void refuseLine(const Source& source, const char* at, const std::string& reason)
 
 std::string quoted(std::string_view text) {
     constexpr std::size_t kLongest = 40;
-    std::string shown(text.substr(0, kLongest));
-    for (char& letter : shown)
-        if (letter < ' ' || letter > '~') letter = '?';
-    return "'" + shown + (text.size() > kLongest ? "...'" : "'");
+    return "'" + printable(text, kLongest) + "'";
 }
 
 } // namespace pointrt

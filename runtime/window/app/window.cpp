@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
+#include "format/base/report_file.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene_file/scene_write.h"
 #include "runtime/session/report.h"
@@ -93,7 +95,9 @@ Window::Window(const Options& options)
 
 void Window::tell(const std::string& text, bool error) {
     work_.notices.push_back({text, error, tape_.now() + kNotice_s});
-    if (options_.verbose || error) std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "", text.c_str());
+    if (options_.verbose || error)
+        std::fprintf(stderr, "pointrt-view: %s%s\n", error ? "error: " : "",
+                     printable(text, std::string::npos).c_str());
 }
 
 /// What goes wrong is told, after subject.
@@ -243,7 +247,7 @@ void Window::run() {
     report.device = host_.device().name;
     report.width = host_.pixels().width;
     report.height = host_.pixels().height;
-    if (!options_.stats.empty()) writeText(options_.stats, windowReportJson(report));
+    if (!options_.stats.empty()) writeReport(options_.stats, windowReportJson(report));
 }
 
 void runWindow(const Options& options) { Window(options).run(); }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/util/parse.h"
 #include "runtime/window/input/recording_words.h"
 
@@ -20,9 +21,7 @@ using Steps = std::vector<RecordedStep>;
 [[noreturn]] void refuse(const std::string& reason) { throw std::invalid_argument(reason); }
 
 /// Of a bearable length, on one line.
-std::string shown(const std::string& word) {
-    return word.size() > 40 ? quotedText(word.substr(0, 40)) + "..." : quotedText(word);
-}
+std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
 
 /// The words after frame and kind, taken one after the other.
 struct Arguments {

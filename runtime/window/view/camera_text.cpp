@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/scene/camera.h"
 #include "runtime/util/parse.h"
 #include "runtime/window/view/turntable_turn.h"
@@ -48,11 +49,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }
 
 /// Of a bearable length, on one line.
-std::string shown(const std::string& word) {
-    std::string text;
-    for (char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-    return "\"" + text + (word.size() > 40 ? "...\"" : "\"");
-}
+std::string shown(const std::string& word) { return "\"" + printable(word, 40) + "\""; }
 
 Words optionsOf(const std::string& text) {
     if (text.size() > kMaxText) refuse("too long");

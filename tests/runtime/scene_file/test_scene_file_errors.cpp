@@ -53,7 +53,7 @@ TEST_F(SceneFile, RefusesWrongTypes) {
     EXPECT_EQ(refusal("room = 1"), "scene.toml:1: key \"room\": must be a text in quotes");
     EXPECT_EQ(refusal("room = ''"), "scene.toml:1: key \"room\": must not be empty");
     EXPECT_EQ(refusal("room = 'cellar'"), "scene.toml:1: key \"room\": \"cellar\" is none of none, mirror, matte");
-    EXPECT_EQ(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a?b\": is no name for a material");
+    EXPECT_EQ(refusal("[material.\"a\\nb\"]"), "scene.toml:1: key \"material.a\\nb\": is no name for a material");
 }
 
 TEST_F(SceneFile, RefusesNumbersOutOfRange) {

@@ -78,14 +78,5 @@ TEST(Report, CountsFromTheStartOfTheProcess) {
     EXPECT_LT(secondsSinceStart() - before, 10);
 }
 
-TEST(Report, SaysWhyItCannotWrite) {
-    try {
-        writeText("/nonexistent/stats.json", "{}");
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code, ExitCode::kCannotWrite);
-    }
-}
-
 } // namespace
 } // namespace pointrt

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Preloaded: a file system without nameless files, and a process that is killed as soon as it makes sure of a file if
+ * KILL_AT_SYNC is set. */
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+int open(const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const int mode = flags & (O_CREAT | O_TMPFILE) ? va_arg(arguments, int) : 0;
+    va_end(arguments);
+    if ((flags & O_TMPFILE) == O_TMPFILE) {
+        errno = EOPNOTSUPP;
+        return -1;
+    }
+    return (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
+}
+
+int fsync(int descriptor) {
+    if (getenv("KILL_AT_SYNC")) raise(SIGKILL);
+    return (int)syscall(SYS_fsync, descriptor);
+}
