@@ -3,9 +3,11 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 #include "format/base/error.h"
@@ -92,6 +94,32 @@ void onBusError(int number, siginfo_t* info, void*) {
     signal(number, SIG_DFL); // no file of ours: the instruction runs again and ends the process
 }
 
+/// How large the process may become, for the message: there is no asking then.
+char address_limit[64] = "";
+
+void onSegmentationFault(int, siginfo_t*, void*) {
+    writeWord(running_tool);
+    writeWord(": error: crashed, most likely for lack of memory: ulimit -v allows ");
+    writeWord(address_limit);
+    writeWord(" MiB, and not every library looks whether it got what it asked for\n");
+    _exit(static_cast<int>(ExitCode::kCannotRun));
+}
+
+void handle(int number, void (*handler)(int, siginfo_t*, void*)) {
+    struct sigaction action {};
+    action.sa_sigaction = handler;
+    action.sa_flags = static_cast<int>(SA_SIGINFO);
+    sigaction(number, &action, nullptr);
+}
+
+/// Mesa's drivers use memory without looking whether there was any.
+void blameAddressLimit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+    std::snprintf(address_limit, sizeof address_limit, "%llu", static_cast<unsigned long long>(limit.rlim_cur >> 20));
+    handle(SIGSEGV, onSegmentationFault);
+}
+
 } // namespace
 
 void prepareProcess(const char* tool_name) {
@@ -100,10 +128,8 @@ void prepareProcess(const char* tool_name) {
         if (fcntl(number, F_GETFD) < 0) // the lowest free number is the one that open returns
             if (::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) break;
     signal(SIGXFSZ, SIG_IGN);
-    struct sigaction action {};
-    action.sa_sigaction = onBusError;
-    action.sa_flags = static_cast<int>(SA_SIGINFO);
-    sigaction(SIGBUS, &action, nullptr);
+    handle(SIGBUS, onBusError);
+    blameAddressLimit();
 }
 
 void keepWorkingWithoutReaders() { signal(SIGPIPE, SIG_IGN); }

@@ -9,7 +9,8 @@ namespace pointrt {
 ///    file of ours gets their number and reports;
 ///  - a write past `ulimit -f` fails (EFBIG) instead of ending the process without a word;
 ///  - reading a mapped file that was cut short meanwhile, or that its disk cannot deliver, ends the process with a line
-///    that names the file, and exit code kBadInput.
+///    that names the file, and exit code kBadInput;
+///  - where `ulimit -v` bounds its memory, a crash ends it with a line that says so, and exit code kCannotRun.
 void prepareProcess(const char* tool_name);
 
 /// For programs whose work is worth more than its reports: writing to a pipe that nobody reads fails (EPIPE) from now

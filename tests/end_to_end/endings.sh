@@ -60,6 +60,21 @@ case_file_size_limit() {
     expectError 4 "out/a.ply: .*too large" bash -c "ulimit -f 8; exec pointrt-info scene.pro --export out/a.ply"
 }
 
+# From too little for the tool itself to enough: done, or one line.
+case_address_space_limit() {
+    local limit
+    sphere 3000 >sphere.xyz
+    pointrt-bake -q sphere.xyz -o scene.pro
+    bash -c "ulimit -v 700000; exec pointrt-view --version" >version || skip "the tool does not start in so little here"
+    for limit in 60000 120000 250000 400000 500000 600000 700000; do
+        run bash -c "ulimit -v $limit; exec pointrt-view -q scene.pro --size 32x32 -o out/a.png"
+        [ "$status" = 0 ] || [ "$status" = 3 ] || fail "exit status $status"
+        [ "$(wc -l <stderr)" = $((status / 3)) ] || fail "stderr is not one line"
+        [ "$status" = 0 ] || [ -z "$(ls -A out)" ] || fail "left behind: $(ls -A out)"
+        rm -f out/*
+    done
+}
+
 # Others have made the output while the scan was read: theirs stays.
 case_a_file_that_appears_during_the_bake() {
     mkfifo scan.xyz
