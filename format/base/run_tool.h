@@ -26,7 +26,8 @@ int runTool(const char* tool_name, Body&& body) {
     try {
         return body();
     } catch (const Error& error) {
-        return fail(error.what(), error.code);
+        const char* advice = error.code == ExitCode::kBadUsage ? " (see --help)" : "";
+        return fail((error.what() + std::string(advice)).c_str(), error.code);
     } catch (const ProError& error) {
         return fail(error.what(), exitCodeOf(error.result));
     } catch (const std::bad_alloc&) {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -52,25 +55,37 @@ void appendSplat(std::vector<char>& buffer, const pro_info& info, const pro_spla
     if (info.flags & PRO_FLAG_COLOR) buffer.insert(buffer.end(), splat.color, splat.color + 3);
 }
 
-bool writeSplats(format::AtomicFile& out, const ProFile& file) {
+/// Takes the next bytes; false where it cannot.
+using Write = std::function<bool(const void* data, std::size_t bytes)>;
+
+bool writeAll(const Write& write, const ProFile& file) {
+    const std::string text = header(file.info());
+    if (!write(text.data(), text.size())) return false;
     const std::vector<std::uint32_t> splats = inputOrder(file);
     std::vector<char> buffer;
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         buffer.clear();
         const std::size_t end = std::min(first + kSplatsAtOnce, splats.size());
         for (std::size_t i = first; i < end; ++i) appendSplat(buffer, file.info(), file.splat(splats[i]));
-        if (!out.write(buffer.data(), buffer.size())) return false;
+        if (!write(buffer.data(), buffer.size())) return false;
     }
     return true;
+}
+
+void exportToStandardOutput(const ProFile& file) {
+    const auto write = [](const void* data, std::size_t bytes) { return std::fwrite(data, 1, bytes, stdout) == bytes; };
+    if (!writeAll(write, file) || std::fflush(stdout) != 0)
+        throw Error(ExitCode::kCannotWrite, std::string("standard output: ") + std::strerror(errno));
 }
 
 } // namespace
 
 void exportPly(const ProFile& file, const std::string& path, bool overwrite) {
+    if (path == "-") return exportToStandardOutput(file);
     const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
     format::AtomicFile out;
-    const std::string text = header(file.info());
-    if (!out.open(path, existing) || !out.write(text.data(), text.size()) || !writeSplats(out, file) || !out.commit())
+    const auto write = [&](const void* data, std::size_t bytes) { return out.write(data, bytes); };
+    if (!out.open(path, existing) || !writeAll(write, file) || !out.commit())
         throw Error(ExitCode::kCannotWrite,
                     path + ": " + out.error() + (out.nameIsTaken() ? "; --force overwrites it" : ""));
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // pointrt-info: tells what is in a .pro file, checks it, exports it.
-#include <CLI/CLI.hpp>
-#include <filesystem>
+#include <unistd.h>
 
+#include "format/base/command_line.h"
 #include "format/base/printable.h"
+#include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
+#include "format/base/same_file.h"
 #include "format/info/export_ply.h"
 #include "format/info/metadata.h"
 #include "format/info/print.h"
@@ -16,18 +18,41 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string input, export_path;
-    bool json = false, verify = false, force = false;
+    bool json = false, verify = false, force = false, quiet = false;
 };
 
+constexpr const char* kExamples = "  pointrt-info scan.pro\n"
+                                  "  pointrt-info scan.pro --verify && echo good\n"
+                                  "  pointrt-info scan.pro --json | jq .splats\n"
+                                  "  pointrt-info scan.pro --export splats.ply\n";
+constexpr const char* kNotes =
+    "Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+
 void addOptions(CLI::App& app, Options& options) {
-    app.add_option("FILE", options.input, "the .pro file")->required();
-    auto* json = app.add_flag("--json", options.json, "print JSON instead of text");
-    auto* verify = app.add_flag("--verify", options.verify, "make every check there is; exit 1 on findings");
-    auto* out = app.add_option("--export", options.export_path, "write the splats in input order as PLY");
-    app.add_flag("-f,--force", options.force, "let --export overwrite a file")->needs(out);
-    out->excludes(json)->excludes(verify);
-    app.set_version_flag("--version", POINTRT_VERSION);
-    app.footer("Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine can't, 4 cannot write.");
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.add_option("FILE", options.input, "The .pro file")->required()->type_name("");
+    app.add_flag("--json", options.json, "Print JSON instead of text");
+    app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
+    app.add_option("--export", options.export_path,
+                   "Write the splats in input order as PLY; - is standard output; one that is there is kept without -f")
+        ->type_name("FILE.ply");
+    app.add_flag("-f,--force", options.force, "Let --export overwrite a file");
+    app.add_flag("-q,--quiet", options.quiet, "No reports, only errors and what is asked for: --verify lists findings");
+    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+}
+
+void checkOptions(const Options& options) {
+    const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
+    const std::string& path = options.export_path;
+    if (options.input == "-") usage("-: a .pro is mapped where it lies, so it must be a file");
+    if (path.empty() && options.force) usage("--force goes with --export");
+    if (path.empty()) return;
+    if (options.json || options.verify)
+        usage(std::string("--export and ") + (options.json ? "--json" : "--verify") + " exclude each other");
+    if (path == "-" && isatty(STDOUT_FILENO) == 1)
+        usage("--export -: standard output is a terminal; let a file or a pipe take the splats");
+    if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
+    if (path != "-" && !path.ends_with(".ply")) usage(path + ": --export writes PLY, so its name must end in .ply");
 }
 
 struct FindingList {
@@ -50,7 +75,7 @@ void printFindings(const Options& options, const FindingList& list) {
     for (const pro_message& finding : list.findings)
         std::printf("%s: finding %04u: %s\n", shown.c_str(), finding.finding,
                     printable(finding.text, std::string::npos).c_str());
-    if (list.findings.empty()) std::printf("%s: no findings\n", shown.c_str());
+    if (list.findings.empty() && !options.quiet) std::printf("%s: no findings\n", shown.c_str());
 }
 
 int verify(const Options& options) {
@@ -66,9 +91,6 @@ int verify(const Options& options) {
 
 int exportSplats(const Options& options) {
     const ProFile file(options.input);
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.input, options.export_path, ignored))
-        throw Error(ExitCode::kBadUsage, options.export_path + ": is the input");
     exportPly(file, options.export_path, options.force);
     return 0;
 }
@@ -82,6 +104,8 @@ int print(const Options& options) {
 }
 
 int runOptions(const Options& options) {
+    checkOptions(options);
+    if (!options.verify) requirePro(options.input);
     const int code = options.verify                ? verify(options)
                      : options.export_path.empty() ? print(options)
                                                    : exportSplats(options);
@@ -96,13 +120,7 @@ int main(int argc, char** argv) {
         CLI::App app("Tells what is in a .pro file.", "pointrt-info");
         Options options;
         addOptions(app, options);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::Success& success) {
-            return app.exit(success);
-        } catch (const CLI::ParseError& error) {
-            throw Error(ExitCode::kBadUsage, std::string(error.what()) + "; --help tells more");
-        }
+        if (const auto done = parseCommandLine(app, argc, argv, {{".ply", "--export"}})) return *done;
         return runOptions(options);
     });
 }

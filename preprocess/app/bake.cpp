@@ -10,6 +10,7 @@
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "format/base/report_file.h"
+#include "format/base/same_file.h"
 #include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/interrupt.h"
@@ -28,18 +29,18 @@ std::size_t threadCount(int requested) {
     return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
 }
 
-bool sameFile(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    return a == b || std::filesystem::equivalent(a, b, ignored);
+void requireNoInput(const BakeOptions& options, const std::string& path, const char* option) {
+    for (const std::string& input : options.inputs)
+        if (isSameFile(path, input))
+            throw Error(ExitCode::kBadUsage, path + ": " + option + " would overwrite an input");
 }
 
 /// The report must not land on a scan or on the scene.
 void checkStats(const BakeOptions& options) {
     const std::string& path = options.stats_path;
     if (path.empty() || path == "-") return;
-    for (const std::string& other : options.inputs)
-        if (sameFile(path, other)) throw Error(ExitCode::kBadUsage, path + ": --stats would overwrite an input");
-    if (sameFile(path, options.output))
+    requireNoInput(options, path, "--stats");
+    if (isSameFile(path, options.output))
         throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
     requireReportWritable(path);
 }
@@ -117,13 +118,21 @@ void store(const BakeOptions& options, const PackedSplats& splats, const Octree&
     report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 
+std::vector<std::string_view> stagesLeftOut(const BakeOptions& options) {
+    std::vector<std::string_view> stages;
+    if (!options.prune) stages.emplace_back("prune");
+    if (!options.index) stages.emplace_back("index");
+    return stages;
+}
+
 } // namespace
 
 BakeReport bake(const BakeOptions& options) {
+    requireNoInput(options, options.output, "--output");
     checkOutput(options);
     checkStats(options);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
-    BakeProgress progress(options.verbosity, options.progress);
+    BakeProgress progress(options.verbosity, options.progress, stagesLeftOut(options));
     const auto show = [&](double share) { progress.update(share); };
     BakeReport report;
 

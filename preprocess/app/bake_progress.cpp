@@ -16,22 +16,28 @@ namespace {
 constexpr std::chrono::milliseconds kRedrawInterval{100};
 
 /// What a stage takes of a bake, in percent: means over six scans of 60,000 to 1,100,000 points.
-struct StageWeight {
-    std::string_view stage;
-    double percent;
-};
 constexpr StageWeight kWeights[] = {{"read", 9},   {"neighbors", 21}, {"normals", 18}, {"orientation", 5},
                                     {"radii", 17}, {"quantize", 4},   {"octree", 7},   {"prune", 9},
                                     {"index", 8},  {"write", 2}};
 
-/// Of the whole bake, from the share of one of its stages. Those that it leaves out make it jump ahead.
-double wholeShare(std::string_view stage, double share) {
-    double percent = 0;
-    for (const StageWeight& each : kWeights) {
-        if (each.stage == stage) return (percent + each.percent * share) / 100;
-        percent += each.percent;
+std::vector<StageWeight> weightsWithout(const std::vector<std::string_view>& left_out) {
+    std::vector<StageWeight> weights(std::begin(kWeights), std::end(kWeights));
+    std::erase_if(weights, [&](const StageWeight& each) {
+        return std::find(left_out.begin(), left_out.end(), each.stage) != left_out.end();
+    });
+    return weights;
+}
+
+/// Of the whole bake, from the share of one of its stages.
+double wholeShare(const std::vector<StageWeight>& weights, std::string_view stage, double share) {
+    double before = 0, all = 0;
+    bool reached = false;
+    for (const StageWeight& each : weights) {
+        all += each.percent;
+        if (!reached) before += each.stage == stage ? each.percent * share : each.percent;
+        reached |= each.stage == stage;
     }
-    return 0;
+    return reached ? before / all : 0;
 }
 
 constexpr const char* kWipe = "\r\033[K"; ///< the line that was redrawn
@@ -48,9 +54,9 @@ double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::stea
 
 } // namespace
 
-BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style)
-    : verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1), lines_(style == ProgressStyle::kLines),
-      start_(Clock::now()), stage_start_(start_), drawn_(start_) {}
+BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& left_out)
+    : weights_(weightsWithout(left_out)), verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1),
+      lines_(style == ProgressStyle::kLines), start_(Clock::now()), stage_start_(start_), drawn_(start_) {}
 
 /// Leaves no half-drawn line before an error message.
 BakeProgress::~BakeProgress() {
@@ -62,6 +68,7 @@ void BakeProgress::begin(const std::string& name, std::uint64_t points) {
     stage_ = name;
     points_ = points;
     stage_start_ = Clock::now();
+    whole_share_ = std::max(whole_share_, wholeShare(weights_, stage_, 0));
     if (lines_) writeLine(0, 0);
 }
 
@@ -72,6 +79,7 @@ void BakeProgress::update(double share) {
     const auto now = Clock::now();
     if (now - drawn_ < kRedrawInterval) return;
     drawn_ = now;
+    whole_share_ = std::max(whole_share_, wholeShare(weights_, stage_, share));
     const double elapsed_s = secondsBetween(stage_start_, now);
     if (lines_)
         writeLine(share, elapsed_s);
@@ -87,15 +95,15 @@ double BakeProgress::rate(double share, double elapsed_s) const {
 }
 
 void BakeProgress::writeLine(double share, double elapsed_s) {
-    whole_share_ = std::max(whole_share_, wholeShare(stage_, share));
     tell("progress {:.4f} {} {:.0f}\n", whole_share_, stage_, rate(share, elapsed_s));
 }
 
 void BakeProgress::redraw(double share, double elapsed_s) {
-    std::string line = fmt::format("\r\033[K{:<10} {:3.0f}%", stage_, 100 * share);
+    std::string line = fmt::format("\r\033[Kbaking {:3.0f}%", 100 * whole_share_);
+    line += leftText(left_.update(totalSeconds(), whole_share_));
+    line += fmt::format(": {} {:.0f}%", stage_, 100 * share);
     const double points_per_s = rate(share, elapsed_s);
-    if (points_per_s > 0) line += fmt::format("  {:.0f} points/s", points_per_s);
-    if (share > 0.01) line += fmt::format("  {:.0f} s left", elapsed_s * (1 - share) / share);
+    if (points_per_s > 0) line += fmt::format(", {:.0f} points/s", points_per_s);
     std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
     line_open_ = true;

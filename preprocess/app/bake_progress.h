@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress on standard error: one redrawn line on a terminal, one line a stage elsewhere; for programs that wait for a
-// bake, lines "progress SHARE STAGE RATE" with the share of the whole bake, 0 to 1 and never less than before, and the
-// points a second of the stage, 0 where not known.
+// Progress on standard error: on a terminal one redrawn line, with the share of the whole bake and the time that is
+// left of it, and then its stage; elsewhere one line a stage; for programs that wait for a bake, lines "progress SHARE
+// STAGE RATE" with the share of the whole bake, 0 to 1 and never less than before, and the points a second of the
+// stage, 0 where not known.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "format/base/time_left.h"
 #include "preprocess/app/options.h"
 
 namespace pointrt {
 
+struct StageWeight {
+    std::string_view stage;
+    double percent; ///< of the time of a bake
+};
+
 /// Times the stages of a bake and shows them. Not thread-safe: callers hand over one call at a time.
 class BakeProgress {
 public:
-    explicit BakeProgress(Verbosity verbosity, ProgressStyle style = ProgressStyle::kAuto);
+    /// @param left_out stages that this bake does not have
+    BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& left_out = {});
     ~BakeProgress();
 
     /// Ends the stage before and starts name. points is what the rate is counted in, 0 if not known yet.
@@ -38,13 +47,15 @@ private:
     void writeLine(double share, double elapsed_s);
     double rate(double share, double elapsed_s) const;
 
+    const std::vector<StageWeight> weights_; ///< in the order of the stages
     Verbosity verbosity_;
     bool terminal_, lines_;
     std::string stage_;
     std::uint64_t points_ = 0;
     Clock::time_point start_, stage_start_, drawn_;
     bool line_open_ = false;
-    double whole_share_ = 0; ///< last written
+    double whole_share_ = 0; ///< never less than before
+    TimeLeft left_;
     std::vector<std::pair<std::string, double>> seconds_;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/app/options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "format/base/command_line.h"
 #include "format/base/error.h"
 #include "preprocess/input/formats/formats.h"
 
@@ -55,6 +55,14 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
         ->type_name(joined(choices));
 }
 
+constexpr const char* kExamples =
+    "  pointrt-bake scan.ply -o scan.pro\n"
+    "  pointrt-bake a.ply b.pcd -o all.pro               two scans that share coordinates\n"
+    "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
+    "  zcat scan.xyz.gz | pointrt-bake - --input-format xyz -f -o scan.pro\n";
+constexpr const char* kNotes =
+    "Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+
 /// A range check that leaves saying the range to the option's own help text.
 template <typename Value>
 CLI::Validator range(Value least, Value most) {
@@ -73,8 +81,14 @@ void addInputFormat(CLI::App& app, std::string& format) {
 
 void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Scans in, scene out");
-    app.add_option("input", options.inputs, "Scan files, merged into one cloud; - reads standard input")->required();
-    app.add_option("-o,--output", options.output, "The .pro to write")->required()->type_name("FILE");
+    app.add_option("SCAN", options.inputs, "Scan files, merged into one cloud; - reads standard input")
+        ->required()
+        ->type_name("")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("-o,--output", options.output,
+                   "The .pro to write; a bake takes long, so one that is there is kept without -f")
+        ->type_name("FILE")
+        ->option_text("FILE REQUIRED");
     app.add_flag("-f,--force", options.force, "Overwrite the output");
     app.add_flag_callback(
         "--compact", [&] { options.index = false; },
@@ -138,16 +152,27 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
               "On standard error; lines: 'progress SHARE STAGE POINTS_PER_SECOND' for programs (default auto)");
     app.add_flag_callback(
         "-q,--quiet", [&] { options.verbosity = Verbosity::kQuiet; },
-        "No progress, but what --progress lines asks for");
+        "No progress, but what --progress lines asks for; only errors");
     app.add_flag_callback(
-        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail");
+        "-v,--verbose", [&] { options.verbosity = Verbosity::kDetailed; }, "More detail on standard error");
+}
+
+void checkOutputName(const BakeOptions& options) {
+    const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
+    const std::string suffix = ".pro", &output = options.output;
+    if (output.empty()) {
+        const bool forgotten = options.inputs.size() > 1 && options.inputs.back().ends_with(suffix);
+        usage("no output is given: -o FILE.pro" +
+              (forgotten ? ", did you mean -o " + options.inputs.back() + "?" : ""));
+    }
+    if (output == "-") usage("-o -: a .pro is mapped where it lies, so it must be a file: -o FILE.pro");
+    if (output.size() <= suffix.size() || !output.ends_with(suffix))
+        usage(output + ": the output's name must end in .pro");
 }
 
 void checkOptions(BakeOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
-    const std::string suffix = ".pro";
-    const bool named = options.output.size() > suffix.size() && options.output.ends_with(suffix);
-    if (!named) usage(options.output + ": the output's name must end in .pro");
+    checkOutputName(options);
     const bool from_stdin = std::find(options.inputs.begin(), options.inputs.end(), "-") != options.inputs.end();
     if (from_stdin && options.read.format.empty()) usage("-: standard input needs --input-format");
     if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1)
@@ -166,20 +191,15 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +
                      " sets.",
                  "pointrt-bake"};
-    app.footer("Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.");
-    app.set_version_flag("--version", "pointrt-bake " POINTRT_VERSION);
+    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addInputOptions(app, options);
     addSurfaceOptions(app, options);
     addOctreeOptions(app, options);
     addReportOptions(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& request) { // help and version
-        app.exit(request);
-        return false;
-    } catch (const CLI::ParseError& error) {
-        throw Error(ExitCode::kBadUsage, std::string(error.what()) + " (see --help)");
-    }
+    if (parseCommandLine(app, argc, argv)) return false;
+    if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
+        throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");
     checkOptions(options);
     return true;
 }

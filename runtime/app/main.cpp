@@ -6,11 +6,14 @@
 
 #include "format/base/process.h"
 #include "format/base/report_file.h"
+#include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"
+#include "runtime/scene_file/scene_file.h"
 #include "runtime/session/options.h"
+#include "runtime/session/output_check.h"
 #include "runtime/session/render_session.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
@@ -24,11 +27,19 @@ namespace {
 
 using namespace pointrt;
 
+#ifdef POINTRT_HAS_WINDOW
+constexpr const char* kWindowBakes = ", as the window does of itself";
+#else
+constexpr const char* kWindowBakes = "";
+#endif
+
 void render(const Options& options) {
     const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
     if (!first.empty()) requireWritable(first);
     if (!options.stats.empty()) requireReportWritable(options.stats);
     SceneDescription description = describeScene(options);
+    requireOutputsApart(options, description);
+    if (!isSceneFile(options.scene)) requirePro(options.scene, kWindowBakes);
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);
@@ -41,6 +52,7 @@ void render(const Options& options) {
 }
 
 void showWindow(const Options& options) {
+    requireOutputsApart(options, {});
     if (!options.stats.empty()) requireReportWritable(options.stats);
 #ifdef POINTRT_HAS_WINDOW
     runWindow(options);

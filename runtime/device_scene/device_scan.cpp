@@ -9,6 +9,7 @@
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
+#include "format/base/require_pro.h"
 #include "pointrt/pro_index_layout.h"
 #include "runtime/util/on_error.h"
 
@@ -17,6 +18,7 @@ namespace pointrt {
 namespace {
 
 void mapFile(DeviceScan& scan) {
+    requirePro(scan.path);
     pro_message message{};
     const pro_result result = pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, &message);
     if (result != PRO_OK) throw Error(exitCodeOf(result), scan.path + ": " + message.text);

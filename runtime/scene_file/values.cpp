@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 #include "format/base/error.h"
+#include "format/base/near_name.h"
 #include "format/base/printable.h"
 
 namespace pointrt {
@@ -15,22 +15,6 @@ namespace {
 
 std::string place(const std::string& file, const toml::source_region& region) {
     return file + ":" + std::to_string(std::max<toml::source_index>(1, region.begin.line)) + ": ";
-}
-
-/// Number of characters to change, add or take away (Levenshtein 1966).
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row[b.size()];
 }
 
 /// toml++ nests one table in another for each dot of a key and frees them by recursion: half a megabyte of "a.a.a." is
@@ -60,14 +44,7 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 std::string suggestion(std::string_view text, const std::vector<std::string_view>& names) {
-    constexpr std::size_t longest = 64; // of a text that can be near a name at all
-    std::size_t least = text.size() > longest ? 0 : (text.size() + 2) / 3 + 1;
-    std::string_view nearest;
-    for (std::string_view name : names) {
-        if (text.size() > longest) break;
-        const std::size_t distance = editDistance(text, name);
-        if (distance < least) std::tie(least, nearest) = std::tie(distance, name);
-    }
+    const std::string_view nearest = nearestName(text, names);
     return nearest.empty() ? "" : ", did you mean \"" + printable(nearest) + "\"?";
 }
 

@@ -30,16 +30,18 @@ void setDevice(Options& options, const std::string& text) {
 }
 
 OptionGroup imageOptions() {
-    return {"Image",
-            {{"-o,--output", "FILE",
-              "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light)",
-              [](Options& o, const std::string& text) { o.output = imageFile(text); }},
-             {"--turntable", "N",
-              "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
-              "to " +
-                  std::to_string(kMaxTurntable) + ")",
-              [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }}},
-            HelpGroup::kImage};
+    return {
+        "Image",
+        {{"-o,--output", "FILE",
+          "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light), replacing "
+          "what is there",
+          [](Options& o, const std::string& text) { o.output = imageFile(text); }},
+         {"--turntable", "N",
+          "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
+          "to " +
+              std::to_string(kMaxTurntable) + ")",
+          [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }}},
+        HelpGroup::kImage};
 }
 
 /// With one of the first two --spp is the most, and what a scene file says of samples is not asked.
@@ -106,7 +108,9 @@ OptionGroup runOptions() {
          {"--progress", "auto|lines",
           "On standard error; lines: 'progress SHARE DETAIL' for programs (default auto: for people)",
           [](Options& o, const std::string& text) { o.progress_lines = parseName(kProgressNames, text); }},
-         {.names = "-q,--quiet", .help = "No progress (default: off)", .flag = &Options::quiet},
+         {.names = "-q,--quiet",
+          .help = "No progress, but what --progress lines asks for; only errors (default: off)",
+          .flag = &Options::quiet},
          {.names = "-v,--verbose", .help = "More detail on standard error (default: off)", .flag = &Options::verbose}},
         {}};
 }

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/options.h"
 
-#include <CLI/CLI.hpp>
-
-#include <cstdio>
 #include <functional>
 #include <stdexcept>
 
+#include "format/base/command_line.h"
 #include "format/base/error.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/option_table.h"
 
 namespace pointrt {
 namespace {
+
+constexpr const char* kExamples =
+    "  pointrt-view scan.pro                               in a window; H in it lists keys\n"
+    "  pointrt-view scan.pro -o scan.png                   in a small studio, without a window\n"
+    "  pointrt-view scan.pro --integrator path --time-limit 60 --size 1920x1080 -o scan.png\n"
+    "  pointrt-view scene.toml --view top -o top.png\n";
+constexpr const char* kNotes =
+    "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
+    "Ctrl-C while FILE.exr is rendered: the sample under way is finished and the film saved, for --resume; the exit\n"
+    "status is the signal's all the same. A second Ctrl-C ends at once.\n"
+    "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.";
 
 /// Adds an option whose text goes through set; what set throws as std::invalid_argument becomes "NAME: reason".
 void add(CLI::App& app, const std::string& names, const char* placeholder, const std::string& help,
@@ -62,14 +71,19 @@ void addGroups(CLI::App& app, Options& options) {
         for (const OptionRow& row : group.options) addRow(app, row, options);
         if (group.settings) addSettings(app, *group.settings, options.choices);
     }
-    // under the last heading
-    app.set_version_flag("--version", "pointrt-view " POINTRT_VERSION, "Print the version and end");
-    app.set_help_flag("-h,--help", "Print this help and end");
+    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes); // under the last heading
 }
 
-void requireOutput(const Options& options, bool given, const char* option, const char* suffix) {
-    if (given && !options.output.ends_with(suffix))
-        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with -o FILE" + suffix};
+void requireOutput(bool given, bool fits, const char* option, const char* suffix) {
+    if (given && !fits) throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with -o FILE" + suffix};
+}
+
+/// Standard output holds one thing.
+void requireOwnStream(const Options& options) {
+    const char* other = options.bench_frames != 0 ? "--bench" : options.stats == "-" ? "--stats -" : nullptr;
+    if (options.output == "-" && other)
+        throw Error{ExitCode::kBadUsage,
+                    std::string("-o - and ") + other + " exclude each other: both write to standard output"};
 }
 
 void requireWindow(const Options& options) {
@@ -91,19 +105,23 @@ void requireTask(const Options& options) {
         throw Error{ExitCode::kBadUsage,
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return;
-    requireOutput(options, options.resume, "--resume", ".exr");
-    if (!opensWindow(options)) requireOutput(options, options.choices.exposure.has_value(), "--exposure", ".png");
+    requireOutput(options.resume, options.output.ends_with(".exr"), "--resume", ".exr");
+    if (!opensWindow(options))
+        requireOutput(options.choices.exposure.has_value(), writesPng(options), "--exposure", ".png");
+    requireOwnStream(options);
     if (options.resume && options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};
     if (options.turntable != 0 && (options.resume || options.bench_frames != 0))
         throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
                                              " exclude each other"};
-    if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene given; --help lists the options"};
+    if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene is given"};
     requireFrameNames(options.output, options.turntable != 0);
     requireWindow(options);
 }
 
 } // namespace
+
+bool writesPng(const Options& options) { return options.output == "-" || options.output.ends_with(".png"); }
 
 bool opensWindow(const Options& options) {
     return !options.list_devices && options.output.empty() && options.bench_frames == 0;
@@ -112,12 +130,6 @@ bool opensWindow(const Options& options) {
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
     CLI::App app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
     app.get_formatter()->column_width(26);
-    app.footer(
-        "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
-        "Ctrl-C while FILE.exr is rendered: the sample under way is finished and the film saved, for --resume; the "
-        "exit\n"
-        "status is the signal's all the same. A second Ctrl-C ends at once.\n"
-        "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.");
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option(
            "SCENE", options.scene,
@@ -125,17 +137,7 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
         ->type_name("")
         ->group("Scene");
     addGroups(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        std::fputs(app.help().c_str(), stdout);
-        return 0;
-    } catch (const CLI::CallForVersion& version) {
-        std::puts(version.what());
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        throw Error{ExitCode::kBadUsage, error.what()};
-    }
+    if (const auto done = parseCommandLine(app, argc, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
     requireTask(options);
     return {};
 }

@@ -14,11 +14,11 @@ namespace pointrt {
 /// What the command line says; resolveSettings (settings.h) puts it together with what a scene file says.
 struct Options {
     std::string scene;
-    std::string output;            ///< ends in .png or .exr; empty for a window, with bench_frames or with list_devices
-    std::string device;            ///< a selector, see DeviceRequest
-    std::string stats;             ///< file for the report, "-" for standard output, empty for none
-    RenderChoices choices;         ///< the rows of render_setting_table.h
-    CameraRequest camera;          ///< but for its fov_deg
+    std::string output;    ///< ends in .png or .exr, or "-"; empty for a window, with bench_frames or list_devices
+    std::string device;    ///< a selector, see DeviceRequest
+    std::string stats;     ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices; ///< the rows of render_setting_table.h
+    CameraRequest camera;  ///< but for its fov_deg
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
     std::string view;               ///< name of a view in the scene file, empty: its camera
@@ -32,6 +32,9 @@ struct Options {
     bool quiet = false, verbose = false;
     bool progress_lines = false; ///< for programs that show it in their own way
 };
+
+/// True where output is a PNG: FILE.png, or "-", which is standard output.
+bool writesPng(const Options& options);
 
 /// True where what options ask for is a window.
 bool opensWindow(const Options& options);

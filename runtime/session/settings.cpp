@@ -80,7 +80,7 @@ SceneDescription describeRun(SceneDescription scene, const RenderSettings& setti
 bool wantsDenoising(const Options& options, const RenderSettings& settings, const SceneDescription& scene,
                     std::uint32_t samples) {
     if (settings.denoise != DenoiseChoice::kAuto) return settings.denoise == DenoiseChoice::kOn;
-    return options.output.ends_with(".png") && samples < kCleanSamplesOfLight && isNoisy(settings, scene);
+    return writesPng(options) && samples < kCleanSamplesOfLight && isNoisy(settings, scene);
 }
 
 } // namespace pointrt

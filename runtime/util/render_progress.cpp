@@ -30,7 +30,8 @@ void RenderProgress::update(double share, const std::string& detail) {
     const auto now = std::chrono::steady_clock::now();
     const double elapsed = Seconds(now - start_).count(), left = elapsed / share - elapsed;
     if (style_ == Style::kRedrawn && now - start_ >= kPatience && now - drawn_ >= kRedraw) {
-        std::fprintf(stderr, "%srendering %3.0f%%, %.0f s left%s%s", kWipe, 100 * share, left,
+        const std::string left_text = leftText(left_.update(elapsed, share));
+        std::fprintf(stderr, "%srendering %3.0f%%%s%s%s", kWipe, 100 * share, left_text.c_str(),
                      detail.empty() ? "" : ", ", detail.c_str());
         drawn_ = now;
         on_screen_ = true;

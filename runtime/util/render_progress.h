@@ -5,6 +5,8 @@
 #include <chrono>
 #include <string>
 
+#include "format/base/time_left.h"
+
 namespace pointrt {
 
 /// One redrawn line on a terminal; elsewhere a line each ten percent when verbose, else nothing; nothing when quiet.
@@ -23,6 +25,7 @@ private:
     std::chrono::steady_clock::time_point start_, drawn_;
     bool on_screen_ = false;
     int tenths_ = 0;
+    TimeLeft left_;
 };
 
 } // namespace pointrt

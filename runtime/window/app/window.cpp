@@ -90,7 +90,7 @@ Window::Window(const Options& options)
           jobs_, [this](const std::string& text, bool error) { tell(text, error); },
           [this](const std::string& path, bool first) { return startLoad(path, first); }) {
     if (!options.record.empty()) tape_.recordTo(options.record, host_.size());
-    opener_.open(options.scene);
+    opener_.openNamed(options.scene);
 }
 
 void Window::tell(const std::string& text, bool error) {

@@ -25,10 +25,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double kUndrawn_s = 0.1;
 constexpr std::size_t kPicks = 2;
 
-void throwIfFailed(const Job& job) {
-    if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
-}
-
 OpenedScene openedScene(const LoadedScene& loaded) {
     return {loaded.described,  loaded.scene.description, loaded.settings,        loaded.camera,
             loaded.staged_for, loaded.scene.bounds.lo,   loaded.scene.bounds.hi, loaded.scene.space.scale};

@@ -24,7 +24,7 @@ void bake(const BakePlan& plan, const std::string& baker, JobControl& control) {
         unlink((plan.output + ".tmp-" + std::to_string(end.id)).c_str());
         throw JobCancelled{};
     }
-    if (end.wait_status != 0) throw Error{ExitCode::kCannotRun, describeFailure(end, name)};
+    if (end.wait_status != 0) throw Error{exitCodeOf(end), describeFailure(end, name)};
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(plan.output, ignored))
         throw Error{ExitCode::kCannotRun, name + " ended well, but there is no " + plan.output};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/require_pro.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/window/files/file_list.h"
 #include "runtime/window/jobs/bake_job.h"
@@ -11,7 +12,7 @@
 namespace pointrt {
 namespace {
 
-bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneFile(path); }
+bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneFile(path) || beginsAsPro(path); }
 
 } // namespace
 
@@ -20,6 +21,11 @@ FileOpener::FileOpener(JobQueue& jobs, JobQueue::Tell tell, StartLoad load)
 
 void FileOpener::open(const std::string& path) {
     jobs_.startLater(JobKind::kLoad, [this, path] { return load_(path, std::exchange(first_, false)); });
+}
+
+void FileOpener::openNamed(const std::string& path) {
+    if (isScene(path)) return open(path);
+    bake({path}, throwIfFailed);
 }
 
 void FileOpener::drop(const std::vector<std::string>& paths) {
@@ -33,13 +39,14 @@ void FileOpener::drop(const std::vector<std::string>& paths) {
     open(paths.front());
 }
 
-void FileOpener::bake(const std::vector<std::string>& scans) {
+void FileOpener::bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended) {
     if (const auto other = jobs_.figures(JobKind::kBake))
         return tell_("one scan after the other: " + other->what + " is under way", true);
     const BakePlan plan = planBake(scans);
     if (plan.is_there) return open(plan.output);
     jobs_.start(JobKind::kBake, [&] {
-        return startedJob<BakeJob>(std::make_unique<BakeJob>(plan), [this](BakeJob& bake) { open(bake.output()); });
+        return startedJob<BakeJob>(
+            std::make_unique<BakeJob>(plan), [this](BakeJob& bake) { open(bake.output()); }, ended);
     });
 }
 

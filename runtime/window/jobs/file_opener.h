@@ -20,13 +20,16 @@ public:
 
     /// Loads a scene in place of what is being loaded.
     void open(const std::string& path);
+    /// Does the same with what the command line names, or bakes it first where it is a scan. Where that fails, Error is
+    /// thrown, from here or from JobQueue::poll: there is nothing else to show.
+    void openNamed(const std::string& path);
     /// Opens the first where it is a scene; else all are scans, which are baked together unless they have been.
     void drop(const std::vector<std::string>& paths);
     /// Opens the scene step files after path in its folder, where there is another one.
     void openNeighbour(const std::string& path, int step);
 
 private:
-    void bake(const std::vector<std::string>& scans);
+    void bake(const std::vector<std::string>& scans, const std::function<void(const Job&)>& ended = {});
 
     JobQueue& jobs_;
     JobQueue::Tell tell_;

@@ -92,6 +92,10 @@ JobFigures Job::figures() const {
     return figures;
 }
 
+void throwIfFailed(const Job& job) {
+    if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
+}
+
 std::optional<double> secondsLeft(double share, double said_s, double now_s) {
     if (now_s < kMinSeconds || share < kMinShare || !(said_s > 0)) return std::nullopt;
     return std::max(0.0, said_s * (1 - share) / share - (now_s - said_s));

@@ -75,6 +75,9 @@ private:
     std::jthread thread_; ///< last: the others outlive it
 };
 
+/// Throws its error where it failed.
+void throwIfFailed(const Job& job);
+
 /// What is left at now_s of work of which share was done at said_s, if it goes on as it did; seconds since its start.
 /// Nothing while that would be a mere guess.
 std::optional<double> secondsLeft(double share, double said_s, double now_s);

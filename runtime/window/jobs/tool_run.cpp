@@ -79,6 +79,12 @@ std::string describeFailure(const ToolEnd& end, const std::string& name) {
     return said_why ? end.last_line : name + " " + describeEnd(end.wait_status);
 }
 
+ExitCode exitCodeOf(const ToolEnd& end) {
+    const int status = WIFEXITED(end.wait_status) ? WEXITSTATUS(end.wait_status) : 0;
+    const bool ours = status > 0 && status <= static_cast<int>(ExitCode::kCannotWrite);
+    return ours ? static_cast<ExitCode>(status) : ExitCode::kCannotRun;
+}
+
 std::string asArgument(const std::string& path) { return path.starts_with('/') ? path : "./" + path; }
 
 } // namespace pointrt

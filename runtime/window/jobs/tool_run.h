@@ -27,6 +27,9 @@ ToolEnd attendTool(const std::vector<std::string>& arguments, const std::string&
 /// Why a tool called name that ended so has failed, in its own words where it has left any.
 std::string describeFailure(const ToolEnd& end, const std::string& name);
 
+/// What a tool of ours says by its exit status, kCannotRun where it says nothing.
+ExitCode exitCodeOf(const ToolEnd& end);
+
 /// So that no program takes a path for an option or a list.
 std::string asArgument(const std::string& path);
 

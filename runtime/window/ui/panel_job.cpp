@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "format/base/time_left.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_box.h"
 #include "runtime/window/widgets/panel_numbers.h"

@@ -50,17 +50,4 @@ std::string bytesText(std::uint64_t bytes) {
     return formatted("%.*f ", value < 10 ? 1 : 0, value) + units[unit];
 }
 
-std::string durationText(double seconds) {
-    constexpr double most = 359999; // 99 h and a bit; nobody waits for more
-    const auto whole = static_cast<int>(std::clamp(std::isfinite(seconds) ? std::ceil(seconds) : most, 0.0, most));
-    char text[32];
-    if (whole < 60)
-        std::snprintf(text, sizeof text, "%d s", whole);
-    else if (whole < 3600)
-        std::snprintf(text, sizeof text, "%d min %02d s", whole / 60, whole % 60);
-    else
-        std::snprintf(text, sizeof text, "%d h %02d min", whole / 3600, whole % 3600 / 60);
-    return text;
-}
-
 } // namespace pointrt

@@ -19,7 +19,5 @@ std::string pointText(Vec3 point, double size);
 std::string countText(std::uint64_t count);
 /// "1.2 GB", powers of 1000.
 std::string bytesText(std::uint64_t bytes);
-/// "12 s", "3 min 05 s", "2 h 10 min".
-std::string durationText(double seconds);
 
 } // namespace pointrt

@@ -1,0 +1,220 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What all three tools do alike: help, slips on the command line, standard output, and nothing written over an input.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+tools="pointrt-bake pointrt-view pointrt-info"
+
+bakeSphere() {
+    sphere 3000 >scan.xyz
+    pointrt-bake -q scan.xyz -o scan.pro
+}
+
+# scanPly FILE: a sphere as PLY.
+scanPly() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\nend_header\n'
+    sphere 3000
+}
+
+# expectUsage PATTERN COMMAND...: wrong usage, told in the one way of all tools.
+expectUsage() {
+    local pattern=$1
+    shift
+    expectError 2 "$pattern \(see --help\)\$" "$@"
+}
+
+# onTerminal COMMAND...: what it shows on a terminal, in the file screen.
+onTerminal() {
+    command -v script >/dev/null || skip "no script(1), which gives a program a terminal"
+    script -qec "$*" /dev/null >screen </dev/null
+}
+
+case_unknown_options_name_the_near_one() {
+    bakeSphere
+    expectUsage "unknown option --otuput, did you mean --output\?" pointrt-bake scan.xyz --otuput out/a.pro
+    expectUsage "unknown option --otuput, did you mean --output\?" pointrt-bake scan.xyz --otuput=out/a.pro
+    expectUsage "unknown option --theads, did you mean --threads\?" pointrt-bake scan.xyz -o out/a.pro --theads 2
+    expectUsage "unknown option --otuput, did you mean --output\?" pointrt-view scan.pro --otuput out/a.png
+    expectUsage "unknown option --siez, did you mean --size\?" pointrt-view scan.pro -o out/a.png --siez 8x8
+    expectUsage "unknown option --integ, did you mean --integrator\?" pointrt-view scan.pro -o out/a.png --integ path
+    expectUsage "unknown option --jsn, did you mean --json\?" pointrt-info scan.pro --jsn
+    expectUsage "unknown option --exprot, did you mean --export\?" pointrt-info --exprot out/a.ply
+    expectUsage "unknown option -output, did you mean --output\?" pointrt-bake scan.xyz -output out/a.pro
+    expectUsage "unknown option -size, did you mean --size\?" pointrt-view scan.pro -size 8x8 -o out/a.png
+    expectUsage "unknown option --frobnicate" pointrt-info scan.pro --frobnicate
+    expectUsage "unknown option -x" pointrt-view scan.pro -x
+}
+
+case_slips() {
+    local tool
+    bakeSphere
+    expectUsage "no output is given: -o FILE.pro, did you mean -o out/a.pro\?" pointrt-bake scan.xyz out/a.pro
+    expectUsage "no output is given: -o FILE.pro" pointrt-bake scan.xyz
+    expectUsage "unexpected argument out/a.png, did you mean -o out/a.png\?" pointrt-view scan.pro out/a.png
+    expectUsage "unexpected argument out/a.ply, did you mean --export out/a.ply\?" pointrt-info scan.pro out/a.ply
+    expectUsage "unexpected argument more.pro" pointrt-info scan.pro more.pro
+    expectUsage "-o: an empty argument is given" pointrt-bake scan.xyz -o ""
+    expectUsage "-o=out/a.pro: a blank, not an =, goes between -o and its value" pointrt-bake scan.xyz -o=out/a.pro
+    expectUsage "--output: FILE missing" pointrt-bake scan.xyz --output
+    for tool in $tools; do
+        expectUsage "an empty argument is given" "$tool" ""
+        expectUsage "(is required|no scene is given)" "$tool"
+    done
+    expectUsage "-q and -v exclude each other" pointrt-bake scan.xyz -o out/a.pro -q -v
+    expectUsage "out/a.las: --export writes PLY, so its name must end in .ply" pointrt-info scan.pro --export out/a.las
+}
+
+case_the_last_of_a_repeated_option_counts() {
+    bakeSphere
+    expectDone pointrt-bake -q scan.xyz -o out/a.pro --seed 1 -j 1 -j 2 -o out/b.pro --seed 0
+    cmp out/b.pro scan.pro
+    [ ! -e out/a.pro ] || fail "both outputs were written"
+    expectDone pointrt-info scan.pro --export out/a.ply --export out/b.ply
+    [ ! -e out/a.ply ] || fail "both outputs were written"
+}
+
+case_version_and_short_options() {
+    local tool
+    for tool in $tools; do
+        expectDone "$tool" --version
+        grep -Eqx "$tool [0-9]+\.[0-9]+\.[0-9]+" stdout || fail "$tool does not name itself and its version"
+        expectDone "$tool" --help
+        mv stdout long
+        expectDone "$tool" -h
+        cmp long stdout
+        [ ! -s stderr ] || fail "help on standard error"
+        grep -q -e "  -q,--quiet  " stdout || fail "$tool has no -q"
+    done
+}
+
+case_quiet() {
+    bakeSphere
+    expectDone pointrt-bake -q scan.xyz -o out/a.pro
+    [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-bake -q says something"
+    expectDone pointrt-view -q scan.pro --size 8x8 --spp 1 -o out/a.png
+    [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-view -q says something"
+    expectDone pointrt-info -q scan.pro --verify
+    [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-info -q says something of a good file"
+    expectDone pointrt-info -q scan.pro --export out/a.ply
+    [ ! -s stdout ] && [ ! -s stderr ] || fail "pointrt-info -q says something"
+    expectDone pointrt-info -q scan.pro
+    [ -s stdout ] || fail "-q keeps back what was asked for"
+}
+
+# Each example of --help does what it says, but for those that open a window or need a program that is not here.
+case_examples_of_help() {
+    local tool example count
+    bakeSphere
+    rm scan.pro
+    scanPly >scan.ply
+    cp scan.ply a.ply
+    { printf '# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3000\nHEIGHT 1\n' &&
+        printf 'VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3000\nDATA ascii\n' && sphere 3000 | awk '{ print $1 + 3, $2, $3 }'; } >b.pcd
+    printf 'v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n' >mesh.obj
+    gzip -k scan.xyz
+    printf '[[instance]]\nfile = "scan.pro"\n[[view]]\nname = "top"\neye = [0, 5, 0]\nup = [0, 0, -1]\n' >scene.toml
+    for tool in $tools; do
+        expectDone "$tool" --help
+        sed -n '/^Examples:$/,/^$/s/^  //p' stdout | sed 's/   .*//' >"$tool.examples"
+        count=$(wc -l <"$tool.examples")
+        [ "$count" -ge 2 ] && [ "$count" -le 4 ] || fail "$tool has $count examples"
+        while read -r example; do
+            case $example in
+            "pointrt-view scan.pro") continue ;;
+            *jq*) command -v jq >/dev/null || example=${example%%|*} ;;
+            esac
+            example=${example/--time-limit 60 --size 1920x1080/--time-limit 1 --size 64x36}
+            expectDone bash -o pipefail -c "${example/1000000/10000}"
+        done <"$tool.examples"
+    done
+    for example in scan.png all.pro mesh.pro top.png splats.ply; do
+        [ -s "$example" ] || fail "no example wrote $example"
+    done
+}
+
+case_help_says_what_is_overwritten() {
+    local tool
+    for tool in $tools; do
+        expectDone "$tool" --help
+        tr -s ' \n' ' ' <stdout >"$tool.help"
+    done
+    grep -q "one that is there is kept without -f" pointrt-bake.help || fail "pointrt-bake does not say it"
+    grep -q "replacing what is there" pointrt-view.help || fail "pointrt-view does not say it"
+    grep -q "one that is there is kept without -f" pointrt-info.help || fail "pointrt-info does not say it"
+}
+
+case_a_scan_is_no_scene() {
+    scanPly >scan.ply
+    sphere 3000 >scan.xyz
+    expectError 1 "scan.ply: not a .pro file but PLY; bake it first(, as the window does of itself)?: pointrt-bake scan.ply -o scan.pro\$" \
+        pointrt-view scan.ply -o out/a.png
+    expectError 1 "scan.xyz: not a .pro file but points as text; .*: pointrt-bake scan.xyz -o scan.pro\$" \
+        pointrt-view scan.xyz --bench 1
+    expectError 1 "scan.ply: not a .pro file but PLY; bake it first: pointrt-bake scan.ply -o scan.pro\$" pointrt-info scan.ply
+    expectError 1 "out: is a folder, not a .pro file\$" pointrt-info out
+    expectError 1 "out: is a folder, not a .pro file\$" pointrt-view out -o out/a.png
+    printf '[[instance]]\nfile = "scan.ply"\n' >scene.toml
+    expectError 1 "scan.ply: not a .pro file but PLY" pointrt-view scene.toml -o out/a.png
+    expectError 1 "scene.toml: not a .pro file but a scene file, which pointrt-view takes" pointrt-info scene.toml
+    expectUsage "-: a .pro is mapped where it lies, so it must be a file" pointrt-info -
+}
+
+case_a_window_bakes_the_scan_that_it_is_given() {
+    sphere 3000 >scan.xyz
+    printf 'pointrt-recording 1 window 64x64 scale 1\n0 wait 1\n1 screenshot shown\n2 quit\n' >user.txt
+    expectDone pointrt-view scan.xyz --replay user.txt --offscreen
+    [ -s scan.pro ] || fail "the scan was not baked beside itself"
+    [ -s shown.png ] || fail "no screenshot"
+    echo nonsense >letter.xyz
+    expectError 1 "letter.xyz(:[0-9]+)?: " pointrt-view letter.xyz --replay user.txt --offscreen
+    expectError 1 "missing.ply: No such file" pointrt-view missing.ply --replay user.txt --offscreen
+}
+
+case_nothing_lands_on_an_input() {
+    bakeSphere
+    cp scan.pro before.pro
+    ln -s scan.pro link.pro
+    printf '[[instance]]\nfile = "scan.pro"\n' >scene.toml
+    cp scene.toml before.toml
+    expectUsage "scan.pro: --stats would overwrite what the scene is read from" \
+        pointrt-view scan.pro -o out/a.png --stats scan.pro
+    expectUsage "link.pro: --stats would overwrite what the scene is read from" \
+        pointrt-view scan.pro -o out/a.png --stats link.pro
+    expectUsage "scan.pro: --stats would overwrite .*" pointrt-view scene.toml -o out/a.png --stats scan.pro
+    expectUsage "scene.toml: --stats would overwrite .*" pointrt-view scene.toml --bench 1 --stats scene.toml
+    expectUsage "out/a.png: -o and --stats are the same file" pointrt-view scan.pro -o out/a.png --stats out/a.png
+    expectUsage "scan.pro: --record would overwrite .*" pointrt-view scan.pro --record scan.pro
+    expectUsage "scan.pro: is the input" pointrt-info scan.pro --export scan.pro -f
+    expectUsage "scan.xyz: --stats would overwrite an input" pointrt-bake scan.xyz -o out/a.pro --stats scan.xyz
+    expectUsage "out/a.pro: --stats and --output are the same file" pointrt-bake scan.xyz -o out/a.pro --stats out/a.pro
+    cmp scan.pro before.pro
+    cmp scene.toml before.toml
+}
+
+case_standard_output() {
+    bakeSphere
+    expectDone pointrt-info scan.pro --export out/a.ply
+    expectDone pointrt-info scan.pro --export -
+    cmp stdout out/a.ply || fail "not the splats"
+    [ ! -e - ] || fail "a file called -"
+    expectUsage "-o -: a .pro is mapped where it lies, so it must be a file: -o FILE.pro" pointrt-bake scan.xyz -o -
+    if onTerminal "pointrt-info scan.pro --export -"; then fail "splats on a terminal"; fi
+    grep -q "standard output is a terminal; let a file or a pipe take the splats (see --help)" screen || fail "it does not say why"
+}
+
+# On a terminal one line is redrawn, with a share that runs over all stages once, and wiped at the end.
+case_progress_of_a_bake_on_a_terminal() {
+    sphere 300000 >scan.xyz
+    onTerminal "pointrt-bake scan.xyz -o out/a.pro -j 1"
+    tr '\r' '\n' <screen | sed 's/\x1b\[K//' | grep '^baking' >drawn || fail "nothing was drawn"
+    grep -Evx 'baking +[0-9]+%(, [0-9]+ (s|min [0-9]+ s) left)?: [a-z]+ [0-9]+%(, [0-9]+ points/s)?' drawn && fail "not as it should be"
+    sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | sort -nc || fail "the share goes back"
+    [ "$(sed 's/^baking *\([0-9]*\)%.*/\1/' drawn | tail -n 1)" -ge 80 ] || fail "the share does not run over all stages"
+    [ "$(sed 's/.*: \([a-z]*\) .*/\1/' drawn | uniq | wc -l)" -ge 3 ] || fail "not the stages"
+    grep -q ' left' drawn || fail "no time left"
+    ! head -n 1 drawn | grep -q ' left' || fail "a time that is left is told at the beginning"
+    tail -n 2 screen | grep -q $'\r\033\\[Kout/a.pro: 300000 points' || fail "the line is not wiped for the summary"
+}
+
+runCase "$@"
