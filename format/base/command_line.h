@@ -78,10 +78,11 @@ inline void refuseSlips(const CLI::App& app, int argc, const char* const* argv) 
 /// The first thing that no option asked for, "" where there is none. Options come first: what follows one that is
 /// unknown is mostly its value.
 inline std::string unexpected(const CLI::App& app, OutputSuffixes outputs) {
-    const std::vector<std::string> extras = app.remaining();
+    std::vector<std::string> extras = app.remaining();
+    std::erase(extras, "--");
     const auto isOption = [](const std::string& extra) { return extra.size() > 1 && extra.front() == '-'; };
     const auto option = std::find_if(extras.begin(), extras.end(), isOption);
-    if (option != extras.end() && *option != "--") return unknownOption(app, *option);
+    if (option != extras.end()) return unknownOption(app, *option);
     if (extras.empty()) return {};
     const std::string& extra = extras.front();
     for (const auto& [suffix, name] : outputs)

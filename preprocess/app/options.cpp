@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "format/base/command_line.h"
@@ -69,6 +70,11 @@ CLI::Validator range(Value least, Value most) {
     return CLI::Range(least, most).description("");
 }
 
+/// CLI11 takes -1 for 2^64 - 1.
+CLI::Validator notNegative() {
+    return {[](const std::string& text) { return text.starts_with('-') ? text + " is below 0" : std::string(); }, ""};
+}
+
 void addInputFormat(CLI::App& app, std::string& format) {
     std::vector<std::string> names;
     for (const InputFormat& each : inputFormats()) names.emplace_back(each.name);
@@ -99,6 +105,7 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
         ->check(range(std::uint64_t{1}, std::uint64_t{2000000000}))
         ->type_name("N");
     app.add_option("--seed", options.read.seed, "Of sampling and probe rays (default 0, 0 to 2^64 - 1)")
+        ->check(notNegative())
         ->type_name("N");
 }
 
@@ -160,13 +167,14 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
 void checkOutputName(const BakeOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     const std::string suffix = ".pro", &output = options.output;
+    const std::filesystem::path path(output);
     if (output.empty()) {
         const bool forgotten = options.inputs.size() > 1 && options.inputs.back().ends_with(suffix);
         usage("no output is given: -o FILE.pro" +
               (forgotten ? ", did you mean -o " + options.inputs.back() + "?" : ""));
     }
     if (output == "-") usage("-o -: a .pro is mapped where it lies, so it must be a file: -o FILE.pro");
-    if (output.size() <= suffix.size() || !output.ends_with(suffix))
+    if (path.extension() != suffix) // which a hidden file called .pro has not
         usage(output + ": the output's name must end in .pro");
 }
 

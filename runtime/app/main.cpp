@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // pointrt-view: options -> device -> scene -> frames -> picture.
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "format/base/process.h"
@@ -54,6 +56,9 @@ void render(const Options& options) {
 void showWindow(const Options& options) {
     requireOutputsApart(options, {});
     if (!options.stats.empty()) requireReportWritable(options.stats);
+    std::error_code failure;
+    if (std::filesystem::status(options.scene, failure).type() == std::filesystem::file_type::not_found)
+        throw Error{ExitCode::kBadInput, options.scene + ": No such file or directory"};
 #ifdef POINTRT_HAS_WINDOW
     runWindow(options);
 #else
