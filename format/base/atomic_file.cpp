@@ -162,6 +162,10 @@ bool AtomicFile::openNamed() {
         temporary_ = temporaryStem(path_) + randomLetters();
         descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
         if (descriptor_ < 0 && errno == EEXIST) continue;
+        if (descriptor_ < 0 && errno == ENOENT && access(folder_.c_str(), F_OK) == 0) { // as in /proc
+            error_ = "no file can be made in " + folder_;
+            return false;
+        }
         if (descriptor_ < 0) return fail(errno);
         flock(descriptor_, LOCK_EX | LOCK_NB); // where there are no locks nothing is taken for stale either
         struct stat status;

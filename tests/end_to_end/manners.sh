@@ -196,6 +196,19 @@ case_nothing_lands_on_an_input() {
     cmp scene.toml before.toml
 }
 
+# Found out before the work: what there is none of to bake would end with exit status 1.
+case_places_that_cannot_be_written() {
+    bakeSphere
+    expectError 4 "/proc/x.pro: no file can be made in /proc\$" pointrt-bake missing.ply -o /proc/x.pro
+    expectError 4 "/proc/x.png: no file can be made in /proc\$" pointrt-view scan.pro -o /proc/x.png
+    expectError 4 "/proc/x.ply: no file can be made in /proc\$" pointrt-info scan.pro --export /proc/x.ply
+    expectError 4 "/proc/x.json: no file can be made in /proc\$" pointrt-bake missing.ply -o out/a.pro --stats /proc/x.json
+    expectError 4 "/sys/x.pro: .*" pointrt-bake missing.ply -o /sys/x.pro
+    expectError 4 "out: it is a folder" pointrt-bake missing.ply -o out/a.pro --stats out
+    expectError 4 "out/none/x.json: the folder does not exist" \
+        pointrt-bake missing.ply -o out/a.pro --stats out/none/x.json
+}
+
 case_standard_output() {
     bakeSphere
     expectDone pointrt-info scan.pro --export out/a.ply
