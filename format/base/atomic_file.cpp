@@ -198,6 +198,19 @@ void AtomicFile::takeOver() {
     fchmod(descriptor_, before.st_mode & kPermissions);
 }
 
+bool AtomicFile::overwrite(std::uint64_t offset, const void* data, std::size_t bytes) {
+    const char* next = static_cast<const char*>(data);
+    while (bytes > 0) {
+        const ssize_t written = ::pwrite(descriptor_, next, std::min(bytes, kWriteAtOnce), static_cast<off_t>(offset));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return fail(errno);
+        next += written;
+        offset += static_cast<std::uint64_t>(written);
+        bytes -= static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
 bool AtomicFile::nameUnnamed() {
     const std::string unnamed = descriptorPath(descriptor_);
     temporary_ = temporaryStem(path_) + randomLetters();

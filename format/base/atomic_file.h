@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace pointrt::format {
@@ -28,6 +29,8 @@ public:
     /// destructor may follow.
     bool open(const std::string& path, Existing existing = Existing::kReplaced);
     bool write(const void* data, std::size_t bytes);
+    /// In place of bytes that were written before.
+    bool overwrite(std::uint64_t offset, const void* data, std::size_t bytes);
     bool commit(); ///< syncs, gives the file its name, syncs the folder
 
     const std::string& error() const { return error_; }

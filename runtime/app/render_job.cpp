@@ -3,18 +3,17 @@
 
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "runtime/film/denoiser.h"
+#include "runtime/app/picture_memory.h"
+#include "runtime/app/png_picture.h"
 #include "runtime/film/film_file.h"
 #include "runtime/film/film_resume.h"
 #include "runtime/film/film_signature.h"
-#include "runtime/image/image_png.h"
-#include "runtime/image/tonemap.h"
+#include "runtime/film/picture_filter.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/settings.h"
@@ -25,7 +24,6 @@ namespace pointrt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using ShowProgress = std::function<void(const FrameState&, double share)>;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -42,37 +40,44 @@ RenderPlan planOf(const RenderSession& session) {
     return {settings, session.camera, tilingFor(session.device, settings.width, settings.height)};
 }
 
-/// Renders one frame, from start on if there is one.
-FrameState renderTimed(RenderSession& session, const Options& options, const Film* start, const ShowProgress& show,
-                       Report& report) {
+/// A frame of options. A picture that cannot be gone on with gets what it gets band by band, and the same samples
+/// whether it could be interrupted or not.
+FrameJob jobOf(const RenderSession& session, const Options& options) {
     FrameJob job;
     job.samples = session.settings.spp;
     job.limits = options.limits;
-    job.progress = show;
-    if (options.output.ends_with(".exr") || options.turntable != 0) job.interrupted = interrupted;
+    job.band_by_band = writesPng(options) && options.turntable == 0;
+    if (!options.output.empty()) job.interrupted = interrupted;
+    return job;
+}
+
+/// Renders one frame, from start on if there is one.
+FrameState renderTimed(RenderSession& session, const FrameJob& job, std::optional<Film> start, Report& report) {
     const Clock::time_point begin = Clock::now();
-    session.renderer->begin(planOf(session), job, start);
+    session.renderer->begin(planOf(session), job, std::move(start));
     const FrameState state = session.renderer->run();
     report.frame_ms.push_back(millisecondsSince(begin));
     report.rays = session.renderer->takeRays();
     return state;
 }
 
-FrameState renderShown(RenderSession& session, const Options& options, const Film* start, Report& report) {
+FrameState renderShown(RenderSession& session, const Options& options, FrameJob job, std::optional<Film> start,
+                       Report& report) {
     RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
-    const ShowProgress show = [&](const FrameState& state, double share) { progress.update(share, detailOf(state)); };
-    const FrameState state = renderTimed(session, options, start, show, report);
+    job.progress = [&](const FrameState& state, double share) { progress.update(share, detailOf(state)); };
+    const FrameState state = renderTimed(session, job, std::move(start), report);
     progress.finish();
     return state;
 }
 
 /// The first frame is the warm-up of a benchmark, and all there is otherwise.
-FrameState renderFrames(RenderSession& session, const Options& options, const Film* start, Report& report) {
-    FrameState state = renderShown(session, options, start, report);
+FrameState renderFrames(RenderSession& session, const Options& options, std::optional<Film> start, Report& report) {
+    const FrameJob job = jobOf(session, options);
+    FrameState state = renderShown(session, options, job, std::move(start), report);
     report.first_frame_seconds = secondsSinceStart();
     if (options.bench_frames != 0) report.frame_ms.clear();
     for (std::uint32_t frame = 0; frame < options.bench_frames && !interrupted(); ++frame)
-        state = renderShown(session, options, nullptr, report);
+        state = renderShown(session, options, job, {}, report);
     return state;
 }
 
@@ -87,23 +92,92 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     return film;
 }
 
-void writeImage(const RenderSession& session, const std::string& path, const std::string& signature, Film film) {
-    if (path.ends_with(".png")) return writePng(path, tonemapFilm(film, session.settings.exposure));
+PngPlan pngPlan(const RenderSession& session, const std::string& path) {
+    const RenderSettings& settings = session.settings;
+    return {path, {settings.width, settings.height}, settings.exposure, {}};
+}
+
+void writeImage(RenderSession& session, const std::string& path, const std::string& signature, Film film) {
+    if (path.ends_with(".png")) {
+        PngPicture picture(session.device, pngPlan(session, path));
+        picture.addRows(film, 0, film.height);
+        return picture.finish();
+    }
     const std::uint32_t samples = mostSamples(film);
     writeSavedFilm(path, {std::move(film), samples, session.settings.seed, signature});
 }
 
+/// "; N of M rows have none and are black" of rows without samples.
+std::string emptyRows(const RenderSession& session, const FrameState& state) {
+    if (state.empty_rows == 0) return "";
+    return "; " + std::to_string(state.empty_rows) + " of " + std::to_string(session.settings.height) +
+           " rows have none and are black";
+}
+
+const char* goingOn(const std::string& path) { return path.ends_with(".exr") ? "; --resume goes on" : ""; }
+
+/// A time limit may leave rows without any sample.
+void tellEmptyRows(const std::string& path, const RenderSession& session, const FrameState& state) {
+    if (state.empty_rows == 0) return;
+    std::fprintf(stderr, "pointrt-view: %s: the time was up within the first sample%s\n", path.c_str(),
+                 emptyRows(session, state).c_str());
+}
+
+void tellInterrupt(const std::string& path, const RenderSession& session, const FrameState& state) {
+    if (state.traced == 0)
+        std::fprintf(stderr, "pointrt-view: %s: interrupted before there was anything to write\n", path.c_str());
+    else
+        std::fprintf(stderr, "pointrt-view: %s: interrupted at %u of %u samples%s%s\n", path.c_str(), state.samples,
+                     session.settings.spp, emptyRows(session, state).c_str(), goingOn(path));
+}
+
 /// What is not in the picture, for people.
 void tellEnd(const Options& options, const RenderSession& session, const FrameState& state, const Report& report) {
-    const char* path = options.output.c_str();
+    const std::string& path = options.output;
     if (interrupted())
-        std::fprintf(stderr, "pointrt-view: %s: interrupted at %u of %u samples; --resume goes on\n", path,
-                     state.samples, session.settings.spp);
+        tellInterrupt(path, session, state);
     else if (state.traced == 0 && !options.quiet)
-        std::fprintf(stderr, "pointrt-view: %s: nothing to do, it has %u samples\n", path, state.samples);
+        std::fprintf(stderr, "pointrt-view: %s: nothing to do, it has %u samples\n", path.c_str(), state.samples);
+    else
+        tellEmptyRows(path, session, state);
     if (options.verbose && state.traced > 0)
         std::fprintf(stderr, "%u samples, noise %.4f; denoised in %.0f ms; wrote %s\n", report.samples, report.noise,
-                     report.denoise_ms, path);
+                     report.denoise_ms, path.c_str());
+}
+
+/// With the filter where that is wanted of a picture that gets all its samples.
+PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
+    const RenderSettings& settings = session.settings;
+    PngPlan plan = pngPlan(session, options.output);
+    if (wantsDenoising(options, settings, session.loaded->scene.description, settings.spp))
+        plan.filter = {plan.size, settings.spp > 1, true, filterTileFor(plan.size)};
+    return plan;
+}
+
+/// Writes the picture while it is rendered. What that takes does not count as rendering.
+void renderInRows(RenderSession& session, const Options& options, Report& report) {
+    const Clock::time_point start = Clock::now();
+    PngPicture picture(session.device, pngPlanFiltered(session, options));
+    NoiseMeter noise(reportsNoise(options) && session.settings.spp > 1
+                         ? std::size_t{session.settings.width} * session.settings.height
+                         : 0);
+    const double made_ms = millisecondsSince(start);
+    double taken_ms = 0;
+    FrameJob job = jobOf(session, options);
+    job.take_rows = [&](const Film& rows) {
+        const Clock::time_point taken = Clock::now();
+        if (reportsNoise(options)) noise.addRows(rows);
+        picture.addRows(rows, 0, rows.height);
+        taken_ms += millisecondsSince(taken);
+    };
+    const FrameState state = renderShown(session, options, job, {}, report);
+    report.first_frame_seconds = secondsSinceStart() - 1e-3 * (made_ms + taken_ms);
+    report.frame_ms.back() -= taken_ms;
+    if (state.traced > 0) picture.finish();
+    report.samples = state.samples;
+    report.noise = noise.noise();
+    report.denoise_ms = picture.filterMilliseconds();
+    tellEnd(options, session, state, report);
 }
 
 std::string signatureFor(const RenderSession& session, const std::string& path) {
@@ -115,33 +189,36 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
                 Report& report) {
     const std::string path = frameName(options.output, turn);
     const std::string place = "picture " + std::to_string(turn + 1) + " of " + std::to_string(options.turntable) + ", ";
-    const ShowProgress show = [&](const FrameState& state, double share) {
+    FrameJob job = jobOf(session, options);
+    job.progress = [&](const FrameState& state, double share) {
         progress.update((turn + share) / options.turntable, place + detailOf(state));
     };
-    const FrameState state = renderTimed(session, options, nullptr, show, report);
+    const FrameState state = renderTimed(session, job, {}, report);
     if (turn == 0) report.first_frame_seconds = secondsSinceStart();
+    if (interrupted()) return false;
     Film film = finishFilm(session, session.renderer->takeFilm(), options, state, report);
     if (interrupted()) return false;
     writeImage(session, path, signatureFor(session, path), std::move(film));
+    tellEmptyRows(path, session, state);
     return true;
 }
 
 } // namespace
 
 void renderPicture(RenderSession& session, const Options& options, Report& report) {
-    std::optional<Film> start;
+    requirePictureMemory(session, options);
+    if (!options.output.empty()) noteInterrupts();
+    if (writesAsItRenders(options)) return renderInRows(session, options, report);
     const std::string signature = signatureFor(session, options.output);
-    if (options.output.ends_with(".exr")) {
-        if (options.resume) start = filmToResume(options.output, signature, session.settings);
-        noteInterrupts();
-    }
-    const FrameState state = renderFrames(session, options, start ? &*start : nullptr, report);
+    std::optional<Film> start;
+    if (options.resume) start = filmToResume(options.output, signature, session.settings);
+    const bool filtered_anew = start && session.settings.denoise == DenoiseChoice::kOn;
+    const FrameState state = renderFrames(session, options, std::move(start), report);
     Film film = session.renderer->takeFilm();
     dropRenderer(session);
     film = finishFilm(session, std::move(film), options, state, report);
     if (options.output.empty()) return;
-    if (state.traced > 0 || (start && session.settings.denoise == DenoiseChoice::kOn))
-        writeImage(session, options.output, signature, std::move(film));
+    if (state.traced > 0 || filtered_anew) writeImage(session, options.output, signature, std::move(film));
     tellEnd(options, session, state, report);
 }
 
@@ -151,6 +228,7 @@ void renderTurntable(RenderSession& session, const Options& options, Report& rep
     const TurntableAxis axis{session.settings.camera.target.value_or(center),
                              sceneUp(scene.description, session.settings)};
     const Camera first = session.camera;
+    requirePictureMemory(session, options);
     noteInterrupts();
     RenderProgress progress(options.quiet, options.verbose, options.progress_lines);
     std::uint32_t turn = 0;

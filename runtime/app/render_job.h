@@ -8,8 +8,9 @@
 
 namespace pointrt {
 
-/// Renders options.output, over and over for a benchmark, and fills report. Interrupted, an EXR gets the samples there
-/// are; a second interrupt ends at once. Throws Error kCannotWrite "PATH: reason", and as filmToResume does.
+/// Renders options.output, over and over for a benchmark, and fills report. Interrupted, the file gets the samples
+/// there are; a second interrupt ends at once. Throws Error kCannotWrite "PATH: reason", kCannotRun where there is not
+/// the memory for it, and as filmToResume does.
 void renderPicture(RenderSession& session, const Options& options, Report& report);
 
 /// Renders the options.turntable pictures of options.output, the first from session.camera, which moves. Interrupted,

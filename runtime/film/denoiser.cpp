@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/film/denoiser.h"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "runtime/util/on_error.h"
 #include "shaders/denoise.spv.h"
 #include "shaders/denoise_clean.spv.h"
@@ -20,9 +15,9 @@ constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 constexpr VkFormat kFourFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr VkFormat kTwoFloats = VK_FORMAT_R32G32_SFLOAT;
 constexpr std::uint64_t kPixelBytes = 4 * sizeof(float);
-constexpr std::uint32_t kLevelSteps = 3, kLevels = kDenoiseSteps - kLevelSteps;
+constexpr std::uint32_t kLevels = kDenoiseLevels, kLevelSteps = kDenoiseSteps - kLevels;
 constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // local_size of the shaders
-/// The denoiser does not know the camera: a pixel's angle under the default 40 degrees, 2 tan(20 degrees) / height.
+/// A picture's under the default 40 degrees, 2 tan(20 degrees).
 constexpr float kPictureAngle = 0.728f;
 
 struct Push {
@@ -97,53 +92,15 @@ GroupCount groupsOf(const Denoiser& denoiser) {
     return {(denoiser.width + kGroupWidth - 1) / kGroupWidth, (denoiser.height + kGroupHeight - 1) / kGroupHeight, 1};
 }
 
-void requireSize(const char* name, const std::vector<float>& values, std::size_t expected, bool may_be_empty) {
-    if (values.size() == expected || (may_be_empty && values.empty())) return;
-    throw std::logic_error(std::string("film: ") + name + " has " + std::to_string(values.size()) +
-                           " values instead of " + std::to_string(expected));
-}
-
-void requireSizes(const Film& film, std::size_t pixels) {
-    requireSize("rgba", film.rgba, 4 * pixels, false);
-    requireSize("normal", film.normal, 3 * pixels, true);
-    requireSize("depth", film.depth, pixels, true);
-    requireSize("albedo", film.albedo, 3 * pixels, true);
-    requireSize("variance", film.variance, pixels, true);
-    requireSize("samples", film.samples, pixels, true);
-}
-
-/// xyz and w a pixel; what is empty becomes missing.
-std::vector<float> interleave(const std::vector<float>& xyz, float missing_xyz, const std::vector<float>& w,
-                              std::size_t pixels) {
-    std::vector<float> texels(4 * pixels, missing_xyz);
-    if (!xyz.empty())
-        for (std::size_t i = 0; i < 3 * pixels; ++i) texels[i / 3 * 4 + i % 3] = xyz[i];
-    for (std::size_t i = 0; i < pixels; ++i) texels[4 * i + 3] = w.empty() ? 0.0f : w[i];
-    return texels;
-}
-
-bool hasVariance(const Film& film) {
-    return !film.variance.empty() &&
-           std::all_of(film.samples.begin(), film.samples.end(), [](float samples) { return samples >= 2; });
-}
-
-std::vector<float> filter(Device& device, std::uint32_t width, std::uint32_t height, const DenoiseInputs& inputs) {
-    Denoiser denoiser = createDenoiser(device, width, height, inputs);
-    const VkCommandBuffer commands = beginCommands(device);
-    recordDenoise(commands, denoiser);
-    submitAndWait(device, commands);
-    std::vector<float> filtered(denoiser.result.bytes / sizeof(float));
-    downloadBuffer(device, denoiser.result, filtered.data(), denoiser.result.bytes);
-    destroyDenoiser(device, denoiser);
-    return filtered;
-}
-
 } // namespace
+
+float denoisedPixelAngle(std::uint32_t height) { return kPictureAngle / static_cast<float>(height); }
 
 Denoiser createDenoiser(Device& device, std::uint32_t width, std::uint32_t height, const DenoiseInputs& inputs) {
     Denoiser denoiser;
     denoiser.width = width;
     denoiser.height = height;
+    denoiser.pixel_angle = denoisedPixelAngle(height);
     const OnError undo([&] { destroyDenoiser(device, denoiser); });
     createBuffers(device, denoiser);
     createPrograms(device, denoiser, inputs.has_variance);
@@ -164,7 +121,7 @@ void destroyDenoiser(Device& device, Denoiser& denoiser) {
 void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& d, std::uint32_t step) {
     const auto width = static_cast<std::int32_t>(d.width), height = static_cast<std::int32_t>(d.height);
     const SizePush size{{width, height, 0, 0}};
-    Push push{{width, height, 0, 0}, {kPictureAngle / static_cast<float>(height), 0, 0, 0}};
+    Push push{{width, height, 0, 0}, {d.pixel_angle, 0, 0, 0}};
     if (step == 0) recordDispatch(commands, d.prepare, d.prepare_set, pushBytes(size), groupsOf(d));
     if (step == 1) recordDispatch(commands, d.clean, d.clean_set, pushBytes(size), groupsOf(d));
     if (step == 2) recordDispatch(commands, d.variance, d.variance_set, pushBytes(push), groupsOf(d));
@@ -180,32 +137,6 @@ void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& d, std::uint32_
 
 void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser) {
     for (std::uint32_t step = 0; step < kDenoiseSteps; ++step) recordDenoiseStep(commands, denoiser, step);
-}
-
-void denoiseFilm(Device& device, Film& film) {
-    const std::size_t pixels = std::size_t{film.width} * film.height;
-    requireSizes(film, pixels);
-    if (pixels == 0) return;
-    Buffer color = createTexelRows(device, "picture", film.rgba, kFourFloats);
-    Buffer surface =
-        createTexelRows(device, "normals and depths", interleave(film.normal, 0, film.depth, pixels), kFourFloats);
-    Buffer albedo = createTexelRows(device, "albedo", interleave(film.albedo, 1, film.variance, pixels), kFourFloats);
-    const std::vector<float> filtered =
-        filter(device, film.width, film.height, {&color, &surface, &albedo, hasVariance(film)});
-    for (std::size_t i = 0; i < filtered.size(); ++i)
-        if (i % 4 != 3) film.rgba[i] = filtered[i];
-    for (Buffer* buffer : {&color, &surface, &albedo}) destroyBuffer(device, *buffer);
-}
-
-void denoisePicture(Device& device, Film& film) {
-    std::vector<float> alpha;
-    alpha.reserve(film.rgba.size() / 4);
-    for (std::size_t i = 3; i < film.rgba.size(); i += 4) {
-        alpha.push_back(film.rgba[i]);
-        if (film.rgba[i] == 0) film.rgba[i] = 1;
-    }
-    denoiseFilm(device, film);
-    for (std::size_t i = 0; i < alpha.size(); ++i) film.rgba[4 * i + 3] = alpha[i];
 }
 
 } // namespace pointrt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The preview denoiser: an edge-avoiding filter guided by normal, depth, albedo and variance. It guesses: pictures to
-// be measured are taken without it.
+// be measured are taken without it. Here it runs on what is on the device; picture_filter.h is for films of the host.
 #pragma once
 
 #include <array>
@@ -9,7 +9,6 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
-#include "runtime/image/film.h"
 
 namespace pointrt {
 
@@ -23,7 +22,8 @@ struct DenoiseInputs {
 
 /// Everything to filter pictures of one size in one place, again and again. Free it with destroyDenoiser.
 struct Denoiser {
-    std::uint32_t width = 0, height = 0; ///< pixels
+    std::uint32_t width = 0, height = 0; ///< pixels; they may be set to less than it was made for, in all
+    float pixel_angle = 0;               ///< radians
     Program prepare, clean, variance, level, last_level;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     VkDescriptorSet prepare_set{}, clean_set{}, variance_set{}, last_set{};
@@ -53,17 +53,14 @@ void destroyDenoiser(Device& device, Denoiser& denoiser);
 void recordDenoise(VkCommandBuffer commands, const Denoiser& denoiser);
 
 /// The same in steps 0 to kDenoiseSteps - 1 of about the same length, for those who have not got the time at once.
-constexpr std::uint32_t kDenoiseSteps = 8;
+constexpr std::uint32_t kDenoiseLevels = 5, kDenoiseSteps = 3 + kDenoiseLevels;
 void recordDenoiseStep(VkCommandBuffer commands, const Denoiser& denoiser, std::uint32_t step);
 
-/// Filters film.rgba's colours on device; alpha and all else stay. Guides are film.normal, depth, albedo and variance;
-/// those that are empty are not used. The variance counts only where film.samples, unless empty, has 2 or more
-/// everywhere; without it the spread of similar pixels around stands in, which takes sharp shadows' edges for noise.
-/// A film without pixels stays as it is. Throws std::logic_error when an array has the wrong size, Error kCannotRun
-/// when the device cannot.
-void denoiseFilm(Device& device, Film& film);
+/// Pixels that are further away than this, in either direction, are not asked: 1 where single pixels are mended, 3
+/// where the variance is estimated (denoise_variance.comp.glsl), and the levels' taps.
+constexpr std::uint32_t kDenoiseReach = 1 + 3 + ((1u << kDenoiseLevels) - 1);
 
-/// The same, with what the scene does not cover taken for covered: a backdrop has shadows as noisy as any.
-void denoisePicture(Device& device, Film& film);
+/// What a pixel of a picture so many pixels high is taken to measure: the denoiser does not know the camera.
+float denoisedPixelAngle(std::uint32_t height);
 
 } // namespace pointrt

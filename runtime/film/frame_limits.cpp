@@ -37,13 +37,22 @@ std::uint32_t nextTimeLook(const FrameLimits& limits, const FrameState& now) {
     return now.samples + static_cast<std::uint32_t>(std::clamp<double>(fit, 0, now.samples));
 }
 
-double meanLuminance(const Film& film) {
-    double sum = 0;
-    for (std::size_t i = 0; i < film.variance.size(); ++i) {
-        const double light = luminanceOf(film.rgba.data() + 4 * i);
-        if (std::isfinite(light)) sum += light;
+/// lightOf(i), varianceOf(i): of each of so many pixels, which have 2 samples or more.
+template <typename LightOf, typename VarianceOf>
+double noiseOf(std::size_t pixels, const LightOf& lightOf, const VarianceOf& varianceOf) {
+    double total = 0, sum = 0;
+    for (std::size_t i = 0; i < pixels; ++i)
+        if (const double light = lightOf(i); std::isfinite(light)) total += light;
+    const double floor = kDarkest * (total / static_cast<double>(pixels));
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const double light = lightOf(i) + floor, variance = varianceOf(i), share = variance / (light * light);
+        if (variance > 0 && std::isfinite(share)) sum += share;
     }
-    return sum / static_cast<double>(film.variance.size());
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(pixels, 1)));
+}
+
+bool hasFewSamples(const Film& film) {
+    return std::any_of(film.samples.begin(), film.samples.end(), [](float samples) { return samples < 2; });
 }
 
 } // namespace
@@ -67,15 +76,28 @@ double shareDone(const FrameLimits& limits, std::uint32_t most, const FrameState
 bool judgesNoise(const FrameState& now) { return now.samples >= kFirstNoise; }
 
 double relativeNoise(const Film& film) {
-    const double floor = kDarkest * meanLuminance(film);
-    double sum = 0;
-    for (std::size_t i = 0; i < film.variance.size(); ++i) {
-        if (film.samples[i] < 2) return std::numeric_limits<double>::infinity();
-        const double light = luminanceOf(film.rgba.data() + 4 * i) + floor;
-        const double share = film.variance[i] / (light * light);
-        if (film.variance[i] > 0 && std::isfinite(share)) sum += share;
-    }
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(film.variance.size(), 1)));
+    if (hasFewSamples(film)) return std::numeric_limits<double>::infinity();
+    return noiseOf(
+        film.variance.size(), [&](std::size_t i) { return luminanceOf(film.rgba.data() + 4 * i); },
+        [&](std::size_t i) { return film.variance[i]; });
+}
+
+NoiseMeter::NoiseMeter(std::size_t pixels) {
+    lights_.reserve(pixels);
+    variances_.reserve(pixels);
+}
+
+void NoiseMeter::addRows(const Film& rows) {
+    unknown_ = unknown_ || hasFewSamples(rows);
+    for (std::size_t i = 0; i < rows.variance.size(); ++i)
+        lights_.push_back(static_cast<float>(luminanceOf(rows.rgba.data() + 4 * i)));
+    variances_.insert(variances_.end(), rows.variance.begin(), rows.variance.end());
+}
+
+double NoiseMeter::noise() const {
+    if (unknown_) return std::numeric_limits<double>::infinity();
+    return noiseOf(
+        lights_.size(), [&](std::size_t i) { return lights_[i]; }, [&](std::size_t i) { return variances_[i]; });
 }
 
 } // namespace pointrt

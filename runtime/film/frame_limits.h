@@ -2,26 +2,33 @@
 // When a frame is good enough, or has taken long enough.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "runtime/image/film.h"
 
 namespace pointrt {
 
-/// What may end a frame before it has all its samples; it has one at least.
+constexpr double kTimeOverrun_s = 1;
+
+/// What may end a frame before it has all its samples.
 struct FrameLimits {
-    std::optional<double> seconds; ///< no sample begins that, going by those before, would end later
-    std::optional<double> noise;   ///< relativeNoise is at or below this
+    /// No sample begins that, going by those before, would end later; one that goes on for kTimeOverrun_s more is
+    /// broken off.
+    std::optional<double> seconds;
+    std::optional<double> noise; ///< relativeNoise is at or below this
 };
 
 /// How far a frame is.
 struct FrameState {
-    std::uint32_t samples = 0;   ///< the fewest of any pixel
-    double seconds = 0;          ///< since this run of it began
-    double mean = 0;             ///< samples a pixel, the mean over pixels ...
-    double traced = 0;           ///< ... and what this run has added to it
-    std::optional<double> noise; ///< at the last look, which was at noise_samples
+    std::uint32_t samples = 0;    ///< the fewest of any pixel
+    double seconds = 0;           ///< since this run of it began
+    double mean = 0;              ///< samples a pixel, the mean over pixels ...
+    double traced = 0;            ///< ... and what this run has added to it
+    std::uint32_t empty_rows = 0; ///< that have none
+    std::optional<double> noise;  ///< at the last look, which was at noise_samples
     std::uint32_t noise_samples = 0;
 };
 
@@ -43,5 +50,20 @@ bool judgesNoise(const FrameState& now);
 /// counts for more than 1, so a few fireflies do not rule it; samples are taken as independent, and since they are
 /// spread more evenly than that, it is rather too high. Infinite where a pixel has fewer than 2 samples.
 double relativeNoise(const Film& film);
+
+constexpr std::uint64_t kNoiseBytes = 2 * sizeof(float);
+
+/// relativeNoise of a picture of so many pixels whose rows come one after the other. It keeps kNoiseBytes of each.
+class NoiseMeter {
+public:
+    explicit NoiseMeter(std::size_t pixels);
+    void addRows(const Film& rows);
+    /// Of all rows there were.
+    double noise() const;
+
+private:
+    std::vector<float> lights_, variances_;
+    bool unknown_ = false;
+};
 
 } // namespace pointrt

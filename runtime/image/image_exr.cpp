@@ -140,20 +140,24 @@ std::vector<ExrChannel> sorted(std::span<const ExrChannel> channels) {
 void writeExr(const std::string& path, ExrSize size, std::span<const ExrChannel> unsorted,
               std::span<const ExrText> texts) {
     const std::vector<ExrChannel> channels = sorted(unsorted);
-    Bytes file = makeHeader(size, channels, texts);
+    OutputFile file(path);
+    const Bytes header = makeHeader(size, channels, texts);
     std::vector<std::uint64_t> offsets((size.height + kRowsPerBlock - 1) / kRowsPerBlock);
-    const std::size_t table_at = file.size(), table_bytes = offsets.size() * sizeof offsets[0];
-    file.resize(table_at + table_bytes);
+    const std::span table(reinterpret_cast<const std::uint8_t*>(offsets.data()), offsets.size() * sizeof offsets[0]);
+    file.append(header);
+    file.append(table); // of blanks: where blocks begin is known when they are written
+    std::uint64_t end = header.size() + table.size();
     for (std::uint32_t block = 0; block < offsets.size(); ++block) {
         const std::uint32_t first = block * kRowsPerBlock, count = std::min(kRowsPerBlock, size.height - first);
         const Bytes packed = compressBlock(gatherRows(size, channels, first, count));
-        offsets[block] = file.size();
-        append(file, first);
-        append(file, static_cast<std::uint32_t>(packed.size()));
-        file.insert(file.end(), packed.begin(), packed.end());
+        const Bytes head = pack(first, static_cast<std::uint32_t>(packed.size()));
+        offsets[block] = end;
+        file.append(head);
+        file.append(packed);
+        end += head.size() + packed.size();
     }
-    std::memcpy(file.data() + table_at, offsets.data(), table_bytes);
-    writeFile(path, file);
+    file.overwrite(header.size(), table);
+    file.commit();
 }
 
 void writeExr(const std::string& path, const Film& film, std::span<const ExrText> texts) {

@@ -11,29 +11,51 @@
 #include "runtime/util/output_file.h"
 
 namespace pointrt {
+
+struct PngWriter::State {
+    explicit State(const std::string& path) : file(path) {}
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() { png_destroy_write_struct(&png, &info); }
+
+    OutputFile file;
+    std::vector<std::uint8_t> gathered; ///< libpng writes in small pieces
+    std::exception_ptr failure;         ///< of the file
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::size_t row_bytes = 0;
+};
+
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+constexpr std::size_t kGatheredBytes = std::size_t{1} << 20; ///< large beside what a call of the kernel costs
 
+template <typename State>
+void writeGathered(State& state) {
+    state.file.append(state.gathered);
+    state.gathered.clear();
+}
+
+template <typename State>
 void appendBytes(png_structp png, png_bytep data, std::size_t count) {
-    auto& bytes = *static_cast<Bytes*>(png_get_io_ptr(png));
-    bool appended = true;
+    auto& state = *static_cast<State*>(png_get_io_ptr(png));
     // No exception may pass through libpng, and no jump may leave a handler.
     try {
-        bytes.insert(bytes.end(), data, data + count);
-    } catch (const std::exception&) {
-        appended = false;
+        state.gathered.insert(state.gathered.end(), data, data + count);
+        if (state.gathered.size() >= kGatheredBytes) writeGathered(state);
+    } catch (...) {
+        state.failure = std::current_exception();
     }
-    if (!appended) png_error(png, "out of memory");
+    if (state.failure) png_error(png, "cannot write");
 }
 
 void flushNothing(png_structp) {}
 void ignoreMessage(png_structp, png_const_charp) {}
 void jumpOut(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 
-void setHeader(png_structp png, png_infop info, const Image8& image) {
-    const int color = image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
-    png_set_IHDR(png, info, image.width, image.height, 8, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+void setHeader(png_structp png, png_infop info, PngSize size) {
+    const int color = size.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+    png_set_IHDR(png, info, size.width, size.height, 8, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
     char keyword[] = "Software", writer[] = "pointrt-view " POINTRT_VERSION;
@@ -44,32 +66,68 @@ void setHeader(png_structp png, png_infop info, const Image8& image) {
     png_set_text(png, info, &text, 1);
 }
 
-/// False when libpng gave up. Nothing here needs a destructor: libpng jumps.
-bool encode(png_structp png, png_infop info, const Image8& image, Bytes* bytes) {
+// False when libpng gave up. Nothing in these needs a destructor: libpng jumps.
+
+bool writeHeader(png_structp png, png_infop info, PngSize size) {
     if (setjmp(png_jmpbuf(png))) return false;
-    png_set_write_fn(png, bytes, appendBytes, flushNothing);
-    setHeader(png, info, image);
+    setHeader(png, info, size);
     png_write_info(png, info);
-    const std::size_t stride = std::size_t{image.width} * image.channels;
-    for (std::uint32_t y = 0; y < image.height; ++y) png_write_row(png, image.pixels.data() + y * stride);
+    return true;
+}
+
+bool writeRows(png_structp png, const std::uint8_t* rows, std::size_t row_bytes, std::size_t count) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    for (std::size_t row = 0; row < count; ++row) png_write_row(png, rows + row * row_bytes);
+    return true;
+}
+
+bool writeEnd(png_structp png, png_infop info) {
+    if (setjmp(png_jmpbuf(png))) return false;
     png_write_end(png, info);
     return true;
 }
 
+/// The arguments are valid: but for the file nothing is left to fail but memory.
+template <typename State>
+void require(bool done, const State& state) {
+    if (done) return;
+    if (state.failure) std::rethrow_exception(state.failure);
+    throw std::bad_alloc();
+}
+
 } // namespace
+
+PngWriter::PngWriter(const std::string& path, PngSize size) : state_(std::make_unique<State>(path)) {
+    State& state = *state_;
+    state.row_bytes = std::size_t{size.width} * size.channels;
+    state.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, ignoreMessage);
+    if (state.png) state.info = png_create_info_struct(state.png);
+    require(state.info != nullptr, state);
+    png_set_write_fn(state.png, &state, appendBytes<State>, flushNothing);
+    require(writeHeader(state.png, state.info, size), state);
+}
+
+PngWriter::~PngWriter() = default;
+
+void PngWriter::addRows(std::span<const std::uint8_t> rows) {
+    State& state = *state_;
+    if (rows.size() % state.row_bytes != 0) throw std::logic_error("PngWriter: no whole rows");
+    require(writeRows(state.png, rows.data(), state.row_bytes, rows.size() / state.row_bytes), state);
+}
+
+void PngWriter::finish() {
+    State& state = *state_;
+    require(writeEnd(state.png, state.info), state);
+    writeGathered(state);
+    state.file.commit();
+}
 
 void writePng(const std::string& path, const Image8& image) {
     if (image.pixels.size() != std::size_t{image.width} * image.height * image.channels)
         throw std::logic_error("writePng: pixel count does not fit the size");
-    Bytes bytes;
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, ignoreMessage);
-    if (!png) throw std::bad_alloc();
-    png_infop info = png_create_info_struct(png);
-    const bool encoded = info && encode(png, info, image, &bytes);
-    png_destroy_write_struct(&png, &info);
-    // The arguments are valid, so that nothing else is left to fail.
-    if (!encoded) throw std::bad_alloc();
-    writeFile(path, bytes);
+    PngWriter writer(path, {image.width, image.height, image.channels});
+    writer.addRows(image.pixels);
+    writer.finish();
 }
 
 } // namespace pointrt

@@ -3,10 +3,34 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace pointrt {
+
+struct PngSize {
+    std::uint32_t width = 0, height = 0;
+    std::uint32_t channels = 4; ///< 3: RGB, 4: RGBA with straight alpha
+};
+
+/// A PNG whose rows come from the top, a few at a time: it keeps none of them. The file appears when it is whole.
+/// Each function throws Error kCannotWrite "PATH: reason".
+class PngWriter {
+public:
+    PngWriter(const std::string& path, PngSize size);
+    ~PngWriter();
+
+    /// The next rows, whole ones, with an sRGB chunk before the first.
+    void addRows(std::span<const std::uint8_t> rows);
+    /// After the last row.
+    void finish();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// An 8-bit sRGB picture: rows from the top, RGB or (with straight alpha) RGBA.
 struct Image8 {

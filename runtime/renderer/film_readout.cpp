@@ -190,18 +190,28 @@ void allocateFilm(const RenderSettings& settings, Film& film) {
 #undef POINTRT_ALLOCATE
 }
 
-void storeLight(Device& device, const FrameBuffers& buffers, Band band, std::uint32_t samples, Film& film) {
-    const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
+std::uint64_t filmBytesPerPixel(const RenderSettings& settings) {
+    std::uint64_t bytes = 0;
+#define POINTRT_BYTES(array, Value, channels, group, nothing, source, view)                                            \
+    if (has(FilmGroup::group, settings)) bytes += film_values::array * sizeof(Value);
+    FILM_PARTS(POINTRT_BYTES)
+#undef POINTRT_BYTES
+    return bytes;
+}
+
+void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& rows, std::uint32_t samples, Film& film) {
+    const std::size_t width = film.width, stride = width * rows.band.rows, pixels = width * rows.rows;
+    const std::size_t from = width * rows.first, to = width * (rows.band.first_row + rows.first - rows.film_origin);
     std::vector<gpu::vec4> copy;
-    const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * pixels, copy);
+    const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * stride, copy) + from;
     const auto store = [&](std::size_t i) {
         PixelLight pixel{{}, {}, samples, 1.0f / static_cast<float>(samples)};
-        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * pixels + i];
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * stride + i];
         const gpu::vec4 &direct = pixel.layers[LAYER_DIRECT], &indirect = pixel.layers[LAYER_INDIRECT],
                         &caustic = pixel.layers[LAYER_CAUSTIC];
         pixel.sum = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
                      direct.z + indirect.z + caustic.z, direct.w};
-        storePixel(pixel, first + i, film);
+        storePixel(pixel, to + i, film);
     };
     forAll((pixels + kPixelsAtOnce - 1) / kPixelsAtOnce, [&](std::size_t part) {
         const std::size_t end = std::min((part + 1) * kPixelsAtOnce, pixels);
@@ -220,20 +230,20 @@ void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_
     uploadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
 }
 
-void storeFirstHits(Device& device, const FrameBuffers& buffers, Band band, const DeviceScene& scene,
+void storeFirstHits(Device& device, const FrameBuffers& buffers, const BandRows& rows, const DeviceScene& scene,
                     const RenderSettings& settings, const Camera& camera, Film& film) {
     std::vector<gpu::vec4> copy;
     const gpu::vec4* const hits =
-        readVectors(device, buffers.first_hits, FIRST_HIT_VECTORS * pixelCount(band, film), copy);
-    for (std::uint32_t row = 0; row < band.rows; ++row)
+        readVectors(device, buffers.first_hits, FIRST_HIT_VECTORS * pixelCount(rows.band, film), copy);
+    for (std::uint32_t row = rows.first; row < rows.first + rows.rows; ++row)
         for (std::uint32_t x = 0; x < film.width; ++x) {
             const gpu::vec4* hit = hits + FIRST_HIT_VECTORS * (std::size_t{row} * film.width + x);
             if (hit->w < 0) continue;
-            const std::uint32_t y = band.first_row + row;
+            const std::uint32_t y = rows.band.first_row + row;
             PixelHit pixel{hit[0], std::bit_cast<std::array<std::uint32_t, 4>>(hit[1]), hit->w * scene.space.scale, {}};
             pixel.position =
                 centerRayOrigin(settings, camera, x, y) + pixel.distance * centerRayDirection(settings, camera, x, y);
-            storePixel(pixel, std::size_t{y} * film.width + x, film);
+            storePixel(pixel, std::size_t{y - rows.film_origin} * film.width + x, film);
         }
 }
 

@@ -16,23 +16,39 @@ const FrameBand* FrameSchedule::next() {
     current_ = nullptr;
     if (const FrameBand* band = firstBelowGoal()) return band;
     look();
-    const bool progressive = job_.interrupted != nullptr;
+    const bool progressive = job_.interrupted && !job_.band_by_band;
     goal_ = nextLook(job_.limits, progressive, job_.samples, state_);
     return firstBelowGoal();
 }
 
 const FrameBand* FrameSchedule::firstBelowGoal() {
-    if (job_.interrupted && job_.interrupted()) return nullptr;
+    if (mustEnd()) return nullptr;
     for (FrameBand& each : bands_)
         if (each.samples < goal_) return current_ = &each;
     return nullptr;
 }
 
-void FrameSchedule::took() {
-    ++current_->samples;
-    state_.traced += shareOf(*current_);
-    state_.mean += shareOf(*current_);
+void FrameSchedule::took(std::uint32_t rows) {
+    const double share = static_cast<double>(rows) / height_;
+    state_.traced += share;
+    state_.mean += share;
+    rows_took_ += rows;
+    if (rows_took_ == current_->band.rows) {
+        ++current_->samples;
+        rows_took_ = 0;
+    }
     tell();
+}
+
+bool FrameSchedule::breaksOff() {
+    if (!mustEnd()) return false;
+    note();
+    return true;
+}
+
+bool FrameSchedule::mustEnd() const {
+    if (job_.interrupted && job_.interrupted()) return true;
+    return job_.limits.seconds && gauges_.seconds() - began_ > *job_.limits.seconds + kTimeOverrun_s;
 }
 
 void FrameSchedule::setSamples(std::uint32_t samples) {
@@ -48,9 +64,16 @@ std::uint32_t FrameSchedule::samples() const {
 
 double FrameSchedule::shareOf(const FrameBand& band) const { return static_cast<double>(band.band.rows) / height_; }
 
-void FrameSchedule::look() {
+void FrameSchedule::note() {
     state_.seconds = gauges_.seconds() - began_;
     state_.samples = samples();
+    state_.empty_rows = 0;
+    for (const FrameBand& each : bands_)
+        if (each.samples == 0) state_.empty_rows += each.band.rows - (&each == current_ ? rows_took_ : 0);
+}
+
+void FrameSchedule::look() {
+    note();
     if (!job_.limits.noise || !judgesNoise(state_)) return;
     state_.noise = gauges_.noise();
     state_.noise_samples = state_.samples;

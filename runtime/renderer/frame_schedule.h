@@ -26,8 +26,14 @@ std::vector<FrameBand> emptyBands(std::uint32_t height, std::uint32_t rows);
 struct FrameJob {
     std::uint32_t samples = 1; ///< a pixel in all, the most
     FrameLimits limits;
-    std::function<bool()> interrupted; ///< may be empty; asked before each sample, where true the frame ends
-    std::function<void(const FrameState&, double share)> progress; ///< may be empty; after each sample
+    std::function<bool()> interrupted; ///< may be empty; asked between strips, where true the frame ends
+    /// A band gets all its samples before the next one. Without it those of a frame that may be interrupted take turns,
+    /// so that it has something everywhere; what they have been given is rounded when they come back.
+    bool band_by_band = false;
+    std::function<void(const FrameState&, double share)> progress; ///< may be empty; after each strip
+    /// May be empty; for jobs that go band by band, without limits. Gets each band's rows, from the top, as soon as
+    /// they have all their samples: the film is not kept then. Of a frame that is interrupted the last ones have fewer.
+    std::function<void(const Film& rows)> take_rows;
 };
 
 /// What looks are taken with.
@@ -45,8 +51,11 @@ public:
     /// The band whose sample number band.samples is to be taken. Null where the frame is done or interrupted; state has
     /// then had its last look.
     const FrameBand* next();
-    /// That sample was taken.
-    void took();
+    /// So many rows more of that band have that sample. With the last of them it was taken.
+    void took(std::uint32_t rows);
+    /// Whether to break the sample under way off: the frame is interrupted, or much later than its time. It has had its
+    /// last look then.
+    bool breaksOff();
 
     /// So many samples a pixel in all from here on. The sample under way is still wanted.
     void setSamples(std::uint32_t samples);
@@ -58,6 +67,8 @@ public:
 private:
     const FrameBand* firstBelowGoal();
     double shareOf(const FrameBand& band) const;
+    bool mustEnd() const;
+    void note();
     void look();
     void tell();
 
@@ -66,7 +77,8 @@ private:
     FrameGauges gauges_;
     FrameState state_;
     FrameBand* current_ = nullptr;
-    std::uint32_t goal_ = 0; ///< samples of every band at the next look
+    std::uint32_t rows_took_ = 0; ///< of current_'s sample under way
+    std::uint32_t goal_ = 0;      ///< samples of every band at the next look
     std::uint32_t height_ = 0;
     double began_;
 };

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "runtime/renderer/film_readout.h"
+#include "runtime/renderer/strip_pace.h"
 
 namespace pointrt {
 namespace {
@@ -16,27 +19,29 @@ double steadySeconds() {
 
 } // namespace
 
-void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, const Film* start) {
+void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start) {
+    const bool turns = job.limits.seconds || job.limits.noise || (job.interrupted && !job.band_by_band);
+    if (job.take_rows && (turns || start)) throw std::logic_error("frame: rows are handed on where bands come once");
     plan_ = plan;
-    if (start)
-        film_ = *start;
-    else
-        film_.width = 0; // its memory is used again
+    take_rows_ = job.take_rows;
+    may_break_off_ = job.interrupted || job.limits.seconds;
+    film_.width = 0; // its memory is used again
+    const std::uint32_t rows = plan.tiling.band_rows;
+    std::vector<FrameBand> bands = start ? frameBands(*start, rows) : emptyBands(plan.settings.height, rows);
+    if (start) film_ = std::move(*start);
     strip_.reset();
-    rows_done_ = 0;
+    rows_done_ = film_origin_ = 0;
     open_ = nullptr;
     traces_hits_ = light_waits_ = hits_wait_ = false;
     const auto noise = [this] {
         store();
         return relativeNoise(film_);
     };
-    const std::uint32_t rows = plan.tiling.band_rows;
-    schedule_.emplace(job, start ? frameBands(*start, rows) : emptyBands(plan.settings.height, rows),
-                      FrameGauges{noise, steadySeconds});
+    schedule_.emplace(job, std::move(bands), FrameGauges{noise, steadySeconds});
 }
 
 bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
-    if (rows_done_ == 0 && !openNextBand()) return false;
+    if (rows_done_ == 0 ? !openNextBand() : schedule_->breaksOff()) return false;
     const RenderSettings& settings = plan_.settings;
     const Band& band = open_->band;
     const std::uint32_t rows = std::min(most_rows, band.rows - rows_done_);
@@ -64,19 +69,24 @@ bool ProgressiveRenderer::openNextBand() {
 bool ProgressiveRenderer::traceStrip(std::uint32_t bounces) {
     traceOn(device_, tracer_, strip_->sample, bounces, rays_);
     if (!strip_->sample.done) return false;
-    rows_done_ += strip_->sample.rows;
+    const std::uint32_t rows = strip_->sample.rows;
     strip_.reset();
-    if (rows_done_ < open_->band.rows) return true;
-    rows_done_ = 0;
     light_waits_ = true;
-    schedule_->took();
+    rows_done_ = (rows_done_ + rows) % open_->band.rows;
+    schedule_->took(rows);
     return true;
 }
 
 FrameState ProgressiveRenderer::run() {
-    while (openStrip(plan_.tiling.strip_rows))
+    StripPace pace(splatsPerCell(*tracer_.scene));
+    const std::uint32_t width = plan_.settings.width, most = plan_.tiling.strip_rows;
+    while (openStrip(may_break_off_ ? pace.rowsFor(width, most) : most)) {
+        const double start = steadySeconds();
+        const std::uint64_t pixels = std::uint64_t{width} * strip_->sample.rows;
         while (!traceStrip(plan_.settings.bounces)) {
         }
+        pace.learn(pixels, steadySeconds() - start);
+    }
     store();
     return schedule_->state();
 }
@@ -86,19 +96,37 @@ RayCounts ProgressiveRenderer::takeRays() { return std::exchange(rays_, {}); }
 Film ProgressiveRenderer::takeFilm() {
     store();
     if (film_.width == 0) allocateFilm(plan_.settings, film_);
-    light_waits_ = open_ && open_->samples > 0;
+    light_waits_ = open_ && (open_->samples > 0 || rows_done_ > 0);
     hits_wait_ = traces_hits_;
     return std::exchange(film_, {});
 }
 
-/// Puts what was traced of the open band since the last time into the host's film.
+/// Puts what was traced of the open band since the last time into the host's film, and hands it on where that is asked
+/// for.
 void ProgressiveRenderer::store() {
     if (!light_waits_) return;
-    if (film_.width == 0) allocateFilm(plan_.settings, film_);
-    storeLight(device_, tracer_.buffers, open_->band, open_->samples, film_);
-    if (hits_wait_)
-        storeFirstHits(device_, tracer_.buffers, open_->band, *tracer_.scene, plan_.settings, plan_.camera, film_);
+    const Band& band = open_->band;
+    if (take_rows_) film_origin_ = band.first_row;
+    if (film_.width == 0) {
+        RenderSettings settings = plan_.settings;
+        if (take_rows_) settings.height = band.rows;
+        allocateFilm(settings, film_);
+    }
+    storeRows(0, rows_done_, open_->samples + 1);
+    storeRows(rows_done_, band.rows - rows_done_, open_->samples);
     light_waits_ = hits_wait_ = false;
+    if (!take_rows_) return;
+    take_rows_(film_);
+    film_.width = 0;
+}
+
+/// Of the open band, with so many samples.
+void ProgressiveRenderer::storeRows(std::uint32_t first, std::uint32_t rows, std::uint32_t samples) {
+    if (rows == 0 || samples == 0) return;
+    const BandRows stored{open_->band, first, rows, film_origin_};
+    storeLight(device_, tracer_.buffers, stored, samples, film_);
+    if (hits_wait_)
+        storeFirstHits(device_, tracer_.buffers, stored, *tracer_.scene, plan_.settings, plan_.camera, film_);
 }
 
 } // namespace pointrt

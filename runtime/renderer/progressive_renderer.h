@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "runtime/image/film.h"
@@ -36,14 +37,16 @@ public:
     ProgressiveRenderer& operator=(const ProgressiveRenderer&) = delete;
 
     /// Begins a film, or goes on with start, of the same scene, settings and camera. What there was is given up.
-    void begin(const RenderPlan& plan, const FrameJob& job, const Film* start = nullptr);
+    void begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start = {});
 
-    /// Begins a strip of at most so many rows. Only where none is under way; false where the job is done or
-    /// interrupted.
+    /// Begins a strip of at most so many rows. Only where none is under way; false where the job is done, interrupted
+    /// or late.
     bool openStrip(std::uint32_t rows);
     /// Traces it on, in one submission: the camera rays, and so many bounces. True where it is done, and gone.
     bool traceStrip(std::uint32_t bounces);
-    /// All that is left of the job. The film is the host's then.
+    /// All that is left of the job, in strips of the plan's rows; of fewer where those take long (strip_pace.h) and the
+    /// frame may be broken off. The film is the host's then, or was handed on. Broken off, it has one sample more in
+    /// some of its rows.
     FrameState run();
 
     /// So many samples a pixel in all from here on.
@@ -67,11 +70,14 @@ public:
 private:
     bool openNextBand();
     void store();
+    void storeRows(std::uint32_t first, std::uint32_t rows, std::uint32_t samples);
 
     Device& device_;
     BandTracer& tracer_;
     RenderPlan plan_;
     std::optional<FrameSchedule> schedule_;
+    std::function<void(const Film& rows)> take_rows_; ///< the job's
+    bool may_break_off_ = false;
     const FrameBand* open_ = nullptr; ///< whose film is on the device
     bool traces_hits_ = false;        ///< its first hits are, too
     bool light_waits_ = false;        ///< what is on the device is to be stored
@@ -79,7 +85,8 @@ private:
     std::uint32_t rows_done_ = 0;
     std::optional<Strip> strip_;
     RayCounts rays_;
-    Film film_; ///< of the host; of width 0 until something is stored
+    Film film_;                     ///< of the host; of width 0 until something is stored
+    std::uint32_t film_origin_ = 0; ///< the picture's row that it begins with
 };
 
 } // namespace pointrt

@@ -49,7 +49,8 @@ OptionGroup qualityOptions() {
     return {
         "How long",
         {{"--time-limit", "SECONDS",
-          "Samples until the time is up, one at least (default: none; with it --spp is the most, and without --spp " +
+          "Samples until the time is up; what has none a second later stays black (default: none; with it --spp is the "
+          "most, and without --spp " +
               std::to_string(kMaxSpp) + " are)",
           [](Options& o, const std::string& text) { o.limits.seconds = parseRealAbove(text, 0, kMaxSeconds); }},
          {"--noise", "TARGET",

@@ -19,8 +19,10 @@ constexpr const char* kExamples =
     "  pointrt-view scene.toml --view top -o top.png\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
-    "Ctrl-C while FILE.exr is rendered: the sample under way is finished and the film saved, for --resume; the exit\n"
-    "status is the signal's all the same. A second Ctrl-C ends at once.\n"
+    "Ctrl-C while a picture is rendered: what there is of it is written, of an EXR for --resume; the exit status is\n"
+    "the signal's all the same. A second Ctrl-C ends at once.\n"
+    "A PNG is written while it is rendered, in 1.3 GiB of memory at most. EXRs, turntables and what\n"
+    "--time-limit or --noise may end are held whole, in 112 bytes a pixel; where memory lacks nothing is begun.\n"
     "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.";
 
 /// Adds an option whose text goes through set; what set throws as std::invalid_argument becomes "NAME: reason".

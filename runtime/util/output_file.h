@@ -6,7 +6,27 @@
 #include <span>
 #include <string>
 
+#include "format/base/atomic_file.h"
+
 namespace pointrt {
+
+/// A file that is written in pieces and has its name when all of them are there: what was there stays until then.
+/// Each function throws Error kCannotWrite "PATH: reason".
+class OutputFile {
+public:
+    explicit OutputFile(std::string path);
+
+    void append(std::span<const std::uint8_t> bytes);
+    /// In place of those at offset, which are there already.
+    void overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes);
+    void commit();
+
+private:
+    void require(bool done) const;
+
+    std::string path_;
+    format::AtomicFile file_;
+};
 
 /// Writes bytes to path, replacing what is there; a failure leaves what was there.
 /// Throws Error kCannotWrite "PATH: reason".

@@ -92,4 +92,74 @@ case_interrupt_saves_the_film() {
     [ "$(jsonValue stats.json rays.primary)" = $((32 * 32 * 2)) ] || fail "not two samples in this run"
 }
 
+# bakeCrowd: cells that list 1700 splats each, 100 times as many as those of scans. A sample of 2048x2048 pixels takes
+# two minutes of two cores.
+bakeCrowd() {
+    sphere 3000 >crowd.xyz
+    pointrt-bake -q --radius-scale 40 crowd.xyz -o crowd.pro
+}
+
+# millisecondsSince START: of nanoseconds.
+millisecondsSince() { printf '%d\n' $((($(date +%s%N) - $1) / 1000000)); }
+
+case_time_limit_of_a_crowded_scene() {
+    bakeCrowd
+    expectDone pointrt-view crowd.pro -q --size 2048x2048 --spp 1 --time-limit 2 -o out/a.png --stats stats.json
+    grep -Eq "a.png: the time was up within the first sample; [0-9]+ of 2048 rows have none and are black" stderr ||
+        fail "it does not say that rows are missing"
+    # 3 s on a machine that has nothing else to do
+    awk -v ms="$(jsonValue stats.json frame_ms.max)" 'BEGIN { exit !(ms < 20000) }' || fail "much too late"
+}
+
+case_interrupt_of_a_crowded_scene() {
+    local pid status=0 start
+    bakeCrowd
+    pointrt-view crowd.pro -v --size 2048x2048 --spp 4 -o out/a.png 2>stderr &
+    pid=$!
+    until grep -q pipeline stderr; do sleep 0.1; done
+    sleep 4
+    start=$(date +%s%N)
+    kill -TERM "$pid"
+    wait "$pid" || status=$?
+    [ "$status" = 143 ] || fail "exit status $status where 143, of the signal, was expected"
+    [ "$(millisecondsSince "$start")" -lt 20000 ] || fail "much too late"
+    grep -Eq "a.png: interrupted at 0 of 4 samples; [0-9]+ of 2048 rows have none and are black\$" stderr ||
+        fail "it does not say how far it was"
+    [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG was written"
+    [ "$(tail -c 12 out/a.png | head -c 8 | od -An -c | tr -d ' \n')" = '\0\0\0\0IEND' ] || fail "the PNG is not whole"
+}
+
+case_interrupt_saves_a_png() {
+    local pid status=0
+    bakeSphere
+    "${view[@]}" -v --spp 65536 -o out/a.png --stats stats.json 2>stderr &
+    pid=$!
+    until grep -q pipeline stderr; do sleep 0.1; done
+    sleep 3 # pipelines take some tenths of a second
+    kill -TERM "$pid"
+    wait "$pid" || status=$?
+    [ "$status" = 143 ] || fail "exit status $status where 143, of the signal, was expected"
+    grep -Eq "a.png: interrupted at [0-9]+ of 65536 samples\$" stderr || fail "it does not say how far it was"
+    [ "$(samplesOf stats.json)" -ge 1 ] || fail "no sample was saved"
+    [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG was written"
+}
+
+# A picture of more pixels than a device binds at once is filtered in tiles.
+case_filters_large_pictures() {
+    bakeSphere
+    expectDone pointrt-view scene.pro -q --size 4200x2100 --spp 1 --denoise on -o out/a.png --stats stats.json
+    awk -v ms="$(jsonValue stats.json denoise_ms)" 'BEGIN { exit !(ms > 0) }' || fail "it was not filtered"
+}
+
+case_refuses_what_memory_cannot_hold() {
+    bakeSphere
+    local large=(pointrt-view scene.pro -q --size 16000x16000 --spp 1)
+    ulimit -v 2000000
+    expectError 3 "a.exr: a picture of 16000x16000 pixels takes 26\.[0-9] GiB of memory here, and 1?[0-9]?\.[0-9] GiB are free" \
+        "${large[@]}" -o out/a.exr
+    expectError 3 "a.png: a picture of .* takes 1[78]\.[0-9] GiB" "${large[@]}" --denoise off --time-limit 1 -o out/a.png
+    expectError 3 "a picture of .* takes" "${large[@]}" --turntable 2 -o out/%d.png
+    expectDone pointrt-view scene.pro -q --size 2500x2500 --spp 1 -o out/a.png
+}
+
 runCase "$@"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "runtime/film/denoiser.h"
+#include "runtime/film/picture_filter.h"
 #include "runtime/image/image_png.h"
 #include "runtime/image/tonemap.h"
 

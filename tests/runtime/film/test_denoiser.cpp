@@ -4,12 +4,14 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
-#include "runtime/film/denoiser.h"
+#include "runtime/film/picture_filter.h"
 #include "tests/support/validated_device.h"
 
 namespace pointrt {
@@ -328,6 +330,53 @@ TEST_F(DenoiserTest, TakesFilmsOfAnySize) {
         for (std::size_t i = 0; i < film.rgba.size(); ++i) EXPECT_NEAR(result.rgba[i], film.rgba[i], 1e-6);
     }
     EXPECT_TRUE(denoised(Film{}).rgba.empty());
+}
+
+/// A film with edges in all that guides the filter, fireflies, and pixels that are no number.
+Film unevenFilm(std::uint32_t width, std::uint32_t height) {
+    Film film = planeFilm(width, height);
+    addNoise(film, 0.5f);
+    for (std::size_t i = 0; i < film.depth.size(); ++i) {
+        const std::size_t x = i % width, y = i / width;
+        film.depth[i] = x > width / 2 ? 2.0f + 0.01f * static_cast<float>(y) : 5.0f;
+        film.normal[3 * i] = y > height / 3 ? 0.6f : 0.0f;
+        film.albedo[3 * i + 1] = (x / 7 + y / 5) % 2 ? 0.3f : 0.9f;
+        if (i % 97 == 0) setRgb(film, i, 40.0f);
+        if (i % 211 == 0) setRgb(film, i, kNan);
+        if (i % 31 == 0) film.rgba[4 * i + 3] = i % 2 ? 0.0f : 0.4f;
+    }
+    return film;
+}
+
+TEST_F(DenoiserTest, IsTheSameInAnyTiles) {
+    const PixelSize size{203, 171};
+    const Film film = unevenFilm(size.width, size.height);
+    for (const bool has_variance : {true, false}) {
+        std::vector<std::vector<float>> pictures;
+        for (const FilterTile tile : {FilterTile{203, 171}, {203, 71}, {81, 171}, {73, 75}}) {
+            std::vector<float>& picture = pictures.emplace_back();
+            PictureFilter filter(device, {size, has_variance, true, tile}, [&](std::span<const float> rgba) {
+                picture.insert(picture.end(), rgba.begin(), rgba.end());
+            });
+            for (std::uint32_t row = 0, rows = 1; row < size.height;
+                 row += rows, rows = std::min(9u, size.height - row))
+                filter.addRows(film, row, rows);
+            ASSERT_EQ(picture.size(), film.rgba.size());
+        }
+        for (std::size_t i = 1; i < pictures.size(); ++i)
+            EXPECT_EQ(std::memcmp(pictures[i].data(), pictures[0].data(), film.rgba.size() * sizeof(float)), 0) << i;
+    }
+}
+
+TEST_F(DenoiserTest, HasTilesThatAnyDeviceBinds) {
+    constexpr std::uint64_t kBytesBound = 1u << 27, kTexel = 16; // what Vulkan promises
+    for (const PixelSize size : {PixelSize{4000, 3000}, {16384, 16384}, {1, 16384}, {16384, 200}}) {
+        const FilterTile tile = filterTileFor(size);
+        EXPECT_LE(kTexel * tile.width * tile.rows, kBytesBound);
+        EXPECT_TRUE(tile.width == size.width || tile.width > 8 * kDenoiseReach);
+        EXPECT_TRUE(tile.rows == size.height || tile.rows > 7 * kDenoiseReach);
+    }
+    EXPECT_EQ(filterTileFor({1920, 1080}).rows, 1080u) << "one tile";
 }
 
 TEST_F(DenoiserTest, RefusesArraysOfAnotherSize) {

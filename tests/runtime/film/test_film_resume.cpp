@@ -55,7 +55,8 @@ protected:
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
         job.samples = samples;
-        renderer.begin({settings, camera, tilingFor(device, settings.width, settings.height)}, job, start);
+        renderer.begin({settings, camera, tilingFor(device, settings.width, settings.height)}, job,
+                       start ? std::optional(*start) : std::nullopt);
         EXPECT_EQ(renderer.run().samples, samples);
         return renderer.takeFilm();
     }

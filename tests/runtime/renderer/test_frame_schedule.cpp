@@ -45,7 +45,7 @@ struct Pretender {
             open = band;
             EXPECT_EQ(traced[band->band.first_row]++, band->samples);
             now += static_cast<double>(band->band.rows) / film.height;
-            schedule.took();
+            schedule.took(band->band.rows);
         }
         return schedule.state();
     }
@@ -145,6 +145,36 @@ TEST(FrameSchedule, HasSomethingEverywhereWhenInterrupted) {
     EXPECT_EQ(tracer.traced[5], 8u);
 }
 
+TEST(FrameSchedule, TakesABandsSamplesAtOnceThoughItMayBeInterrupted) {
+    Pretender tracer;
+    FrameJob job;
+    job.samples = 5;
+    job.interrupted = [] { return false; };
+    job.band_by_band = true;
+    tracer.run(job, blankFilm(3, 25), 10);
+    EXPECT_EQ(tracer.opened, 3u);
+}
+
+TEST(FrameSchedule, BreaksASampleOffThatIsMuchTooLate) {
+    Pretender tracer;
+    FrameJob job;
+    job.samples = kMaxSpp;
+    job.limits.seconds = 3;
+    FrameSchedule schedule(job, emptyBands(64, 32), tracer.gauges());
+    ASSERT_NE(schedule.next(), nullptr);
+    schedule.took(16);
+    tracer.now += 3 + kTimeOverrun_s;
+    EXPECT_FALSE(schedule.breaksOff());
+    tracer.now += 0.1;
+    EXPECT_TRUE(schedule.breaksOff());
+    EXPECT_EQ(schedule.state().samples, 0u);
+    EXPECT_EQ(schedule.state().empty_rows, 48u);
+    EXPECT_NEAR(schedule.state().traced, 0.25, 1e-9);
+    schedule.took(16);
+    EXPECT_EQ(schedule.next(), nullptr) << "nor does another band begin";
+    EXPECT_EQ(schedule.state().empty_rows, 32u);
+}
+
 TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
     FrameJob job;
     job.samples = 2;
@@ -152,14 +182,15 @@ TEST(FrameSchedule, GoesOnWhereMoreSamplesAreAskedFor) {
     FrameSchedule schedule(job, emptyBands(5, 3), tracer.gauges());
     const auto count = [&] {
         int samples = 0;
-        for (; schedule.next(); ++samples) schedule.took();
+        for (; const FrameBand* band = schedule.next(); ++samples) schedule.took(band->band.rows);
         return samples;
     };
     EXPECT_EQ(count(), 4) << "of two bands";
     EXPECT_EQ(count(), 0);
     schedule.setSamples(5);
-    ASSERT_NE(schedule.next(), nullptr);
-    schedule.took();
+    const FrameBand* band = schedule.next();
+    ASSERT_NE(band, nullptr);
+    schedule.took(band->band.rows);
     EXPECT_EQ(schedule.samples(), 2u) << "of the other band";
     schedule.setSamples(3);
     EXPECT_EQ(count(), 1);
@@ -194,6 +225,16 @@ TEST(RelativeNoise, IsUnknownAfterOneSample) {
     Film film = noisyFilm({1, 1}, {0, 0});
     film.samples[1] = 1;
     EXPECT_EQ(relativeNoise(film), std::numeric_limits<double>::infinity());
+}
+
+TEST(RelativeNoise, IsTheSameOfRowsThatComeOneAfterTheOther) {
+    const Film one = noisyFilm({2}, {0.01f}), other = noisyFilm({0.5f}, {0.16f});
+    NoiseMeter meter(2);
+    meter.addRows(one);
+    meter.addRows(other);
+    EXPECT_NEAR(meter.noise(), relativeNoise(noisyFilm({2, 0.5f}, {0.01f, 0.16f})), 1e-7);
+    meter.addRows(blankFilm(1, 1));
+    EXPECT_EQ(meter.noise(), std::numeric_limits<double>::infinity());
 }
 
 TEST(RelativeNoise, PassesOverPixelsThatAreNoNumbers) {

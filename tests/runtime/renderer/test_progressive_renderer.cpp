@@ -7,6 +7,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/renderer/pick.h"
+#include "runtime/renderer/strip_pace.h"
 #include "tests/support/ball_scene.h"
 #include "tests/support/validated_device.h"
 
@@ -38,7 +39,7 @@ protected:
 
     Film render(const RenderPlan& asked, const Film* start = nullptr) {
         ProgressiveRenderer renderer(device, loaded->tracer);
-        renderer.begin(asked, job, start);
+        renderer.begin(asked, job, start ? std::optional(*start) : std::nullopt);
         renderer.run();
         return renderer.takeFilm();
     }
@@ -123,6 +124,75 @@ TEST_F(ProgressiveRendererTest, HoldsWholeSamplesWhereItIsInterrupted) {
     EXPECT_EQ(render(plan, &broken_off).samples, whole.samples);
 }
 
+/// Rows as they are handed on, one film after the other.
+struct TakenRows {
+    std::vector<float> rgba, samples, depth;
+
+    void take(const Film& rows) {
+        rgba.insert(rgba.end(), rows.rgba.begin(), rows.rgba.end());
+        samples.insert(samples.end(), rows.samples.begin(), rows.samples.end());
+        depth.insert(depth.end(), rows.depth.begin(), rows.depth.end());
+    }
+};
+
+TEST_F(ProgressiveRendererTest, HandsItsRowsOnAsTheyAreDone) {
+    TakenRows taken;
+    plan.tiling = {16, 8};
+    job.band_by_band = true;
+    job.interrupted = [] { return false; };
+    job.take_rows = [&](const Film& rows) {
+        EXPECT_LE(rows.height, 16u);
+        taken.take(rows);
+    };
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    renderer.begin(plan, job);
+    EXPECT_EQ(renderer.run().empty_rows, 0u);
+    EXPECT_EQ(taken.rgba, whole.rgba);
+    EXPECT_EQ(taken.samples, whole.samples);
+    EXPECT_EQ(taken.depth, whole.depth);
+    job.limits.noise = 0.1;
+    EXPECT_THROW(renderer.begin(plan, job), std::logic_error) << "whose bands come again";
+}
+
+/// In the second sample of the second of three bands.
+TEST_F(ProgressiveRendererTest, IsBrokenOffBetweenStrips) {
+    TakenRows taken;
+    int strips = 0;
+    plan.tiling = {16, 8};
+    job.band_by_band = true;
+    job.progress = [&](const FrameState&, double) { ++strips; };
+    job.interrupted = [&] { return strips == 2 * 3 + 3; };
+    job.take_rows = [&](const Film& rows) { taken.take(rows); };
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    renderer.begin(plan, job);
+    const FrameState state = renderer.run();
+    EXPECT_EQ(state.samples, 0u);
+    EXPECT_EQ(state.empty_rows, 1u) << "the last of 33";
+    ASSERT_EQ(taken.samples.size(), std::size_t{32} * kWidth);
+    EXPECT_EQ(taken.samples[0], 3.0f);
+    EXPECT_EQ(taken.samples[23 * kWidth], 2.0f);
+    EXPECT_EQ(taken.samples[24 * kWidth], 1.0f);
+}
+
+TEST_F(ProgressiveRendererTest, GoesOnWhereItWasBrokenOff) {
+    int strips = 0;
+    plan.tiling = {kHeight, 8};
+    job.progress = [&](const FrameState&, double) { ++strips; };
+    for (const int broken_off : {2, 7}) {
+        strips = 0;
+        job.interrupted = [&] { return strips == broken_off; };
+        const Film part = render(plan);
+        EXPECT_EQ(part.samples.front(), broken_off == 2 ? 1.0f : 2.0f);
+        EXPECT_EQ(part.samples.back(), broken_off == 2 ? 0.0f : 1.0f);
+        job.interrupted = nullptr;
+        const Film film = render(plan, &part);
+        EXPECT_EQ(film.samples, whole.samples);
+        EXPECT_EQ(film.depth, whole.depth);
+        for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+            ASSERT_NEAR(film.rgba[i], whole.rgba[i], 1e-5f + 1e-5f * whole.rgba[i]) << i;
+    }
+}
+
 TEST_F(ProgressiveRendererTest, HasAnEmptyFilmWhereNothingWasTraced) {
     job.interrupted = [] { return true; };
     const Film film = render(plan);
@@ -180,6 +250,27 @@ TEST_F(LoadScene, TellsItsStagesAndCanBeGivenUp) {
     EXPECT_NE(loadScene(device, device, testRequest(), stage), nullptr);
     EXPECT_EQ(stages, (std::vector<std::string>{"reading", "materials and lights", "programs"}));
     EXPECT_THROW(loadScene(device, device, testRequest(), stage), Enough);
+}
+
+TEST(StripPace, TracesUsualScansInTheLargestStrips) {
+    EXPECT_EQ(StripPace(40).rowsFor(512, 512), 512u);
+    EXPECT_EQ(StripPace(0).rowsFor(16384, 16), 16u);
+    StripPace pace(40);
+    pace.learn(512 * 512, 0.8);
+    EXPECT_EQ(pace.rowsFor(512, 512), 512u);
+}
+
+TEST(StripPace, TakesFewRowsOfWhatTakesLong) {
+    StripPace crowded(7000);
+    EXPECT_EQ(crowded.rowsFor(512, 512), 5u);
+    EXPECT_EQ(crowded.rowsFor(16384, 16), 1u);
+    crowded.learn(512 * 5, 1e-4);
+    EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "nothing was there: what comes may be as crowded as any";
+    StripPace slow(20);
+    slow.learn(512 * 512, 10);
+    EXPECT_EQ(slow.rowsFor(512, 512), 48u) << "whole tiles of about a second";
+    slow.learn(512 * 48, 0.01);
+    EXPECT_GT(slow.rowsFor(512, 512), 48u);
 }
 
 TEST(FrameTiling, KeepsBandsWithinTheirBuffers) {

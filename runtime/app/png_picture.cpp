@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/app/png_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "runtime/image/tonemap.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kPixelsAtOnce = 1 << 20; ///< of 8 bits: enough for all cores
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Without light, and without guides.
+Film blankRows(std::uint32_t width, std::uint32_t rows) {
+    Film film;
+    film.width = width;
+    film.height = rows;
+    film.rgba.assign(std::size_t{4} * width * rows, 0);
+    return film;
+}
+
+} // namespace
+
+PngPicture::PngPicture(Device& device, PngPlan plan) : plan_(std::move(plan)) {
+    if (!plan_.filter) return;
+    const Clock::time_point start = Clock::now();
+    filter_.emplace(device, *plan_.filter, [this](std::span<const float> rgba) { write(rgba); });
+    filter_ms_ = millisecondsSince(start);
+}
+
+void PngPicture::addRows(const Film& film, std::uint32_t first, std::uint32_t rows) {
+    rows_ += rows;
+    if (filter_) return filterRows(film, first, rows);
+    const std::size_t row_floats = std::size_t{4} * film.width;
+    write(std::span(film.rgba).subspan(row_floats * first, row_floats * rows));
+}
+
+void PngPicture::filterRows(const Film& film, std::uint32_t first, std::uint32_t rows) {
+    const Clock::time_point start = Clock::now();
+    const double written_ms = write_ms_;
+    filter_->addRows(film, first, rows);
+    filter_ms_ += millisecondsSince(start) - (write_ms_ - written_ms);
+}
+
+void PngPicture::write(std::span<const float> rgba) {
+    const Clock::time_point start = Clock::now();
+    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, 3});
+    const std::size_t row_floats = std::size_t{4} * plan_.size.width;
+    const std::size_t step = std::max<std::size_t>(kPixelsAtOnce / plan_.size.width, 1) * row_floats;
+    for (; !rgba.empty(); rgba = rgba.subspan(std::min(step, rgba.size()))) {
+        const std::span<const float> part = rgba.first(std::min(step, rgba.size()));
+        bytes_.resize(part.size() / 4 * 3);
+        tonemapPixels(part, plan_.stops, bytes_.data());
+        png_->addRows(bytes_);
+    }
+    write_ms_ += millisecondsSince(start);
+}
+
+void PngPicture::finish() {
+    constexpr std::uint32_t kRows = 16;
+    const Film blank = blankRows(plan_.size.width, kRows);
+    while (rows_ < plan_.size.height) addRows(blank, 0, std::min(kRows, plan_.size.height - rows_));
+    png_->finish();
+}
+
+} // namespace pointrt
