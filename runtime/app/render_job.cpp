@@ -98,7 +98,7 @@ PngPlan pngPlan(const RenderSession& session, const std::string& path) {
 }
 
 void writeImage(RenderSession& session, const std::string& path, const std::string& signature, Film film) {
-    if (path.ends_with(".png")) {
+    if (!path.ends_with(".exr")) {
         PngPicture picture(session.device, pngPlan(session, path));
         picture.addRows(film, 0, film.height);
         return picture.finish();

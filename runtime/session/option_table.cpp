@@ -15,7 +15,7 @@ constexpr double kMaxHeight = 1e12; // as scene files take lengths
 constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}};
 
 std::string imageFile(const std::string& path) {
-    if (path.ends_with(".png") || path.ends_with(".exr")) return path;
+    if (path == "-" || path.ends_with(".png") || path.ends_with(".exr")) return path;
     throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
 }
 
@@ -34,7 +34,7 @@ OptionGroup imageOptions() {
         "Image",
         {{"-o,--output", "FILE",
           "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light), replacing "
-          "what is there",
+          "what is there; - is PNG to standard output",
           [](Options& o, const std::string& text) { o.output = imageFile(text); }},
          {"--turntable", "N",
           "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "

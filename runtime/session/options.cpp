@@ -16,7 +16,7 @@ constexpr const char* kExamples =
     "  pointrt-view scan.pro                               in a window; H in it lists keys\n"
     "  pointrt-view scan.pro -o scan.png                   in a small studio, without a window\n"
     "  pointrt-view scan.pro --integrator path --time-limit 60 --size 1920x1080 -o scan.png\n"
-    "  pointrt-view scene.toml --view top -o top.png\n";
+    "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
     "Ctrl-C while a picture is rendered: what there is of it is written, of an EXR for --resume; the exit status is\n"

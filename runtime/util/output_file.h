@@ -11,17 +11,19 @@
 namespace pointrt {
 
 /// A file that is written in pieces and has its name when all of them are there: what was there stays until then.
+/// The path "-" is standard output, which gets the pieces as they come.
 /// Each function throws Error kCannotWrite "PATH: reason".
 class OutputFile {
 public:
     explicit OutputFile(std::string path);
 
     void append(std::span<const std::uint8_t> bytes);
-    /// In place of those at offset, which are there already.
+    /// In place of those at offset, which are there already; of a file only.
     void overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes);
     void commit();
 
 private:
+    bool isFile() const { return path_ != "-"; }
     void require(bool done) const;
 
     std::string path_;
