@@ -199,12 +199,12 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +
                      " sets.",
                  "pointrt-bake"};
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addInputOptions(app, options);
     addSurfaceOptions(app, options);
     addOctreeOptions(app, options);
     addReportOptions(app, options);
+    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes); // under the last heading
     if (parseCommandLine(app, argc, argv)) return false;
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");
