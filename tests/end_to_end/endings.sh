@@ -15,6 +15,17 @@ endsWith() {
     [ "$status" = "$code" ] || fail "exit status $status where $code was expected"
 }
 
+# untilReady PID: it handles SIGTERM, which it does from when its command line is read, and has had time to go on.
+untilReady() {
+    local caught
+    for _ in $(seq 200); do
+        caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$1/status" 2>/dev/null) || true
+        [ $((0x${caught:-0} & 0x4000)) = 0 ] || break
+        sleep 0.05
+    done
+    sleep 0.5
+}
+
 case_reports_that_nobody_can_read() {
     local option
     sphere 3000 >sphere.xyz
@@ -77,13 +88,15 @@ case_address_space_limit() {
 
 # Others have made the output while the scan was read: theirs stays.
 case_a_file_that_appears_during_the_bake() {
+    local child
     mkfifo scan.xyz
     pointrt-bake -q scan.xyz --input-format xyz -o out/a.pro 2>stderr &
-    sleep 0.3
+    child=$!
+    untilReady "$child"
     echo theirs >out/a.pro
     sphere 1000 >scan.xyz
     status=0
-    wait $! || status=$?
+    wait "$child" || status=$?
     cat stderr
     [ "$status" = 4 ] || fail "exit status $status"
     grep -q "out/a.pro: exists already" stderr || fail "does not say why"
@@ -98,7 +111,8 @@ case_two_bakes_to_one_output() {
     first=$!
     pointrt-bake -q b.xyz --input-format xyz -o out/a.pro &
     second=$!
-    sleep 0.3
+    untilReady "$first"
+    untilReady "$second"
     sphere 1000 >a.xyz
     sphere 2000 >b.xyz
     for child in $first $second; do
@@ -156,7 +170,7 @@ case_signals_end_a_bake() {
     for signal in INT TERM HUP XCPU; do
         env --default-signal=INT pointrt-bake -q scan.xyz --input-format xyz -o out/a.pro 2>stderr &
         child=$!
-        sleep 0.3
+        untilReady "$child"
         kill "-$signal" "$child"
         status=0
         wait "$child" || status=$?
