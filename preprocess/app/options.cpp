@@ -181,8 +181,6 @@ void checkOutputName(const BakeOptions& options) {
 void checkOptions(BakeOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     checkOutputName(options);
-    const bool from_stdin = std::find(options.inputs.begin(), options.inputs.end(), "-") != options.inputs.end();
-    if (from_stdin && options.read.format.empty()) usage("-: standard input needs --input-format");
     if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1)
         usage("-: standard input can be read only once");
     if (!std::isfinite(options.surface.radius_scale)) usage("--radius-scale: must be a number");

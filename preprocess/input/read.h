@@ -11,7 +11,7 @@
 namespace pointrt {
 
 struct ReadOptions {
-    /// Name of an InputFormat, for standard input or to overrule detection; "" detects.
+    /// Name of an InputFormat, to overrule detection; "" detects.
     std::string format;
     /// Above 0, meshes are sampled with this many points spread over their area instead of by their vertices.
     std::uint64_t sample_count = 0;

@@ -70,7 +70,7 @@ void writeSavedFilm(const std::string& path, const SavedFilm& saved) {
 std::optional<SavedFilm> readSavedFilm(const std::string& path) {
     std::error_code failure;
     if (std::filesystem::status(path, failure).type() == std::filesystem::file_type::not_found) return std::nullopt;
-    const ExrPicture picture = readExr(path);
+    const ExrPicture picture = readExr(path, ExrKind::kFilm);
     SavedFilm saved;
     saved.samples = numberOf(path, picture, kSamples);
     if (saved.samples == 0) fail(path, "it holds no samples");

@@ -13,6 +13,7 @@
 
 #include "format/base/error.h"
 #include "runtime/image/exr_structure.h"
+#include "runtime/image/picture_room.h"
 #include "runtime/util/input_file.h"
 
 namespace pointrt {
@@ -46,11 +47,18 @@ void require(const std::string& path, int result, const char* message) {
     throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
 }
 
-/// tinyexr does not look at what malloc gives it; this throws std::bad_alloc where there is no room.
-void requireRoom(const ExrStructure& structure) {
-    const std::size_t values = std::size_t{structure.width} * structure.height * structure.channels.size();
-    std::make_unique_for_overwrite<float[]>(values);
+std::size_t valuesOf(const ExrStructure& structure) {
+    return std::size_t{structure.width} * structure.height * structure.channels.size();
 }
+
+void requireProportion(const std::string& path, const ExrStructure& structure, std::size_t file_bytes) {
+    if (valuesOf(structure) * sizeof(float) <= pictureRoom(file_bytes)) return;
+    throw Error{ExitCode::kBadInput,
+                path + ": bad OpenEXR file: " + pictureRoomReason(structure.width, structure.height, file_bytes)};
+}
+
+/// tinyexr does not look at what malloc gives it; this throws std::bad_alloc where there is no room.
+void requireRoom(const ExrStructure& structure) { std::make_unique_for_overwrite<float[]>(valuesOf(structure)); }
 
 void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded& decoded) {
     EXRVersion version;
@@ -71,10 +79,11 @@ void decode(const std::string& path, std::span<const std::uint8_t> file, Decoded
 
 } // namespace
 
-ExrPicture readExr(const std::string& path) {
+ExrPicture readExr(const std::string& path, ExrKind kind) {
     const std::vector<std::uint8_t> bytes = readFileBytes(path, kReadAheadBytes);
     const std::span file(bytes.data(), bytes.size() - kReadAheadBytes);
     ExrStructure structure = checkExr(path, file);
+    if (kind == ExrKind::kPicture) requireProportion(path, structure, file.size());
     requireRoom(structure);
     const auto decoded = std::make_shared<Decoded>();
     decode(path, file, *decoded);

@@ -19,8 +19,12 @@ struct ExrPicture {
     std::shared_ptr<const void> storage;      ///< what the planes lie in
 };
 
+/// Whose files: films that this viewer saved, of which an empty one is a thousandth of its size, or any pictures, which
+/// get no more room than their files' sizes allow (pictureRoom).
+enum class ExrKind { kFilm, kPicture };
+
 /// What is taken: checkExr. Values are as they lie in the file, infinities and NaN included.
 /// Throws Error kBadInput "PATH: reason".
-ExrPicture readExr(const std::string& path);
+ExrPicture readExr(const std::string& path, ExrKind kind);
 
 } // namespace pointrt

@@ -2,11 +2,12 @@
 #include "runtime/image/image_read.h"
 
 #include <cmath>
-#include <fstream>
+#include <vector>
 
 #include "format/base/error.h"
 #include "runtime/image/exr_read.h"
 #include "runtime/image/radiance_read.h"
+#include "runtime/util/input_file.h"
 
 namespace pointrt {
 namespace {
@@ -20,7 +21,7 @@ float usable(float value) {
 }
 
 FloatImage readExrColors(const std::string& path) {
-    const ExrPicture picture = readExr(path);
+    const ExrPicture picture = readExr(path, ExrKind::kPicture);
     const auto& planes = picture.floats;
     const bool grey = !planes.count("R") && planes.count("Y");
     const char* names[] = {grey ? "Y" : "R", grey ? "Y" : "G", grey ? "Y" : "B"};
@@ -37,13 +38,12 @@ FloatImage readExrColors(const std::string& path) {
 } // namespace
 
 FloatImage readFloatImage(const std::string& path) {
-    char start[2] = {};
-    std::ifstream(path, std::ios::binary).read(start, sizeof start);
-    const bool radiance = start[0] == '#' && start[1] == '?';
-    const bool exr = start[0] == 0x76 && start[1] == 0x2f;
-    const bool unread = start[0] == 0; // the reader below says why
-    if (!radiance && !exr && !unread)
-        throw Error{ExitCode::kBadInput, path + ": neither a Radiance .hdr nor an OpenEXR picture"};
+    const std::vector<std::uint8_t> start = readFileStart(path, 2);
+    const auto startsWith = [&](std::uint8_t first, std::uint8_t second) {
+        return start.size() == 2 && start[0] == first && start[1] == second;
+    };
+    const bool radiance = startsWith('#', '?'), exr = startsWith(0x76, 0x2f);
+    if (!radiance && !exr) throw Error{ExitCode::kBadInput, path + ": neither a Radiance .hdr nor an OpenEXR picture"};
     FloatImage image = radiance ? readRadiance(path) : readExrColors(path);
     for (float& value : image.rgb) value = usable(value);
     return image;

@@ -17,7 +17,7 @@ struct FloatImage {
 /// A Radiance RGBE picture (-Y +X; its EXPOSURE is ignored, as most programs do) or an OpenEXR file with R, G and B or
 /// Y alone (what is taken: checkExr), told by content; at most 16384 pixels a side. All values are finite and not
 /// negative: NaN and negative ones become 0, infinity the largest 16-bit float, and none is above 1e9.
-/// Throws Error kBadInput "PATH: reason".
+/// A picture may take pictureRoom of its file's size. Throws Error kBadInput "PATH: reason".
 FloatImage readFloatImage(const std::string& path);
 
 } // namespace pointrt

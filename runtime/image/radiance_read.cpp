@@ -9,6 +9,7 @@
 #include <span>
 
 #include "format/base/error.h"
+#include "runtime/image/picture_room.h"
 #include "runtime/util/input_file.h"
 #include "runtime/util/pixel_size.h"
 
@@ -19,7 +20,8 @@ using Rgbe = std::array<std::uint8_t, 4>;
 
 constexpr std::uint32_t kMinCodedWidth = 8, kMaxCodedWidth = 32767; // others are never coded by component
 constexpr std::size_t kMaxLineBytes = 4096;
-constexpr int kExponentBias = 128 + 8; // and eight bits of fraction
+constexpr std::size_t kPixelBytes = 3 * sizeof(float); // of a FloatImage
+constexpr int kExponentBias = 128 + 8;                 // and eight bits of fraction
 
 struct Source {
     const std::string& path;
@@ -59,6 +61,8 @@ FloatImage readHead(Source& source) {
         source.fail("only rows from top to bottom and left to right (-Y +X) are supported");
     if (width == 0 || height == 0 || width > kMaxPixelSide || height > kMaxPixelSide)
         source.fail("not 1 to " + std::to_string(kMaxPixelSide) + " pixels a side");
+    if (std::uint64_t{width} * height * kPixelBytes > pictureRoom(source.bytes.size()))
+        source.fail(pictureRoomReason(width, height, source.bytes.size()));
     return {width, height, {}};
 }
 
@@ -110,7 +114,7 @@ FloatImage readRadiance(const std::string& path) {
     Source source{path, bytes};
     FloatImage image = readHead(source);
     std::vector<Rgbe> row(image.width);
-    // Grows with the rows that are there: the head of a short file may claim a gigabyte.
+    image.rgb.reserve(std::size_t{3} * image.width * image.height); // a picture that grows is there twice at times
     for (std::uint32_t y = 0; y < image.height; ++y) {
         readRow(source, row);
         for (const Rgbe& p : row)

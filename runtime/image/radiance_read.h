@@ -8,7 +8,7 @@
 
 namespace pointrt {
 
-/// Throws Error kBadInput "PATH: reason", on truncated files too.
+/// Throws Error kBadInput "PATH: reason", on truncated files and on those that ask for more than pictureRoom too.
 FloatImage readRadiance(const std::string& path);
 
 } // namespace pointrt

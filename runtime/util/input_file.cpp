@@ -1,24 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/util/input_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "format/base/error.h"
 
 namespace pointrt {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+    throw Error{ExitCode::kBadInput, path + ": " + reason};
+}
+
+struct OpenFile {
+    const std::string& path;
+    int descriptor;
+    std::size_t size = 0;
+
+    explicit OpenFile(const std::string& name)
+        : path(name), descriptor(open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (descriptor < 0) fail(path, std::strerror(errno));
+    }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() { close(descriptor); }
+
+    void measure() {
+        struct stat status;
+        if (fstat(descriptor, &status) != 0) fail(path, std::strerror(errno));
+        if (!S_ISREG(status.st_mode)) fail(path, "not a regular file");
+        size = static_cast<std::size_t>(status.st_size);
+    }
+
+    void fill(std::uint8_t* bytes, std::size_t count) const {
+        for (std::size_t done = 0; done < count;) {
+            const ssize_t got = read(descriptor, bytes + done, count - done);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) fail(path, got < 0 ? std::strerror(errno) : "it was cut short while it was read");
+            done += static_cast<std::size_t>(got);
+        }
+    }
+};
+
+} // namespace
 
 std::vector<std::uint8_t> readFileBytes(const std::string& path, std::size_t padding) {
-    std::error_code failure;
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
-    if (failure) throw Error{ExitCode::kBadInput, path + ": " + failure.message()};
-    std::vector<std::uint8_t> bytes(size + padding);
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!file) throw Error{ExitCode::kBadInput, path + ": " + (errno ? std::strerror(errno) : "cannot be read")};
+    OpenFile file(path);
+    file.measure();
+    std::vector<std::uint8_t> bytes(file.size + padding);
+    file.fill(bytes.data(), file.size);
+    return bytes;
+}
+
+std::vector<std::uint8_t> readFileStart(const std::string& path, std::size_t most) {
+    OpenFile file(path);
+    file.measure();
+    std::vector<std::uint8_t> bytes(std::min(file.size, most));
+    file.fill(bytes.data(), bytes.size());
     return bytes;
 }
 

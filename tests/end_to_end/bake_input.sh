@@ -119,6 +119,43 @@ case_standard_input() {
     expectDone pointrt-info out/scene.pro --verify
 }
 
+# every FORMAT: its content tells it, on standard input too, and --input-format overrules that.
+case_standard_input_is_told_by_content() {
+    sphere 1000 >sphere.xyz
+    { plyHeader ascii 1000 && sphere 1000; } >sphere.ply
+    gzip -k sphere.ply
+    for file in sphere.xyz sphere.ply sphere.ply.gz; do
+        cat "$file" | pointrt-bake -q - -f -o out/scene.pro --stats stats.json
+        [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "1000 points went in: $file"
+    done
+    status=0
+    pointrt-bake -q - --input-format obj -o out/other.pro <sphere.xyz 2>stderr || status=$?
+    [ "$status" = 1 ] || fail "exit status $status where 1 was expected"
+    grep -q 'standard input: holds no points' stderr || fail "--input-format was not taken"
+}
+
+case_named_pipe() {
+    sphere 1000 >sphere.xyz
+    expectDone pointrt-bake -q <(cat sphere.xyz) -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "1000 points went in"
+}
+
+case_devices_are_not_read() {
+    expectError 1 '/dev/zero: is no regular file' pointrt-bake -q /dev/zero -o out/scene.pro
+    expectError 1 'standard input: is no regular file' bash -c 'pointrt-bake -q - -o out/scene.pro </dev/zero'
+}
+
+case_conf_stays_in_its_folder() {
+    echo 'correct horse battery staple' >secret
+    mkdir set
+    echo "bmesh ../secret 0 0 0 0 0 0 1" >set/set.conf
+    expectError 1 "set.conf:1: '../secret': lies outside the folder" pointrt-bake -q set/set.conf -o out/scene.pro
+    ! grep -q horse stderr || fail "what a file holds is in the message"
+    mkfifo set/pipe
+    echo "bmesh pipe 0 0 0 0 0 0 1" >set/set.conf
+    expectError 1 'pipe: is no regular file' timeout 10 pointrt-bake -q set/set.conf -o out/scene.pro
+}
+
 case_content_is_told_before_the_suffix() {
     { plyHeader ascii 1000 && sphere 1000; } >cloud.xyz
     expectDone pointrt-bake -q cloud.xyz -o out/scene.pro --stats stats.json

@@ -95,4 +95,11 @@ case_errors_name_file_line_and_key() {
         pointrt-view bad.toml -q -o out/a.png
 }
 
+case_a_pipe_as_sky_picture_is_not_waited_for() {
+    writeScene
+    mkfifo pipe.hdr
+    { cat scene.toml && printf '[sky]\nimage = "pipe.hdr"\n'; } >pipe.toml
+    expectError 1 'pipe.hdr: not a regular file' timeout 20 pointrt-view pipe.toml -q -o out/a.png
+}
+
 runCase "$@"

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <sys/stat.h>
+#include <utility>
 
 #include "preprocess/input/formats/detect.h"
 #include "preprocess/input/source/text.h"
@@ -57,8 +60,42 @@ Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from
     return world_from_scan.rotation * sensor + world_from_scan.translation;
 }
 
-void readScan(const Placement& placement, const std::filesystem::path& folder, Sink& sink) {
-    const Source scan = openSource((folder / placement.file).string());
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuseScan(const std::string& name, const std::string& reason) {
+    throw Error(ExitCode::kBadInput, fmt::format("{}: {}", quoted(name), reason));
+}
+
+/// A set is its folder: the .conf of a stranger must not pick what else is on this machine, by any road, and show it
+/// in the scene or in a message.
+void requireInFolder(const Placement& placement, const fs::path& folder, const fs::path& scan) {
+    std::error_code failure;
+    const fs::path root = fs::canonical(folder.empty() ? "." : folder, failure);
+    const fs::path real = failure ? fs::path() : fs::weakly_canonical(scan, failure);
+    const bool inside =
+        !failure && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+    if (!inside) refuseScan(placement.file, "lies outside the folder of the .conf; its scans are there or below");
+}
+
+/// How often each file has been named, by whatever name. A scan has one place in a set; the few times more are for
+/// patterns and copies turned round by hand. Without an end to it a few lines would ask for any amount of memory.
+struct NamedFiles {
+    static constexpr int kMostTimes = 8;
+    std::map<std::pair<dev_t, ino_t>, int> times;
+
+    void add(const Placement& placement, const fs::path& scan) {
+        struct stat status {};
+        if (::stat(scan.c_str(), &status) != 0) return; // opening it says why
+        if (++times[{status.st_dev, status.st_ino}] > kMostTimes)
+            refuseScan(placement.file, fmt::format("is named more than {} times", kMostTimes));
+    }
+};
+
+void readScan(const Placement& placement, const fs::path& folder, NamedFiles& named, Sink& sink) {
+    const fs::path path = folder / placement.file;
+    requireInFolder(placement, folder, path);
+    named.add(placement, path);
+    const Source scan = openSource(path.string(), NamedBy::kFile);
     const InputFormat& format = formatOf(scan, "");
     if (&format.reader == &readers::kConf) refuse(scan, "a .conf file cannot be a scan of another");
     sink.world_from_scan = placement.world_from_scan;
@@ -71,13 +108,14 @@ bool isMeshLine(std::string_view line, bool) { return nextWord(line) == "bmesh";
 void readConf(const Source& source, Sink& sink) {
     const std::vector<Placement> placements = parsePlacements(source);
     const auto whole_progress = sink.progress;
+    NamedFiles named;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         if (whole_progress)
             sink.progress = [&, i](double share) {
                 whole_progress((static_cast<double>(i) + share) / static_cast<double>(placements.size()));
             };
         try {
-            readScan(placements[i], std::filesystem::path(source.name).parent_path(), sink);
+            readScan(placements[i], fs::path(source.name).parent_path(), named, sink);
         } catch (const Error& error) {
             throw Error(error.code, fmt::format("{}:{}: {}", source.name, placements[i].line, error.what()));
         }

@@ -53,11 +53,18 @@ void readStream(int descriptor, Source& source) {
     source.owner = std::move(text);
 }
 
-void loadBytes(const Descriptor& file, Source& source) {
+/// Devices have no end. A terminal's is what its user types.
+bool isReadable(int descriptor, mode_t mode, NamedBy named_by) {
+    if (S_ISREG(mode)) return true;
+    if (named_by == NamedBy::kFile) return false;
+    return S_ISFIFO(mode) || S_ISSOCK(mode) || (S_ISCHR(mode) && ::isatty(descriptor) == 1);
+}
+
+void loadBytes(const Descriptor& file, NamedBy named_by, Source& source) {
     struct stat status {};
     if (file.number < 0 || ::fstat(file.number, &status) != 0) refuse(source, systemReason(errno));
     if (S_ISDIR(status.st_mode)) refuse(source, "is a directory");
-    if (file.owned && !S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) refuse(source, "is no regular file");
+    if (!isReadable(file.number, status.st_mode, named_by)) refuse(source, "is no regular file");
     const bool mapped = S_ISREG(status.st_mode) && status.st_size > 0 &&
                         mapFile(file.number, static_cast<std::size_t>(status.st_size), source);
     if (!mapped) readStream(file.number, source);
@@ -65,12 +72,14 @@ void loadBytes(const Descriptor& file, Source& source) {
 
 } // namespace
 
-Source openSource(const std::string& path) {
+Source openSource(const std::string& path, NamedBy named_by) {
     Source source;
-    const bool standard_input = path == "-";
+    const bool standard_input = path == "-" && named_by == NamedBy::kUser;
     source.name = standard_input ? "standard input" : path;
-    const Descriptor file{standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC), !standard_input};
-    loadBytes(file, source);
+    // Opening a pipe waits for its writer, which a user's command has.
+    const int flags = O_RDONLY | O_CLOEXEC | (named_by == NamedBy::kFile ? O_NONBLOCK : 0);
+    const Descriptor file{standard_input ? STDIN_FILENO : ::open(path.c_str(), flags), !standard_input};
+    loadBytes(file, named_by, source);
     if (isGzip(source.bytes)) unpackGzip(source);
     if (source.bytes.empty()) refuse(source, "the file is empty");
     return source;

@@ -21,9 +21,13 @@ struct Source {
     const char* end() const { return bytes.data() + bytes.size(); }
 };
 
+/// Who named an input. What a user names may be a pipe; what a file names must be a regular file, lest it be waited
+/// for.
+enum class NamedBy { kUser, kFile };
+
 /// Maps or reads path ("-" is standard input) and unpacks gzip.
-/// Throws Error: no such file, a directory, no permission, empty, broken gzip.
-Source openSource(const std::string& path);
+/// Throws Error: no such file, a directory, a device, no permission, empty, broken gzip or too much of it (unpackGzip).
+Source openSource(const std::string& path, NamedBy named_by = NamedBy::kUser);
 
 /// Throws Error{kBadInput, "name: reason"}.
 [[noreturn]] void refuse(const Source& source, const std::string& reason);

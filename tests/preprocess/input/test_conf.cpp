@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/preprocess/input/input_fixture.h"
 
+#include <sys/stat.h>
+
 namespace pointrt {
 namespace {
 
@@ -53,6 +55,49 @@ TEST_F(ConfTest, BadFilesSayWhyAndWhere) {
     EXPECT_HAS(reasonOfText("s.conf", "bmesh a.xyz 0 0 0 0 0 0 0\n"), "s.conf:1: the quaternion is no rotation");
     EXPECT_HAS(reasonOfText("s.conf", "bmesh s.conf 0 0 0 0 0 0 1\n"), "cannot be a scan of another");
     EXPECT_HAS(reasonOfText("s.conf", "camera 0 0 0 0 0 0 1\n"), "has no bmesh line");
+}
+
+TEST_F(ConfTest, ScansLieInTheFolderOfTheConf) {
+    std::filesystem::create_directories(folder / "set/below");
+    write("secret.txt", "correct horse battery staple\n");
+    write("set/below/a.xyz", "1 0 0\n");
+    const auto named = [&](const std::string& name) {
+        return write("set/s.conf", "bmesh " + name + " 0 0 0 0 0 0 1\n");
+    };
+    EXPECT_EQ(read(named("below/a.xyz")).positions.size(), 1u);
+    EXPECT_EQ(read(named("./below/../below/a.xyz")).positions.size(), 1u);
+    EXPECT_EQ(read(named((folder / "set/below/a.xyz").string())).positions.size(), 1u);
+    std::filesystem::create_symlink("below/a.xyz", folder / "set/link.xyz");
+    EXPECT_EQ(read(named("link.xyz")).positions.size(), 1u);
+    std::filesystem::create_symlink("../secret.txt", folder / "set/out.xyz");
+    std::filesystem::create_directory_symlink("..", folder / "set/up");
+    for (const std::string& name :
+         {std::string("../secret.txt"), (folder / "secret.txt").string(), std::string("out.xyz"),
+          std::string("up/secret.txt"), std::string("below/../../no"), std::string("/etc/no/such/file")}) {
+        const std::string reason = reasonOf(named(name));
+        EXPECT_HAS(reason, "s.conf:1: '");
+        EXPECT_HAS(reason, "lies outside the folder of the .conf");
+        EXPECT_EQ(reason.find("horse"), std::string::npos) << reason;
+    }
+    EXPECT_EQ(last_code, ExitCode::kBadInput);
+}
+
+TEST_F(ConfTest, AFileCannotBeNamedWithoutEnd) {
+    write("a.xyz", "1 0 0\n");
+    std::filesystem::create_hard_link(folder / "a.xyz", folder / "b.xyz");
+    std::filesystem::create_symlink("a.xyz", folder / "c.xyz");
+    std::string lines;
+    for (int i = 0; i < 8; ++i) lines += fmt::format("bmesh {}.xyz {} 0 0 0 0 0 1\n", "abc"[i % 3], i);
+    EXPECT_EQ(readText("s.conf", lines).positions.size(), 8u);
+    EXPECT_HAS(reasonOfText("s.conf", lines + "bmesh ./a.xyz 9 0 0 0 0 0 1\n"),
+               "s.conf:9: './a.xyz': is named more than 8 times");
+}
+
+TEST_F(ConfTest, PipesAndDevicesAreNotWaitedFor) {
+    ASSERT_EQ(::mkfifo((folder / "pipe.xyz").c_str(), 0600), 0);
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh pipe.xyz 0 0 0 0 0 0 1\n"), "pipe.xyz: is no regular file");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh - 0 0 0 0 0 0 1\n"), "s.conf:1: ");
+    EXPECT_HAS(reasonOfText("s.conf", "bmesh . 0 0 0 0 0 0 1\n"), "is a directory");
 }
 
 TEST_F(ConfTest, EveryPrefixIsReadOrRefused) {

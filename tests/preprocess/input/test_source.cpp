@@ -73,6 +73,15 @@ TEST_F(SourceTest, GzipIsUnpacked) {
     readPrefixes("f.xyz", packed);
 }
 
+TEST_F(SourceTest, GzipGrowsInProportion) {
+    const std::string header = "1 2 3\n";
+    // 64 MiB from any file, and 100 times its size: blanks shrink to a thousandth.
+    const std::string scan = header + std::string((64 << 20) - header.size(), ' ');
+    EXPECT_EQ(readText("a.xyz.gz", gzipped(scan)).positions.size(), 1u);
+    EXPECT_HAS(reasonOfText("b.xyz.gz", gzipped(scan + std::string(16 << 20, ' '))),
+               "b.xyz.gz: unpacks to more than 100 times its size");
+}
+
 TEST_F(SourceTest, FilesAreMergedAndFilled) {
     const std::string plain = write("a.xyz", "1 2 3\n"), colored = write("b.xyz", "4 5 6 7 8 9\n4 5 6 70 80 90\n");
     const std::string directed = write("c.xyz", "4 5 6 0 0 1\n");

@@ -3,6 +3,7 @@
 // that are damaged or made to harm.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
 #include <tinyexr.h>
 
 #include <algorithm>
@@ -261,6 +262,36 @@ TEST_F(FilmFile, RadianceSaysWhatIsWrong) {
     expectReason("another width", "-Y 1 +X 8", {2, 2, 0, 9});
     expectReason("run of nothing", "-Y 1 +X 4", {1, 1, 1, 4});
     expectReason("run is too long", "-Y 1 +X 4", {3, 3, 3, 3, 1, 1, 1, 4});
+}
+
+/// Rows of one colour in the old coding: a pixel and two runs, 12 bytes whatever the width.
+Bytes denseRadiance(int width, int height) {
+    Bytes bytes = radiancePicture("-Y " + std::to_string(height) + " +X " + std::to_string(width), {});
+    const int runs = (width - 1) / 256, rest = (width - 1) % 256;
+    const int row[] = {128, 128, 128, 129, 1, 1, 1, rest, 1, 1, 1, runs};
+    for (int y = 0; y < height; ++y) bytes.insert(bytes.end(), std::begin(row), std::end(row));
+    return bytes;
+}
+
+TEST_F(FilmFile, PicturesTakeNoMoreRoomThanTheirFilesAllow) {
+    // 256 MiB are 22,369,621 pixels of 12 bytes; 12 bytes a row, and the head, allow for some hundred thousand more.
+    const FloatImage image = readFloatImage(write("a.hdr", denseRadiance(16384, 1366)));
+    EXPECT_EQ(image.width * image.height, 16384u * 1366u);
+    EXPECT_EQ(image.rgb.back(), 2.0f);
+    expectBadInput(write("b.hdr", denseRadiance(16384, 1600)), "16384 x 1600 pixels from 19",
+                   [&] { readFloatImage(path("b.hdr")); });
+    const std::vector<float> black(std::size_t{8192} * 4096);
+    const ExrChannel channels[] = {{"R", black}, {"G", black}, {"B", black}};
+    writeExr(path("c.exr"), {8192, 4096}, channels);
+    expectBadInput(path("c.exr"), "8192 x 4096 pixels from ", [&] { readFloatImage(path("c.exr")); });
+}
+
+TEST_F(FilmFile, PipesAndDevicesAreNotWaitedFor) {
+    ASSERT_EQ(mkfifo(path("pipe.hdr").c_str(), 0600), 0);
+    expectBadInput(path("pipe.hdr"), "not a regular file", [&] { readFloatImage(path("pipe.hdr")); });
+    expectBadInput(path("pipe.hdr"), "not a regular file", [&] { readSavedFilm(path("pipe.hdr")); });
+    expectBadInput("/dev/zero", "not a regular file", [&] { readFloatImage("/dev/zero"); });
+    expectBadInput(folder.path.string(), "not a regular file", [&] { readFloatImage(folder.path.string()); });
 }
 
 /// Reads damaged copies of a file as picture and as film. Anything but an Error ends the test.
