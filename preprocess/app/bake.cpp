@@ -141,6 +141,9 @@ BakeReport bake(const BakeOptions& options) {
     progress.setPoints(cloud.positions.size());
     report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
     report.points_non_finite = cloud.points_non_finite;
+    report.points_unused = cloud.points_unused;
+    report.notes = std::move(cloud.notes);
+    for (const Note& note : report.notes) progress.note(noteLine(note));
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
     progress.begin("quantize", splats.positions.size());

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "format/base/printable.h"
+
 namespace pointrt {
 
 namespace {
@@ -74,6 +76,13 @@ void BakeProgress::begin(const std::string& name, std::uint64_t points) {
 }
 
 void BakeProgress::finish() { end(); }
+
+void BakeProgress::note(const std::string& text) {
+    if (verbosity_ == Verbosity::kQuiet) return;
+    if (line_open_) std::fputs(kWipe, stderr);
+    line_open_ = false;
+    tell("pointrt-bake: {}\n", printable(text, std::string::npos));
+}
 
 void BakeProgress::update(double share) {
     if (!lines_ && (verbosity_ == Verbosity::kQuiet || !terminal_)) return;

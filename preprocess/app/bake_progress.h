@@ -35,6 +35,8 @@ public:
     void update(double share);
     void setPoints(std::uint64_t points) { points_ = points; }
     void finish(); ///< ends the last stage
+    /// A line of its own, unless nothing is to be said.
+    void note(const std::string& text);
 
     /// Seconds of each stage so far, in order; a name that comes twice is added up.
     const std::vector<std::pair<std::string, double>>& seconds() const { return seconds_; }

@@ -25,6 +25,7 @@ Json toJson(const BakeReport& report) {
     Json json;
     json["input_points"] = report.input_points;
     json["points_non_finite"] = report.points_non_finite;
+    json["points_unused"] = report.points_unused;
     json["duplicates_removed"] = report.surface.duplicates_removed + report.merged;
     json["outliers_removed"] = report.surface.outliers_removed;
     json["normals_estimated"] = report.surface.normals_estimated;
@@ -42,6 +43,8 @@ Json toJson(const BakeReport& report) {
                        {"probes", report.pruning.probes},
                        {"harm", report.pruning.harm},
                        {"harm_bound", report.pruning.harm_bound}};
+    json["notes"] = Json::array();
+    for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
     json["bytes"] = report.octree.file_bytes;
     json["peak_rss_bytes"] = peakRssBytes();
     for (const auto& [stage, seconds] : report.seconds) json["seconds"][stage] = seconds;
@@ -53,6 +56,7 @@ Json toJson(const BakeReport& report) {
 std::string leftOut(const BakeReport& report) {
     const std::pair<std::uint64_t, const char*> reasons[] = {
         {report.points_non_finite, "not finite"},
+        {report.points_unused, "used by no face"},
         {report.surface.duplicates_removed + report.merged, "duplicate"},
         {report.surface.outliers_removed, "stray"}};
     std::string text;
@@ -71,7 +75,15 @@ std::string missedBound(const BakeReport& report) {
 
 } // namespace
 
-void writeStats(const BakeReport& report, const std::string& path) { writeReport(path, toJson(report).dump(2) + "\n"); }
+void writeStats(const BakeReport& report, const std::string& path) {
+    // names need not be UTF-8
+    writeReport(path, toJson(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::string noteLine(const Note& note) {
+    const std::string others = note.more_files > 0 ? fmt::format(" and {} more", note.more_files) : "";
+    return fmt::format("{}{}: {}", note.file, others, note.text);
+}
 
 std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };

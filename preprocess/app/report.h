@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "preprocess/app/options.h"
+#include "preprocess/cloud/cloud.h"
 #include "preprocess/octree/write.h"
 
 namespace pointrt {
 
 struct BakeReport {
-    std::uint64_t input_points = 0, points_non_finite = 0;
+    std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0;
+    std::vector<Note> notes; ///< of reading
     SurfaceReport surface;
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
@@ -26,6 +28,9 @@ struct BakeReport {
 
 /// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
 void writeStats(const BakeReport& report, const std::string& path);
+
+/// One line for people of what reading found.
+std::string noteLine(const Note& note);
 
 /// One line for people.
 std::string summaryLine(const BakeReport& report);

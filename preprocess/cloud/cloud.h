@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace pointrt {
@@ -17,6 +18,12 @@ using Rgb8 = std::array<std::uint8_t, 3>;
 
 /// Marks a point whose sensor position is not known.
 constexpr std::uint32_t kNoSensor = std::numeric_limits<std::uint32_t>::max();
+
+/// What a user should know of a file as it was read.
+struct Note {
+    std::string file, text;
+    std::size_t more_files = 0; ///< of which the same is to be said
+};
 
 /// Points of one or several scans in one frame. Optional arrays are empty or as long as positions.
 struct Cloud {
@@ -31,6 +38,8 @@ struct Cloud {
 
     std::size_t points_read = 0;       ///< in the files, non-finite ones included
     std::size_t points_non_finite = 0; ///< dropped while reading
+    std::size_t points_unused = 0;     ///< dropped: vertices of meshes that no face uses
+    std::vector<Note> notes;
 };
 
 } // namespace pointrt

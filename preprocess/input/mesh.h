@@ -14,6 +14,14 @@ namespace pointrt {
 /// normals from polygonal facets", 1998). Unit length; vertices without faces, or whose faces cancel, keep zero.
 void addMeshNormals(Cloud& cloud);
 
+/// Drops the vertices of meshes that no face uses, and counts them: what programs leave behind lies inside or beside
+/// the surface. A file whose faces use less than a tenth of its vertices is a cloud with some faces: its points stay,
+/// and a note says so. bereft: vertices that count as used (Sink). dry: only counts and says.
+void dropUnused(Cloud& cloud, const std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& bereft, bool dry);
+
+/// Notes the meshes whose faces are so large that splats at their vertices are giant discs.
+void noteCoarseMeshes(Cloud& cloud, const std::vector<ScanRange>& scans);
+
 /// Replaces the vertices of scans with faces by sample_count points spread evenly over all faces, with unit normals and
 /// interpolated colours; points of other scans stay, in front. The faces go. The same seed gives the same points.
 /// cloud.normals must hold a normal per vertex (addMeshNormals). Throws Error when the faces have no area.

@@ -46,7 +46,10 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     readFiles(paths, options, progress, sink);
     checkSampling(options, sink);
     addMeshNormals(cloud);
-    if (options.sample_count > 0) sampleMeshes(cloud, sink.scans, options.sample_count, options.seed);
+    const bool sampled = options.sample_count > 0;
+    if (!sampled) noteCoarseMeshes(cloud, sink.scans);
+    dropUnused(cloud, sink.scans, sink.bereft, sampled);
+    if (sampled) sampleMeshes(cloud, sink.scans, options.sample_count, options.seed);
     dropEmptyNormals(cloud);
     return cloud;
 }

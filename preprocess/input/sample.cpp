@@ -101,6 +101,8 @@ Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans
     points.sensors = cloud.sensors;
     points.points_read = cloud.points_read;
     points.points_non_finite = cloud.points_non_finite;
+    points.points_unused = cloud.points_unused;
+    points.notes = cloud.notes;
     for (const ScanRange& scan : scans) {
         if (scan.has_faces) continue;
         copyRange(cloud.positions, scan, points.positions);

@@ -60,6 +60,10 @@ void BlockSearch::fillBlock(std::size_t begin, std::size_t end) {
         bound *= kMargin;
         measure(positions[i]);
         keepWithin(bound * bound);
+        if (kept_count_ < wanted_) { // squares too small for float bound nothing
+            fillAlone(i);
+            continue;
+        }
         thinKept(bound * bound);
         sortKept();
         storeKept(i);

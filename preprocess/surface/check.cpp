@@ -57,9 +57,13 @@ T quantile(std::vector<T> values, double share) {
     return *at;
 }
 
-/// The points less than 100 times as far from the median of all as 99 in 100 are: seen from a stray beyond that the
-/// others are a dot, and with it they are on a line. All of fewer than 100 points.
-std::vector<Vec3f> withoutFarOnes(const std::vector<Vec3f>& positions) {
+/// Scaled to an extent of 1 that is 2^60 of theirs, points lie within 2^-60: squares of distances a hundredth of that
+/// are 2^-134, which floats hold with few bits, and soon not at all.
+const double kMostExtents = std::ldexp(1.0, 60);
+
+/// The points at least 100 times as far from the median of all as 99 in 100 are, ascending: seen from such a stray the
+/// others are a dot, and with it they are on a line. None of fewer than 100 points.
+std::vector<std::uint32_t> farOnes(const std::vector<Vec3f>& positions) {
     constexpr double kShare = 0.99, kFar = 100;
     Vec3d middle;
     for (int axis = 0; axis < 3; ++axis) {
@@ -70,23 +74,36 @@ std::vector<Vec3f> withoutFarOnes(const std::vector<Vec3f>& positions) {
     std::vector<double> distances;
     for (const Vec3f& position : positions) distances.push_back((position.cast<double>() - middle).norm());
     const double limit = kFar * quantile(distances, kShare);
-    std::vector<Vec3f> near;
+    std::vector<std::uint32_t> far;
     for (std::size_t i = 0; i < positions.size(); ++i)
-        if (distances[i] <= limit) near.push_back(positions[i]);
-    return near;
+        if (!(distances[i] <= limit)) far.push_back(std::uint32_t(i));
+    return far;
+}
+
+std::vector<Vec3f> without(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& left_out) {
+    std::vector<Vec3f> kept;
+    auto next = left_out.begin();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (next != left_out.end() && *next == i)
+            ++next;
+        else
+            kept.push_back(positions[i]);
+    return kept;
 }
 
 } // namespace
 
-void requireSurface(const std::vector<Vec3f>& positions) {
+std::vector<std::uint32_t> requireSurface(const std::vector<Vec3f>& positions) {
     const std::string count = std::to_string(positions.size());
     if (positions.size() < 3) fail(count + " point(s): a surface needs at least 3");
     const Bounds bounds = boundsOf(positions);
     if (bounds.longestEdge() == 0) fail("all " + count + " points are equal");
-    if (!onLine(positions, bounds)) return;
-    const std::vector<Vec3f> near = withoutFarOnes(positions);
-    if (near.size() == positions.size() || onLine(near, boundsOf(near)))
-        fail("all " + count + " points lie on one line");
+    if (!onLine(positions, bounds)) return {};
+    const std::vector<std::uint32_t> far = farOnes(positions);
+    const std::vector<Vec3f> near = without(positions, far);
+    const Bounds near_bounds = boundsOf(near);
+    if (far.empty() || onLine(near, near_bounds)) fail("all " + count + " points lie on one line");
+    return bounds.longestEdge() > kMostExtents * near_bounds.longestEdge() ? far : std::vector<std::uint32_t>();
 }
 
 } // namespace pointrt::surface

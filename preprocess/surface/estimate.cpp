@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "format/base/error.h"
@@ -81,6 +82,34 @@ Splats toSplats(Points&& points, std::vector<float>&& radii, double radius_scale
     return splats;
 }
 
+template <typename Item>
+void leaveOut(std::vector<Item>& items, const std::vector<std::uint32_t>& indices) {
+    if (items.empty()) return;
+    auto next = indices.begin();
+    std::size_t kept = indices.front();
+    for (std::size_t i = kept; i < items.size(); ++i)
+        if (next != indices.end() && *next == i)
+            ++next;
+        else
+            items[kept++] = items[i];
+    items.resize(kept);
+}
+
+/// The cloud's points without those of the indices, ascending; their own indices stay those of the cloud.
+Points takePointsBut(Cloud&& cloud, const std::vector<std::uint32_t>& left_out) {
+    if (left_out.empty()) return takePoints(std::move(cloud));
+    std::vector<std::uint32_t> cloud_index(cloud.positions.size());
+    std::iota(cloud_index.begin(), cloud_index.end(), 0u);
+    leaveOut(cloud_index, left_out);
+    leaveOut(cloud.positions, left_out);
+    leaveOut(cloud.normals, left_out);
+    leaveOut(cloud.colors, left_out);
+    leaveOut(cloud.sensor_of_point, left_out);
+    Points points = takePoints(std::move(cloud));
+    for (std::uint32_t& index : points.input_index) index = cloud_index[index];
+    return points;
+}
+
 void requireSane(const SurfaceOptions& options) {
     if (options.neighbors < 3 || options.neighbors > 255)
         throw Error{ExitCode::kBadUsage, "the number of neighbors must be 3 to 255"};
@@ -96,14 +125,15 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     using namespace surface;
     report = {};
     requireSane(options);
-    requireSurface(cloud.positions);
+    const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
-    const std::size_t input_count = cloud.positions.size();
+    const std::size_t input_count = cloud.positions.size() - strays.size();
 
-    Points points = takePoints(std::move(cloud));
+    Points points = takePointsBut(std::move(cloud), strays);
     report.duplicates_removed = input_count - points.size();
     std::optional<NearestSearch> search;
     NeighborLists lists = connect(points, search, options, report, progress);
+    report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, options, report, progress);
     std::vector<float> radii;
     {

@@ -105,6 +105,24 @@ case_one_bad_file_among_good_ones() {
     expectError 1 "empty.ply(:[^ ]+)?: " pointrt-bake -q good.xyz empty.ply -o out/scene.pro
 }
 
+# 1e30 and the like are marks of some programs for no data: first, in between, and alone.
+case_coordinates_out_of_all_proportion() {
+    for value in 1e20 1e25 1e30 1.70141e38 1e60; do
+        { sphere 1000 && echo "$value $value $value" && sphere 2000; } >stray.xyz
+        expectDone pointrt-bake -f stray.xyz -o out/scene.pro --stats stats.json
+        [ "$(jsonValue stats.json splats)" -le 3000 ] || fail "$value became a splat"
+        grep -Eq 'left out:.* 1 (stray|not finite)' stderr || fail "$value was not counted"
+    done
+    { echo '1e30 1e30 1e30' && sphere 1000; } >first.xyz
+    expectDone pointrt-bake -f first.xyz -o out/scene.pro --stats stats.json
+    [ "$(jsonValue stats.json splats)" = 1000 ] || fail "1000 points are there"
+    rm out/scene.pro
+    echo '1e30 1e30 1e30' >one.xyz
+    rejects one.xyz 'none of its 1 points is finite and within 1e\+25'
+    sphere 1000 | awk '{ print $1 * 1e30, $2 * 1e30, $3 * 1e30 }' >all.xyz
+    rejects all.xyz
+}
+
 case_several_files_are_merged() {
     sphere 1000 >near.xyz
     sphere 500 | awk '{ print $1 + 4, $2, $3 }' >far.xyz
@@ -167,6 +185,33 @@ case_mesh_sampled_over_its_area() {
     expectDone pointrt-bake -q sheet.obj --sample 5000 -o out/scene.pro --stats stats.json
     [ "$(jsonValue stats.json splats)" -gt 4900 ] || fail "5000 points were asked for"
     [ "$(jsonValue stats.json splats)" -le 5000 ] || fail "5000 points were asked for"
+}
+
+cube() {
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nv 0.5 0.5 0.5\n'
+    printf 'f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n'
+}
+
+case_coarse_mesh_is_told() {
+    cube >cube.obj
+    expectDone pointrt-bake cube.obj -o out/scene.pro --stats stats.json
+    [ "$(grep -c '^pointrt-bake: cube.obj: its faces are large: .*--sample N' stderr)" = 1 ] || fail "nothing was said"
+    grep -q 'left out: 1 used by no face' stderr || fail "the vertex that no face uses was not counted"
+    [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
+    [ "$(jsonValue stats.json splats)" = 8 ] || fail "8 vertices are used"
+    grep -q '"cube.obj: its faces are large' stats.json || fail "the note is not among the figures"
+    expectDone pointrt-bake -q cube.obj -f -o out/scene.pro
+    [ ! -s stderr ] || fail "-q is not quiet"
+    expectDone pointrt-bake cube.obj --sample 2000 -f -o out/scene.pro --stats stats.json
+    ! grep -q 'its faces are large' stderr || fail "there is nothing to say of 2000 samples"
+    [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
+}
+
+case_intensity_after_colors() {
+    sphere 1000 | awk '{ print $0, 200, 100 + NR % 7, 50, 1000 + NR % 900 }' >sphere.xyz
+    expectDone pointrt-bake -q sphere.xyz -o out/scene.pro
+    expectDone pointrt-info out/scene.pro --export splats.ply
+    tail -c 3 splats.ply | od -An -t u1 | grep -Eq '^ +200 +10[0-6] +50$' || fail "not the colours of the file"
 }
 
 case_conf_with_a_missing_scan() {

@@ -62,16 +62,16 @@ Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuseScan(const std::string& name, const std::string& reason) {
+[[noreturn]] void refuseScan(std::string_view name, const std::string& reason) {
     throw Error(ExitCode::kBadInput, fmt::format("{}: {}", quoted(name), reason));
 }
 
 /// A set is its folder: the .conf of a stranger must not pick what else is on this machine, by any road, and show it
 /// in the scene or in a message.
-void requireInFolder(const Placement& placement, const fs::path& folder, const fs::path& scan) {
+void requireInFolder(const Placement& placement, const fs::path& folder) {
     std::error_code failure;
     const fs::path root = fs::canonical(folder.empty() ? "." : folder, failure);
-    const fs::path real = failure ? fs::path() : fs::weakly_canonical(scan, failure);
+    const fs::path real = failure ? fs::path() : fs::weakly_canonical(root / placement.file, failure);
     const bool inside =
         !failure && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
     if (!inside) refuseScan(placement.file, "lies outside the folder of the .conf; its scans are there or below");
@@ -93,7 +93,7 @@ struct NamedFiles {
 
 void readScan(const Placement& placement, const fs::path& folder, NamedFiles& named, Sink& sink) {
     const fs::path path = folder / placement.file;
-    requireInFolder(placement, folder, path);
+    requireInFolder(placement, folder);
     named.add(placement, path);
     const Source scan = openSource(path.string(), NamedBy::kFile);
     const InputFormat& format = formatOf(scan, "");

@@ -4,25 +4,11 @@
 #include <algorithm>
 #include <cctype>
 
+#include "preprocess/input/formats/foreign.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
 namespace {
-
-struct Foreign {
-    std::string_view magic;
-    std::string_view reason;
-};
-
-constexpr Foreign kForeign[] = {
-    {"LASF", "is a LAS or LAZ scan"},
-    {"ASTM-E57", "is an E57 scan"},
-    {"PK\x03\x04", "is a zip archive, unpack it first"},
-    {"NGSP", "is an SPZ file of Gaussian splats"},
-    {"glTF", "is a glTF model"},
-    {"\x89HDF", "is an HDF5 file"},
-    {"[Expe/PointSet", "is an Expe point set"},
-};
 
 /// The bytes in which the kind of a file shows; long comments may stand before it.
 constexpr std::size_t kSniffed = 1 << 16;
@@ -37,14 +23,6 @@ const InputFormat* firstFormat(const Predicate& holds) {
 
 const InputFormat* formatNamed(std::string_view name) {
     return firstFormat([&](const InputFormat& format) { return format.name == name; });
-}
-
-void refuseForeign(const Source& source) {
-    if (source.bytes.starts_with("version https://git-lfs"))
-        refuse(source, "is a Git LFS pointer, not the data itself: fetch it with 'git lfs pull'");
-    for (const Foreign& foreign : kForeign)
-        if (source.bytes.starts_with(foreign.magic))
-            refuse(source, fmt::format("{}; this build reads {}", foreign.reason, readableFormats()));
 }
 
 /// The lower-case suffix of a name, ".gz" left out.
@@ -105,10 +83,11 @@ const InputFormat* formatOfPlainText(std::string_view bytes) {
 const InputFormat& formatOf(const Source& source, std::string_view name) {
     const InputFormat* const named = formatNamed(name);
     if (!name.empty() && !named) throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", quoted(name)));
-    if (!formatOfStart(source.bytes)) refuseForeign(source);
+    if (!formatOfStart(source.bytes)) refuseForeignStart(source);
     if (named) return *named;
     if (const InputFormat* const format = formatOfContent(source.bytes)) return *format;
     if (const InputFormat* const format = formatOfSuffix(suffixOf(source.name))) return *format;
+    refuseForeignSuffix(source, suffixOf(source.name));
     if (const InputFormat* const format = formatOfPlainText(source.bytes)) return *format;
     refuse(source, fmt::format("is of no known format; this build reads {}", readableFormats()));
 }

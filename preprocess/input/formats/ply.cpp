@@ -178,6 +178,10 @@ bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && byt
 void readPly(const Source& source, Sink& sink) {
     const PlyHeader header = readPlyHeader(source);
     beginScan(sink, source, traitsOf(header));
+    if (header.gaussians)
+        addNote(sink.cloud, source.name,
+                "is a 3D Gaussian splatting file: centres and base colours are read, as bare points; sizes, rotations, "
+                "opacities and colours by direction are not");
     if (header.encoding == PlyEncoding::kAscii)
         Body<AsciiValues>{source, header, sink, {header.body, source.end()}, {}}.read();
     else

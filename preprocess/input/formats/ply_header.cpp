@@ -136,14 +136,31 @@ bool takeHarmonicColors(const PlyElement& vertex, std::vector<Role>& roles) {
     return true;
 }
 
+bool hasProperty(const PlyElement& element, std::string_view name) {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const PlyProperty& property) { return property.name == name; });
+}
+
+/// As the training code of "3D Gaussian Splatting for Real-Time Radiance Field Rendering" (Kerbl and others, 2023) and
+/// those after it write them.
+bool holdsGaussians(const PlyElement& vertex) {
+    return hasProperty(vertex, "f_dc_0") && hasProperty(vertex, "opacity") && hasProperty(vertex, "scale_0") &&
+           hasProperty(vertex, "rot_0");
+}
+
 void settleVertexRoles(const Source& source, PlyHeader& header) {
     const auto isVertex = [](const PlyElement& element) { return element.name == "vertex"; };
     const auto vertices = std::count_if(header.elements.begin(), header.elements.end(), isVertex);
     if (vertices != 1) refuse(source, vertices == 0 ? "no vertex element" : "more than one vertex element");
     PlyElement& vertex = *std::find_if(header.elements.begin(), header.elements.end(), isVertex);
+    if (hasProperty(vertex, "packed_position"))
+        refuse(source,
+               "is a compressed 3D Gaussian splatting file: export it uncompressed, from SuperSplat for one, to "
+               "have its splats read as points");
     std::vector<Role> roles = rolesOf(vertex);
     if (!hasPositions(roles)) refuse(source, "the vertices have no x, y and z");
     header.harmonic_colors = takeHarmonicColors(vertex, roles);
+    header.gaussians = holdsGaussians(vertex);
     for (std::size_t i = 0; i < roles.size(); ++i) vertex.properties[i].role = roles[i];
 }
 

@@ -33,6 +33,7 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
     const char* body = nullptr;   ///< the first byte after the header
     bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
+    bool gaussians = false; ///< the vertices are Gaussians: what they have beside positions and colours is not read
 };
 
 /// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Point lists as text: a point a line, in columns.
+#include <algorithm>
 #include <optional>
 
 #include "preprocess/input/formats/formats.h"
@@ -77,6 +78,22 @@ std::vector<Role> rolesOfHeader(std::string_view line) {
     return hasPositions(roles) ? roles : std::vector<Role>();
 }
 
+/// What to say of a line with numbers such as 1,5; nothing of others.
+std::string_view commaHint(std::string_view line) {
+    int commas = 0;
+    while (!line.empty()) {
+        const std::size_t length = std::min(line.find_first_of(" \t;"), line.size());
+        std::string word(Fields::trim(line.substr(0, length)));
+        line.remove_prefix(std::min(length + 1, line.size()));
+        const std::size_t comma = word.find(',');
+        if (comma == std::string::npos || word.find('.') != std::string::npos) continue;
+        word[comma] = '.';
+        double value = 0;
+        commas += wholeNumber(word, value) && word.back() != '.';
+    }
+    return commas > 1 ? " (decimal commas? write 1.5 for 1,5)" : "";
+}
+
 /// How many fields a line has, and how many numbers it starts with.
 struct LineShape {
     std::size_t fields = 0, numbers = 0;
@@ -130,8 +147,9 @@ Layout readPrologue(const Source& source) {
             layout.first_line_size = here.size() - rest.size();
             return layout;
         } else {
-            refuseLine(source, line.data(),
-                       fmt::format("is neither a point nor a header with x, y and z: {}", quoted(line)));
+            refuseLine(
+                source, line.data(),
+                fmt::format("is neither a point nor a header with x, y and z: {}{}", quoted(line), commaHint(line)));
         }
     }
     refuse(source, "holds no points");
@@ -146,7 +164,8 @@ void parseRow(const Source& source, std::string_view line, char delimiter, const
         if (!fields.next(field))
             refuseLine(source, line.data(), fmt::format("has {} columns, {} are needed", i, wanted.size()));
         if (wanted[i] && !wholeNumber(field, values[i]))
-            refuseLine(source, line.data(), fmt::format("column {} is no number: {}", i + 1, quoted(field)));
+            refuseLine(source, line.data(),
+                       fmt::format("column {} is no number: {}{}", i + 1, quoted(field), commaHint(line)));
     }
 }
 
@@ -173,13 +192,14 @@ std::uint64_t forEachRow(const Source& source, const Layout& layout, const std::
 }
 
 /// Columns without a header are told by their values, in a pass of its own.
-void guessRoles(const Source& source, Layout& layout) {
+void guessRoles(const Source& source, Layout& layout, Sink& sink) {
     const std::size_t extras = layout.columns - 3;
     ColumnStatistics statistics;
     if (extras > 1 && extras <= ColumnStatistics::kMax)
         forEachRow(source, layout, std::vector<bool>(layout.columns, true),
                    [&](const double* values) { observe(statistics, values + 3, extras); });
-    ColumnGuess guess = guessColumns(statistics, layout.columns);
+    ColumnGuess guess = guessColumns(statistics, layout.columns, layout.counted);
+    if (!guess.doubt.empty()) addNote(sink.cloud, source.name, guess.doubt);
     layout.roles = std::move(guess.roles);
     layout.real_colors = guess.real_colors;
 }
@@ -195,7 +215,7 @@ ScanTraits traitsOf(const Layout& layout) {
 
 void readXyz(const Source& source, Sink& sink) {
     Layout layout = readPrologue(source);
-    if (!layout.named) guessRoles(source, layout);
+    if (!layout.named) guessRoles(source, layout, sink);
     while (layout.roles.back() == kIgnored) layout.roles.pop_back();
     std::vector<bool> wanted;
     for (const Role role : layout.roles) wanted.push_back(role != kIgnored);

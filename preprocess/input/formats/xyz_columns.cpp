@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 namespace pointrt {
 namespace {
@@ -15,6 +17,11 @@ constexpr double kUnitTolerance = 0.01;
 bool isUnit(const double* v) {
     const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     return std::abs(length - 1) <= kUnitTolerance;
+}
+
+/// How writers say that a point has no normal.
+bool isMissing(const double* v) {
+    return (v[0] == 0 && v[1] == 0 && v[2] == 0) || std::isnan(v[0]) || std::isnan(v[1]) || std::isnan(v[2]);
 }
 
 bool within(const ColumnStatistics& statistics, std::size_t first, double most) {
@@ -31,30 +38,80 @@ bool colorLike(const ColumnStatistics& statistics, std::size_t first) {
     return (wholeNumbers(statistics, first) && within(statistics, first, 65535)) || within(statistics, first, 1);
 }
 
+bool isConstant(const ColumnStatistics& statistics, std::size_t column) {
+    return statistics.least[column] == statistics.most[column];
+}
+
 std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::size_t extras) {
     for (std::size_t first = 0; first + 3 <= extras; ++first)
-        if (statistics.unit[first]) return first;
+        if (statistics.unit[first] && statistics.directed[first]) return first;
     return std::nullopt;
 }
 
-/// Of "a b c d", d is an alpha where it is the same everywhere, as opaque clouds have it; else a is an intensity.
-std::size_t firstColorOfFour(const ColumnStatistics& statistics) {
-    const bool alpha_last =
-        statistics.least[3] == statistics.most[3] && (statistics.most[3] == 255 || statistics.most[3] == 1);
-    return alpha_last && colorLike(statistics, 0) ? 0 : 1;
+/// What else is known of a list.
+struct Others {
+    bool is_pts, normals;
+};
+
+/// Three columns of colour, and whether others may have been meant.
+struct ColorPlace {
+    std::size_t first;
+    bool doubtful = false;
+};
+
+/// Which end of "a b c d", whole numbers all of them, is an intensity, going by which of them exceed a byte: 'a', 'd',
+/// or 0 where they do not tell.
+char intensityByWidth(const ColumnStatistics& statistics, std::size_t a) {
+    const auto wide = [&](std::size_t i) { return statistics.most[a + i] > 255; };
+    if (wide(1) != wide(2) || wide(0) == wide(3)) return 0;
+    return wide(0) == wide(1) ? 'd' : 'a';
 }
 
-std::optional<std::size_t> findColors(const ColumnStatistics& statistics, std::size_t extras,
-                                      std::optional<std::size_t> normals) {
-    if (extras == 4 && !normals) {
-        const std::size_t first = firstColorOfFour(statistics);
-        return colorLike(statistics, first) ? std::optional(first) : std::nullopt;
-    }
-    for (std::size_t first = 0; first + 3 <= extras; ++first) {
-        const bool apart = !normals || first + 3 <= *normals || *normals + 3 <= first;
-        if (apart && colorLike(statistics, first)) return first;
-    }
+/// Which of "a b c d" are colours: the first three where d is an alpha, or an unused intensity, the same everywhere;
+/// else all but the intensity, a or d. Where either may be it, it is a in lists of points and intensities, as in .pts
+/// files, and d beside normals, as programs write it there.
+std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::size_t a, const Others& others) {
+    const bool first = colorLike(statistics, a), second = colorLike(statistics, a + 1);
+    if (!first && !second) return std::nullopt;
+    if (!first || !second) return ColorPlace{first ? a : a + 1};
+    const double last = statistics.most[a + 3];
+    const bool varied = !isConstant(statistics, a) && !isConstant(statistics, a + 1) && !isConstant(statistics, a + 2);
+    if (isConstant(statistics, a + 3) && (last == 255 || last == 1 || (varied && !others.is_pts))) return ColorPlace{a};
+    const bool whole = wholeNumbers(statistics, a) && wholeNumbers(statistics, a + 1);
+    if (const char intensity = whole ? intensityByWidth(statistics, a) : char{0})
+        return ColorPlace{intensity == 'd' ? a : a + 1};
+    const bool unused_first = isConstant(statistics, a) && !isConstant(statistics, a + 3);
+    return ColorPlace{others.normals ? a : a + 1, !others.is_pts && !(unused_first && !others.normals)};
+}
+
+/// Colours among the columns from begin to end.
+std::optional<ColorPlace> colorsOfRun(const ColumnStatistics& statistics, std::size_t begin, std::size_t end,
+                                      const Others& others) {
+    if (end - begin == 4) return colorsOfFour(statistics, begin, others);
+    for (std::size_t first = begin; first + 3 <= end; ++first)
+        if (colorLike(statistics, first)) return ColorPlace{first, end - begin > 4};
     return std::nullopt;
+}
+
+std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::size_t extras,
+                                     std::optional<std::size_t> normals, bool is_pts) {
+    if (!normals) return colorsOfRun(statistics, 0, extras, {is_pts, false});
+    const Others others{is_pts, true};
+    const auto before = colorsOfRun(statistics, 0, *normals, others);
+    return before ? before : colorsOfRun(statistics, *normals + 3, extras, others);
+}
+
+constexpr std::string_view kCure = "a first line such as '//X Y Z R G B I' says what they are";
+
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t extras) {
+    if (colors && colors->doubtful)
+        return fmt::format("has no header: columns {} to {} are taken as red, green and blue; {}", colors->first + 4,
+                           colors->first + 6, kCure);
+    if (colors || extras < (normals ? 6 : 3)) return {};
+    return fmt::format(
+        "has no header, and {} columns after x, y, z{} that look like neither colours nor normals are not "
+        "read; {}",
+        extras - (normals ? 3 : 0), normals ? " and normals" : "", kCure);
 }
 
 void assign(std::vector<Role>& roles, std::size_t first, Role role) {
@@ -66,6 +123,7 @@ void assign(std::vector<Role>& roles, std::size_t first, Role role) {
 ColumnStatistics::ColumnStatistics() {
     whole.fill(true);
     unit.fill(true);
+    directed.fill(false);
     least.fill(std::numeric_limits<double>::infinity());
     most.fill(-std::numeric_limits<double>::infinity());
 }
@@ -77,23 +135,29 @@ void observe(ColumnStatistics& statistics, const double* extras, std::size_t cou
         statistics.whole[i] = statistics.whole[i] && value == std::trunc(value);
         statistics.least[i] = std::min(statistics.least[i], value);
         statistics.most[i] = std::max(statistics.most[i], value);
-        statistics.unit[i] = statistics.unit[i] && i + 3 <= count && isUnit(extras + i);
+        const bool direction = i + 3 <= count && isUnit(extras + i);
+        statistics.directed[i] = statistics.directed[i] || direction;
+        statistics.unit[i] = statistics.unit[i] && (direction || (i + 3 <= count && isMissing(extras + i)));
     }
 }
 
-ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count) {
+ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts) {
     ColumnGuess guess;
     guess.roles.assign(column_count, kIgnored);
     assign(guess.roles, 0, kX);
-    if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) return guess;
     const std::size_t extras = column_count - 3;
+    if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
+        guess.doubt = doubtOf(std::nullopt, false, extras);
+        return guess;
+    }
     const auto normals = findNormals(statistics, extras);
-    const auto colors = findColors(statistics, extras, normals);
+    const auto colors = findColors(statistics, extras, normals, is_pts);
     if (normals) assign(guess.roles, 3 + *normals, kNormalX);
     if (colors) {
-        assign(guess.roles, 3 + *colors, kRed);
-        guess.real_colors = !wholeNumbers(statistics, *colors);
+        assign(guess.roles, 3 + colors->first, kRed);
+        guess.real_colors = !wholeNumbers(statistics, colors->first);
     }
+    guess.doubt = doubtOf(colors, normals.has_value(), extras);
     return guess;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "preprocess/input/source/roles.h"
@@ -14,7 +15,9 @@ namespace pointrt {
 struct ColumnStatistics {
     static constexpr std::size_t kMax = 7; ///< columns after x, y, z that are looked at
     std::array<bool, kMax> whole;          ///< only whole numbers
-    std::array<bool, kMax> unit;           ///< unit length, this column and the next two
+    /// Of this column and the next two: unit length wherever there is anything but zeros or NaN, and somewhere there
+    /// is.
+    std::array<bool, kMax> unit, directed;
     std::array<double, kMax> least, most;
     ColumnStatistics();
 };
@@ -25,11 +28,14 @@ void observe(ColumnStatistics& statistics, const double* extras, std::size_t cou
 struct ColumnGuess {
     std::vector<Role> roles;  ///< one per column, x, y, z included
     bool real_colors = false; ///< colours are shares of 1
+    std::string doubt;        ///< what a user should know about the guess, or empty
 };
 
-/// Column meanings of a list with column_count columns: 6 = normals or rgb, 7 = intensity rgb, rgb alpha or normals and
-/// one more, 9 or 10 = rgb and normals in either order. Any other number of columns, and what looks like none of these,
-/// is x, y, z alone.
-ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count);
+/// Column meanings of a list with column_count columns: 6 = normals or rgb, 7 = intensity rgb, rgb and alpha or
+/// intensity, or normals and one more, 9 or 10 = normals and, before or after them, what 3 or 4 columns alone would be.
+/// Any other number of columns, and what looks like none of these, is x, y, z alone. Colours are whole numbers up to
+/// 65535 or shares of 1. Where four columns may be intensity and rgb in either order there is a doubt, but for .pts
+/// files, as is_pts says, whose order it is that is taken.
+ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts);
 
 } // namespace pointrt

@@ -33,6 +33,9 @@ constexpr Alias kAliases[] = {
     {"r", kRed},
     {"g", kGreen},
     {"b", kBlue},
+    {"rf", kRed}, // shares of 1, as CloudCompare writes them
+    {"gf", kGreen},
+    {"bf", kBlue},
     {"diffuse_red", kRed},
     {"diffuse_green", kGreen},
     {"diffuse_blue", kBlue},

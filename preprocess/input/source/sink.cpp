@@ -29,8 +29,12 @@ Vec3d wholeNumbers(const Vec3d& position) {
     return position.array().unaryExpr([](double value) { return std::trunc(value) + 0.0; });
 }
 
+/// Coordinates from there on stand for no data, as 1e30 and 1.70141e38 do in files of some programs: a .pro ends at
+/// 1e30, cubes round discs included.
+constexpr double kFarthest = 1e25;
+
 bool addPosition(Cloud& cloud, const Vec3d& position) {
-    if (!position.allFinite()) return false;
+    if (!(position.cwiseAbs().maxCoeff() < kFarthest) || !position.allFinite()) return false;
     if (cloud.positions.empty()) cloud.origin = wholeNumbers(position);
     const Vec3f local = (position - cloud.origin).cast<float>();
     if (!local.allFinite()) return false;
@@ -77,20 +81,26 @@ void scaleWideColors(Sink& sink) {
     sink.wide_colors = {};
 }
 
-/// File indices to cloud indices; a triangle with a dropped vertex goes.
+/// File indices to cloud indices. False when a corner was dropped; the others are bereft.
+bool settleTriangle(Sink& sink, const Source& source, std::array<std::uint32_t, 3>& triangle) {
+    std::size_t there = 0;
+    for (const std::uint32_t corner : triangle) {
+        if (corner >= sink.vertices) refuse(source, fmt::format("face: vertex index {} is out of range", corner));
+        const auto before = std::lower_bound(sink.dropped.begin(), sink.dropped.end(), corner);
+        if (before != sink.dropped.end() && *before == corner) continue;
+        triangle[there++] = static_cast<std::uint32_t>(corner - (before - sink.dropped.begin()) + sink.first_position);
+    }
+    if (there < 3) sink.bereft.insert(sink.bereft.end(), triangle.begin(), triangle.begin() + std::ptrdiff_t(there));
+    return there == 3;
+}
+
+/// A triangle with a dropped vertex goes.
 void settleTriangles(Sink& sink, const Source& source) {
     auto& triangles = sink.cloud.triangles;
     std::size_t kept = sink.first_triangle;
     for (std::size_t i = sink.first_triangle; i < triangles.size(); ++i) {
         auto triangle = triangles[i];
-        bool whole = true;
-        for (std::uint32_t& corner : triangle) {
-            if (corner >= sink.vertices) refuse(source, fmt::format("face: vertex index {} is out of range", corner));
-            const auto before = std::lower_bound(sink.dropped.begin(), sink.dropped.end(), corner);
-            whole = whole && (before == sink.dropped.end() || *before != corner);
-            corner = static_cast<std::uint32_t>(corner - (before - sink.dropped.begin()) + sink.first_position);
-        }
-        if (whole) triangles[kept++] = triangle;
+        if (settleTriangle(sink, source, triangle)) triangles[kept++] = triangle;
     }
     triangles.resize(kept);
 }
@@ -145,7 +155,8 @@ void finishScan(Sink& sink, const Source& source) {
     Cloud& cloud = sink.cloud;
     const std::size_t kept = cloud.positions.size() - sink.first_position;
     if (sink.vertices == 0) refuse(source, "holds no points");
-    if (kept == 0) refuse(source, fmt::format("none of its {} points is finite", sink.vertices));
+    if (kept == 0)
+        refuse(source, fmt::format("none of its {} points is finite and within {:g}", sink.vertices, kFarthest));
     if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     scaleWideColors(sink);
     settleTriangles(sink, source);
@@ -154,6 +165,15 @@ void finishScan(Sink& sink, const Source& source) {
     cloud.points_non_finite += sink.dropped.size();
     sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
     if (sink.sensor) setSensor(cloud, sink.scans.back(), toWorld(sink, *sink.sensor));
+}
+
+void addNote(Cloud& cloud, const std::string& file, const std::string& text) {
+    for (Note& note : cloud.notes) {
+        if (note.text != text) continue;
+        note.more_files += note.file != file;
+        return;
+    }
+    cloud.notes.push_back({file, text});
 }
 
 void setSensor(Cloud& cloud, const ScanRange& scan, const Vec3d& world_position) {

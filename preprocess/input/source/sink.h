@@ -48,6 +48,8 @@ struct Sink {
     std::vector<ScanRange> scans; ///< finished ones
     std::optional<Pose> world_from_scan;
     std::function<void(double)> progress; ///< share of the current file, or empty
+    /// Vertices, by their place in the cloud, whose faces went with a vertex that was dropped.
+    std::vector<std::uint32_t> bereft;
 
     // Of the file that is being read:
     ScanTraits traits;
@@ -61,8 +63,8 @@ struct Sink {
 /// Starts a file. Throws Error when the cloud would have more points than its 32-bit indices can tell apart.
 void beginScan(Sink& sink, const Source& source, const ScanTraits& traits);
 
-/// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, is
-/// dropped and counted.
+/// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, or
+/// 1e25 and more from zero is dropped and counted.
 void addVertex(Sink& sink, const Row& row);
 
 /// Adds a polygon of 3 or more file indices, each below the number of vertices of the file, as a fan of triangles.
@@ -71,6 +73,9 @@ void addPolygon(Sink& sink, std::span<const std::uint32_t> corners);
 /// Ends a file: scales its colours, drops faces with dropped vertices, fills what other files have and it has not.
 /// Throws Error when no finite point was given.
 void finishScan(Sink& sink, const Source& source);
+
+/// Has text said of a file; once, however many files and times it is said of.
+void addNote(Cloud& cloud, const std::string& file, const std::string& text);
 
 /// Makes world_position the sensor of one finished scan; ignored when it is not finite.
 void setSensor(Cloud& cloud, const ScanRange& scan, const Vec3d& world_position);

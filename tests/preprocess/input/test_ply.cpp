@@ -124,6 +124,21 @@ TEST_F(PlyTest, SplatColors) {
     EXPECT_EQ(readText("s.ply", ascii(properties, "0 0 0 0 9 -9\n")).colors[0], (Rgb8{128, 255, 0}));
 }
 
+TEST_F(PlyTest, GaussianSplatsAreNamed) {
+    const std::string colors = "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n";
+    const std::string shape = "property float opacity\nproperty float scale_0\nproperty float rot_0\n";
+    const Cloud cloud = readText("s.ply", ascii(colors + shape, "0 0 0 0 9 -9 1 2 3\n"));
+    EXPECT_EQ(cloud.colors[0], (Rgb8{128, 255, 0}));
+    ASSERT_EQ(cloud.notes.size(), 1u);
+    EXPECT_HAS(cloud.notes[0].text, "is a 3D Gaussian splatting file: centres and base colours are read");
+    EXPECT_TRUE(readText("p.ply", ascii(colors, "0 0 0 0 9 -9\n")).notes.empty());
+    EXPECT_HAS(reasonOfText("c.ply", "ply\nformat binary_little_endian 1.0\nelement chunk 1\nproperty float min_x\n"
+                                     "element vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
+                                     "end_header\n" +
+                                         std::string(12, '\0')),
+               "c.ply: is a compressed 3D Gaussian splatting file: export it uncompressed");
+}
+
 TEST_F(PlyTest, PolygonsAndStrips) {
     const std::string four = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
     const std::string quad = "element face 1\nproperty list uchar int vertex_index\n";

@@ -72,6 +72,74 @@ TEST_F(SampleTest, NormalsAgainstTheWindingStay) {
         EXPECT_EQ(normal, Vec3f(0, 0, -1));
 }
 
+std::string notesOf(const Cloud& cloud) {
+    std::string all;
+    for (const Note& note : cloud.notes)
+        all += note.file + " +" + std::to_string(note.more_files) + ": " + note.text + "\n";
+    return all;
+}
+
+/// The vertices of kCube, two more that no face uses, and the faces.
+const std::string kCubeAndMore = "OFF\n10 6 0\n0 0 0\n" + kCube.substr(10, kCube.find("4 0") - 10) + "0.5 0 0\n" +
+                                 "4 1 2 4 3\n4 5 7 8 6\n4 1 5 6 2\n4 3 4 8 7\n4 1 3 7 5\n4 2 6 8 4\n";
+
+TEST_F(SampleTest, VerticesThatNoFaceUsesAreLeftOut) {
+    const Cloud plain = read(write("c.off", kCube)), cloud = read(write("d.off", kCubeAndMore));
+    EXPECT_EQ(cloud.points_read, 10u);
+    EXPECT_EQ(cloud.points_unused, 2u);
+    ASSERT_EQ(cloud.positions.size(), 8u);
+    EXPECT_EQ(cloud.triangles, plain.triangles);
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(world(cloud, i), world(plain, i));
+        EXPECT_EQ(cloud.normals[i], plain.normals[i]);
+    }
+    const Cloud sampled = read(write("d.off", kCubeAndMore), {.format = "", .sample_count = 100});
+    EXPECT_EQ(sampled.positions.size(), 100u);
+    EXPECT_EQ(sampled.points_unused, 2u);
+}
+
+TEST_F(SampleTest, PointsOfOtherFilesAndOfBrokenFacesStay) {
+    const std::string points = write("a.xyz", "7 7 7\n8 8 8\n"), mesh = write("d.off", kCubeAndMore);
+    const Cloud cloud = readInputs({points, mesh, points}, {});
+    ASSERT_EQ(cloud.positions.size(), 12u);
+    EXPECT_EQ(world(cloud, 1), Vec3d(8, 8, 8));
+    EXPECT_EQ(world(cloud, 10), Vec3d(7, 7, 7));
+    const Cloud broken = readText("b.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 2 4\n");
+    EXPECT_EQ(broken.positions.size(), 3u);
+    const Cloud bereft = readText("b.obj", "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 5 5 5\nv 0 1 0\nf 1 4 3\nf 1 2 5\n");
+    EXPECT_EQ(bereft.positions.size(), 4u);
+    EXPECT_EQ(bereft.points_unused, 0u);
+}
+
+TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) text += fmt::format("v {} {} 0\n", i % 7, i / 7);
+    const Cloud cloud = readText("a.obj", text + "f 1 2 8\n");
+    EXPECT_EQ(cloud.positions.size(), 40u);
+    EXPECT_EQ(cloud.points_unused, 0u);
+    EXPECT_HAS(notesOf(cloud), "a.obj +0: its faces use 3 of 40 points only; the others stay");
+}
+
+TEST_F(SampleTest, CoarseMeshesAreTold) {
+    const std::string cube = write("c.off", kCube), again = write("d.off", kCube);
+    const std::string notes = notesOf(readInputs({cube, again}, {}));
+    EXPECT_HAS(notes, "c.off +1: its faces are large");
+    EXPECT_HAS(notes, "--sample N");
+    EXPECT_EQ(notes.find('\n'), notes.size() - 1);
+    EXPECT_EQ(notesOf(readInputs({cube}, {.format = "", .sample_count = 10})), "");
+    // A square of n x n cells: edges of sqrt(2) / n, a diagonal of sqrt(2). At 20 cells a side they are a twentieth.
+    for (const int n : {19, 21}) {
+        std::string grid;
+        for (int i = 0; i <= n; ++i)
+            for (int k = 0; k <= n; ++k) grid += fmt::format("v {} {} 0\n", i, k);
+        for (int i = 0; i < n; ++i)
+            for (int k = 1; k <= n; ++k)
+                grid += fmt::format("f {} {} {} {}\n", i * (n + 1) + k, i * (n + 1) + k + 1, (i + 1) * (n + 1) + k + 1,
+                                    (i + 1) * (n + 1) + k);
+        EXPECT_EQ(notesOf(readText("g.obj", grid)).empty(), n == 21) << n;
+    }
+}
+
 TEST_F(SampleTest, PlainPointsStay) {
     const std::string points = write("a.xyz", "7 7 7\n"), mesh = write("c.off", kCube);
     const Cloud cloud = readInputs({mesh, points}, {.format = "", .sample_count = 10});

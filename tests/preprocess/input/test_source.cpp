@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/preprocess/input/input_fixture.h"
 
+#include <array>
 #include <zlib.h>
+
+#include "pointrt/pro_layout.h"
 
 namespace pointrt {
 namespace {
@@ -53,6 +56,29 @@ TEST_F(SourceTest, ForeignFormatsAreNamed) {
                "Git LFS pointer");
     EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), "zip archive");
     EXPECT_HAS(reasonOfText("a.bin", std::string("\0\1\2\3", 4)), "is of no known format");
+    const std::string triangles(3 * 50, '\1');
+    EXPECT_HAS(reasonOfText("a.stl", std::string(80, 'x') + bytesOf(3u) + triangles),
+               "is an STL mesh; this build reads PLY");
+    EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "is an STL mesh; this build reads PLY");
+    EXPECT_HAS(reasonOfText("b.stl", "solid cube\n  facet normal 0 0 1\n"), "--sample N");
+    EXPECT_HAS(reasonOfText("u.xyz", std::string("\xff\xfe"
+                                                 "1\0 \0"
+                                                 "2\0",
+                                                 8)),
+               "is UTF-16 text: save it as UTF-8");
+    EXPECT_HAS(reasonOfText("u.xyz", std::string("\xfe\xff\0"
+                                                 "1\0 ",
+                                                 6)),
+               "is UTF-16 text");
+    const std::array<std::uint32_t, 2> magic = {PRO_MAGIC_WORD0, PRO_MAGIC_WORD1};
+    EXPECT_HAS(reasonOfText("a.pro", bytesOf(magic)), "is baked already: pointrt-view shows it");
+    EXPECT_HAS(reasonOfText("a.tar.gz", gzipped(std::string(257, 'n') + "ustar" + std::string(800, '\0'))),
+               "is a tar archive: unpack it first");
+    EXPECT_HAS(reasonOfText("a.spz", gzipped("NGSP\2")), "is an SPZ file of Gaussian splats; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.splat", std::string(64, '\0')), "is a file of Gaussian splats; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.gltf", "{\"asset\": {}}\n"), "is a 3D model; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.ply", "<!DOCTYPE html><title>404"), "is a web page");
+    EXPECT_HAS(reasonOfText("a.toml", "[camera]\n"), "is a scene file: pointrt-view renders it");
     EXPECT_HAS(reasonOf(write("a.xyz", "1 2 3\n"), {.format = "stl"}), "unknown input format 'stl'");
     EXPECT_EQ(last_code, ExitCode::kBadUsage);
 }

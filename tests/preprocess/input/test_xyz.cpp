@@ -62,6 +62,24 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
         {"1 2 3 0 0 1 10 20 30 255\n1 2 3 0 1 0 1 1 1 255\n", true, true, rgb, up},
         {"1 2 3 2560 5120 7680\n1 2 3 0 0 65535\n", true, false, rgb, {}},
         {"1 2 3 0.0392 0.0784 0.1176\n1 2 3 0 0 0.5\n", true, false, rgb, {}},
+        {"1 2 3 10 20 30 0.5\n1 2 3 1 1 1 0.25\n", true, false, rgb, {}},
+        {"1 2 3 0.5 10 20 30\n1 2 3 0.25 1 1 1\n", true, false, rgb, {}},
+        {"1 2 3 10 20 30 1024\n1 2 3 1 1 1 5\n", true, false, rgb, {}},
+        {"1 2 3 10 20 30 -1613\n1 2 3 1 1 1 5\n", true, false, rgb, {}},
+        {"1 2 3 1024 10 20 30\n1 2 3 5 1 1 1\n", true, false, rgb, {}},
+        {"1 2 3 2560 5120 7680 99\n1 2 3 65535 300 300 7\n", true, false, rgb, {}},
+        {"1 2 3 99 2560 5120 7680\n1 2 3 7 65535 300 300\n", true, false, rgb, {}},
+        {"1 2 3 10 20 30 0\n1 2 3 1 1 1 0\n", true, false, rgb, {}},
+        {"1 2 3 0 10 20 30\n1 2 3 0 1 1 1\n", true, false, rgb, {}},
+        {"1 2 3 0.0392 0.0784 0.1176 99\n1 2 3 0 0 0.5 5\n", true, false, rgb, {}},
+        {"1 2 3 0 0 1 0.5\n1 2 3 0 1 0 7\n", false, true, {}, up},
+        {"1 2 3 0.5 0 0 1\n1 2 3 7 0 1 0\n", false, true, {}, up},
+        {"1 2 3 0 0 1\n1 2 3 0 0 0\n1 2 3 nan nan nan\n", false, true, {}, up},
+        {"1 2 3 10 20 30 500 0 0 1\n1 2 3 1 1 1 5 0 1 0\n", true, true, rgb, up},
+        {"1 2 3 500 10 20 30 0 0 1\n1 2 3 5 1 1 1 0 1 0\n", true, true, rgb, up},
+        {"1 2 3 0 0 1 500 10 20 30\n1 2 3 0 1 0 5 1 1 1\n", true, true, rgb, up},
+        {"1 2 3 0.5 0 0 1 10 20 30\n1 2 3 7.5 0 1 0 1 1 1\n", true, true, rgb, up},
+        {"1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n", false, false, {}, {}},
     };
     for (const Meaning& meaning : meanings) {
         const Cloud cloud = readText("a.xyz", meaning.text);
@@ -74,6 +92,57 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
             EXPECT_EQ(cloud.normals[0], meaning.normal) << meaning.text;
         }
     }
+}
+
+std::string notesOf(const Cloud& cloud) {
+    std::string all;
+    for (const Note& note : cloud.notes) all += note.file + ": " + note.text + "\n";
+    return all;
+}
+
+TEST_F(XyzTest, GuessesThatMayBeWrongAreTold) {
+    const auto notes = [&](const char* text) { return notesOf(readText("a.xyz", text)); };
+    EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: has no header: columns 5 to 7 are taken as red");
+    EXPECT_HAS(notes("1 2 3 10 20 30 99 0 0 1\n1 2 3 1 1 2 5 0 1 0\n"), "columns 4 to 6 are taken as red");
+    EXPECT_HAS(notes("1 2 3 0.1 0.2 0.3 0.4\n1 2 3 0 0 0 0.5\n"), "columns 5 to 7 are taken as red");
+    EXPECT_HAS(notes("1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n"), "3 columns after x, y, z that look like neither");
+    EXPECT_HAS(notes("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 9\n"), "5 columns after x, y, z that look like neither");
+    EXPECT_HAS(notes("1 2 3 0 0 1 9.5 8.5 7.5\n1 2 3 0 1 0 1 1 1\n"), "3 columns after x, y, z and normals");
+    for (const char* clear : {"1 2 3\n", "1 2 3 4\n", "1 2 3 4 5\n", "1 2 3 10 20 30\n", "1 2 3 0 0 1\n",
+                              "2\n1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n", "//X Y Z R G B I\n1 2 3 99 10 20 30\n",
+                              "1 2 3 0 10 20 30\n1 2 3 0 1 1 2\n", "1 2 3 10 20 30 0.5\n1 2 3 1 1 1 0.25\n"})
+        EXPECT_EQ(notes(clear), "") << clear;
+}
+
+TEST_F(XyzTest, HeadersOfCloudCompare) {
+    const Rgb8 rgb = {51, 102, 204};
+    const Vec3f up(0, 0, 1);
+    const Meaning meanings[] = {
+        {"//X Y Z Rf Gf Bf\n1 2 3 0.2 0.4 0.8\n1 2 3 0 0 1\n", true, false, rgb, {}},
+        {"//X Y Z Rf Gf Bf Nx Ny Nz\n1 2 3 0.2 0.4 0.8 0 0 1\n1 2 3 0 0 1 0 0 1\n", true, true, rgb, up},
+        {"//X Y Z R G B Intensity Nx Ny Nz\n1 2 3 51 102 204 7000 0 0 1\n", true, true, rgb, up},
+        {"//X Y Z R G B A\n1 2 3 51 102 204 255\n", true, false, rgb, {}},
+        {"//X Y Z Scalar_field R G B\n1 2 3 9.5 51 102 204\n", true, false, rgb, {}},
+        {"//X Y Z Rf Gf Bf\n2\n1 2 3 0.2 0.4 0.8\n1 2 3 0 0 1\n", true, false, rgb, {}},
+        {"x,y,z,nx,ny,nz,red,green,blue\n1,2,3,0,0,1,51,102,204\n", true, true, rgb, up},
+    };
+    for (const Meaning& meaning : meanings) {
+        const Cloud cloud = readText("a.asc", meaning.text);
+        ASSERT_EQ(!cloud.colors.empty(), meaning.colors) << meaning.text;
+        ASSERT_EQ(!cloud.normals.empty(), meaning.normals) << meaning.text;
+        EXPECT_EQ(cloud.colors[0], meaning.color) << meaning.text;
+        if (meaning.normals) {
+            EXPECT_EQ(cloud.normals[0], meaning.normal) << meaning.text;
+        }
+    }
+}
+
+TEST_F(XyzTest, DecimalCommasAreNamed) {
+    for (const char* text : {"1,5 2,5 3,5\n", "1,5;2,5;3,5\n", "1,5\t2,5\t3,5\n", "-1,5e3 2,5 3\n",
+                             "x;y;z\n1,5;2,5;3,5\n", "\"1,5\";\"2,5\";\"3,5\"\n"})
+        EXPECT_HAS(reasonOfText("a.csv", text), "(decimal commas? write 1.5 for 1,5)");
+    for (const char* text : {"one two three\n", "1, two, three\n", "1,5\n", "Dear reader, 1,5 is a number\n"})
+        EXPECT_EQ(reasonOfText("a.csv", text).find("commas"), std::string::npos) << text;
 }
 
 TEST_F(XyzTest, NationalGridKeepsMillimetres) {

@@ -56,6 +56,26 @@ TEST(Degenerate, StraysFarAwayMakeNoLine) {
     }
 }
 
+TEST(Degenerate, StraysBeyondFloatAreLeftOut) {
+    const std::vector<Vec3f> sphere = randomSphere(1000).positions;
+    SurfaceReport alone_report;
+    const Splats alone = estimateSplats(cloudOf(sphere), {}, alone_report);
+    for (const float distance : {1e19f, 1e25f, 1e30f, 3e38f}) {
+        std::vector<Vec3f> strewn = sphere;
+        strewn.insert(strewn.begin() + 500, Vec3f(distance, -distance, 0));
+        SurfaceReport report;
+        const Splats splats = estimateSplats(cloudOf(strewn), {}, report);
+        EXPECT_EQ(report.outliers_removed, 1u) << distance;
+        EXPECT_EQ(report.duplicates_removed, 0u) << distance;
+        ASSERT_EQ(splats.positions.size(), 1000u) << distance;
+        for (std::size_t i = 0; i < 1000; ++i) {
+            ASSERT_EQ(splats.positions[i], alone.positions[i]) << distance;
+            ASSERT_EQ(splats.radii[i], alone.radii[i]) << distance;
+            ASSERT_EQ(splats.input_index[i], alone.input_index[i] + (alone.input_index[i] >= 500)) << distance;
+        }
+    }
+}
+
 TEST(Degenerate, MissingNormalsAndSensors) {
     Cloud cloud = randomSphere(100).cloud();
     cloud.normals.assign(100, Vec3f::UnitX());
