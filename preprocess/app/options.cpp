@@ -60,7 +60,7 @@ constexpr const char* kExamples =
     "  pointrt-bake scan.ply -o scan.pro\n"
     "  pointrt-bake a.ply b.pcd -o all.pro               two scans that share coordinates\n"
     "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
-    "  zcat scan.xyz.gz | pointrt-bake - --input-format xyz -f -o scan.pro\n";
+    "  zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 

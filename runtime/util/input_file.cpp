@@ -34,6 +34,7 @@ struct OpenFile {
     void measure() {
         struct stat status;
         if (fstat(descriptor, &status) != 0) fail(path, std::strerror(errno));
+        if (S_ISDIR(status.st_mode)) fail(path, std::strerror(EISDIR));
         if (!S_ISREG(status.st_mode)) fail(path, "not a regular file");
         size = static_cast<std::size_t>(status.st_size);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pointrt {
 namespace {
@@ -33,12 +34,58 @@ Vec3d wholeNumbers(const Vec3d& position) {
 /// 1e30, cubes round discs included.
 constexpr double kFarthest = 1e25;
 
-bool addPosition(Cloud& cloud, const Vec3d& position) {
+/// Enough to tell the place of a scan from a mark for no data at its start.
+constexpr std::size_t kFirstPositions = 256;
+
+/// Each once: marks for no data come in numbers.
+std::vector<Vec3d> distinct(std::vector<Vec3d> positions) {
+    const auto key = [](const Vec3d& position) { return std::array{position.x(), position.y(), position.z()}; };
+    std::sort(positions.begin(), positions.end(), [&](const Vec3d& a, const Vec3d& b) { return key(a) < key(b); });
+    positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+    return positions;
+}
+
+/// The middle one of each coordinate.
+Vec3d medianOf(const std::vector<Vec3d>& positions) {
+    Vec3d median;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const Vec3d& position : positions) values.push_back(position[axis]);
+        const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        median[axis] = *middle;
+    }
+    return median;
+}
+
+/// The origin is the first position, unless that is a thousand times as far from the others as they are from each
+/// other: 0 0 0 ahead of a scan in a national grid would round all of it to half a metre.
+void settleOrigin(Sink& sink) {
+    constexpr double kFar = 1000;
+    sink.origin_settled = true;
+    const std::vector<Vec3d> positions = std::exchange(sink.first_positions, {});
+    const std::vector<Vec3d> places = distinct(positions);
+    const Vec3d median = medianOf(places);
+    std::vector<double> distances;
+    for (const Vec3d& place : places) distances.push_back((place - median).norm());
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    if (*middle == 0 || !((positions.front() - median).norm() > kFar * *middle)) return;
+    Cloud& cloud = sink.cloud;
+    cloud.origin = wholeNumbers(median);
+    for (std::size_t i = 0; i < positions.size(); ++i) cloud.positions[i] = (positions[i] - cloud.origin).cast<float>();
+}
+
+bool addPosition(Sink& sink, const Vec3d& position) {
+    Cloud& cloud = sink.cloud;
     if (!(position.cwiseAbs().maxCoeff() < kFarthest) || !position.allFinite()) return false;
     if (cloud.positions.empty()) cloud.origin = wholeNumbers(position);
     const Vec3f local = (position - cloud.origin).cast<float>();
     if (!local.allFinite()) return false;
     cloud.positions.push_back(local);
+    if (sink.origin_settled) return true;
+    sink.first_positions.push_back(position);
+    if (sink.first_positions.size() == kFirstPositions) settleOrigin(sink);
     return true;
 }
 
@@ -138,7 +185,7 @@ void addVertex(Sink& sink, const Row& row) {
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
     if (index >= kMaxPoints)
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
-    if (!addPosition(sink.cloud, position)) {
+    if (!addPosition(sink, position)) {
         sink.dropped.push_back(static_cast<std::uint32_t>(index));
         return;
     }
@@ -158,6 +205,7 @@ void finishScan(Sink& sink, const Source& source) {
     if (kept == 0)
         refuse(source, fmt::format("none of its {} points is finite and within {:g}", sink.vertices, kFarthest));
     if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
+    if (!sink.origin_settled) settleOrigin(sink);
     scaleWideColors(sink);
     settleTriangles(sink, source);
     fillMissing(cloud);

@@ -51,6 +51,10 @@ struct Sink {
     /// Vertices, by their place in the cloud, whose faces went with a vertex that was dropped.
     std::vector<std::uint32_t> bereft;
 
+    /// The first positions of all in the world, until the cloud's origin is settled by them.
+    std::vector<Vec3d> first_positions;
+    bool origin_settled = false;
+
     // Of the file that is being read:
     ScanTraits traits;
     std::uint64_t vertices = 0;                    ///< given so far, non-finite ones included

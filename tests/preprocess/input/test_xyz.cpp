@@ -152,6 +152,23 @@ TEST_F(XyzTest, NationalGridKeepsMillimetres) {
     EXPECT_LT((world(cloud, 1) - Vec3d(500100.999, 4500100.998, 171.997)).cwiseAbs().maxCoeff(), 1e-5);
 }
 
+TEST_F(XyzTest, AFirstPointWithoutDataDoesNotRoundTheOthers) {
+    for (const char* first : {"0 0 0\n", "0 0 0\n0 0 0\n", "-1e20 1e20 0\n", "-9999 -9999 -9999\n"})
+        for (const int count : {5, 1000}) {
+            std::string text = first;
+            for (int i = 0; i < count; ++i)
+                text += fmt::format("{} {} 170.003\n", 500000.001 + i % 7, 4500000.002 + i % 9);
+            const Cloud cloud = readText("a.xyz", text);
+            const std::size_t at = cloud.positions.size() - static_cast<std::size_t>(count);
+            EXPECT_LT((world(cloud, at) - Vec3d(500000.001, 4500000.002, 170.003)).cwiseAbs().maxCoeff(), 1e-5) << text;
+            EXPECT_EQ(cloud.origin[2], 170);
+        }
+    // Any other stays the origin, and two points cannot tell.
+    EXPECT_EQ(readText("b.xyz", "900 0 0\n1 2 3\n2 3 4\n3 2 1\n").origin, Vec3d(900, 0, 0));
+    EXPECT_EQ(readText("c.xyz", "0 0 0\n1e9 0 0\n").origin, Vec3d(0, 0, 0));
+    EXPECT_EQ(readText("d.xyz", "9e6 5 5\n0 0 0\n0 0 0\n0 0 0\n9e6 6 5\n9e6 5 6\n9e6 6 6\n").origin, Vec3d(9e6, 5, 5));
+}
+
 TEST_F(XyzTest, OriginIsWholeAndKeepsSmallCoordinates) {
     EXPECT_EQ(readText("a.xyz", "-0.5 0.25 -7.75\n").origin, Vec3d(0, 0, -7));
     EXPECT_FALSE(std::signbit(readText("a.xyz", "-0.5 0.25 -7.75\n").origin[0]));
