@@ -89,6 +89,7 @@ NoiseMeter::NoiseMeter(std::size_t pixels) {
 
 void NoiseMeter::addRows(const Film& rows) {
     unknown_ = unknown_ || hasFewSamples(rows);
+    if (unknown_) return; // and keeps no more of it
     for (std::size_t i = 0; i < rows.variance.size(); ++i)
         lights_.push_back(static_cast<float>(luminanceOf(rows.rgba.data() + 4 * i)));
     variances_.insert(variances_.end(), rows.variance.begin(), rows.variance.end());
