@@ -74,16 +74,22 @@ case_resume_refuses_another_film() {
     expectError 1 "a.exr: " "${view[@]}" --spp 4 --resume -o out/a.exr
 }
 
-case_interrupt_saves_the_film() {
-    local pid status=0 samples
-    bakeSphere
-    "${view[@]}" -v --spp 65536 -o out/a.exr --stats stats.json 2>stderr &
+# interruptAtWork PICTURE: a render of many samples, ended by SIGTERM after some.
+interruptAtWork() {
+    local pid status=0
+    "${view[@]}" -v --spp 65536 -o "$1" --stats stats.json 2>stderr &
     pid=$!
     until grep -q pipeline stderr; do sleep 0.1; done
     sleep 3 # pipelines take some tenths of a second
     kill -TERM "$pid"
     wait "$pid" || status=$?
     [ "$status" = 143 ] || fail "exit status $status where 143, of the signal, was expected"
+}
+
+case_interrupt_saves_the_film() {
+    local samples
+    bakeSphere
+    interruptAtWork out/a.exr
     grep -q "interrupted at [0-9]* of 65536 samples" stderr || fail "it does not say how far it was"
     samples=$(samplesOf stats.json)
     [ "$samples" -ge 1 ] || fail "no sample was saved"
@@ -130,15 +136,8 @@ case_interrupt_of_a_crowded_scene() {
 }
 
 case_interrupt_saves_a_png() {
-    local pid status=0
     bakeSphere
-    "${view[@]}" -v --spp 65536 -o out/a.png --stats stats.json 2>stderr &
-    pid=$!
-    until grep -q pipeline stderr; do sleep 0.1; done
-    sleep 3 # pipelines take some tenths of a second
-    kill -TERM "$pid"
-    wait "$pid" || status=$?
-    [ "$status" = 143 ] || fail "exit status $status where 143, of the signal, was expected"
+    interruptAtWork out/a.png
     grep -Eq "a.png: interrupted at [0-9]+ of 65536 samples\$" stderr || fail "it does not say how far it was"
     [ "$(samplesOf stats.json)" -ge 1 ] || fail "no sample was saved"
     [ "$(head -c 8 out/a.png | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG was written"
