@@ -134,10 +134,11 @@ BakeReport bake(const BakeOptions& options) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
     BakeProgress progress(options.verbosity, options.progress, stagesLeftOut(options));
     const auto show = [&](double share) { progress.update(share); };
+    const auto show_read = [&](const ReadStatus& status) { progress.update(status.share); };
     BakeReport report;
 
     progress.begin("read", 0);
-    Cloud cloud = readInputs(options.inputs, options.read, show);
+    Cloud cloud = readInputs(options.inputs, options.read, show_read);
     progress.setPoints(cloud.positions.size());
     report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
     report.points_non_finite = cloud.points_non_finite;

@@ -7,8 +7,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "preprocess/cloud/attribute.h"
 
 namespace pointrt {
 
@@ -25,6 +28,19 @@ struct Note {
     std::size_t more_files = 0; ///< of which the same is to be said
 };
 
+/// One station of a scanner, or one file where a file is one scan.
+struct Scan {
+    std::string name;            ///< for people: the file, and what it calls the scan
+    std::optional<Vec3d> sensor; ///< where the scanner stood, input coordinates
+};
+
+/// How the input's coordinates lie in the world, as far as files say; what they disagree on is not known.
+struct WorldFrame {
+    Vec3d up = Vec3d::Zero();   ///< unit length; zero: not known
+    double metres_per_unit = 0; ///< 0: not known
+    std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": not known
+};
+
 /// Points of one or several scans in one frame. Optional arrays are empty or as long as positions.
 struct Cloud {
     /// Input coordinate = origin + position, per axis; whole numbers, so that no bit is lost in double.
@@ -34,11 +50,17 @@ struct Cloud {
     std::vector<Rgb8> colors;                            ///< sRGB
     std::vector<std::uint32_t> sensor_of_point;          ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                          ///< scanner positions, relative to origin
+    std::vector<float> radii;                            ///< as given; 0 where missing
+    std::vector<Attribute> attributes;
+    std::vector<Scan> scans; ///< in the order read; attribute kScanNumber numbers them where there are several
+    WorldFrame world;
+    std::string source_header; ///< JSON of what a writer of the input's format needs to write it again, or ""
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< faces of a mesh, indices into positions
 
     std::size_t points_read = 0;       ///< in the files, non-finite ones included
     std::size_t points_non_finite = 0; ///< dropped while reading
     std::size_t points_unused = 0;     ///< dropped: vertices of meshes that no face uses
+    std::size_t points_filtered = 0;   ///< dropped: not asked for
     std::vector<Note> notes;
 };
 

@@ -34,6 +34,14 @@ void keepFlagged(std::vector<Item>& items, const std::vector<bool>& keep) {
     items.resize(kept);
 }
 
+void keepFlaggedValues(Attribute& attribute, const std::vector<bool>& keep) {
+    const std::size_t size = attribute.bytesEach();
+    char* kept = attribute.values.data();
+    for (std::size_t i = 0; i < keep.size(); ++i)
+        if (keep[i]) kept = std::copy_n(attribute.values.data() + i * size, size, kept);
+    attribute.values.resize(static_cast<std::size_t>(kept - attribute.values.data()));
+}
+
 void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
     std::vector<std::uint32_t> renumbered(keep.size());
     std::uint32_t next = 0;
@@ -44,6 +52,8 @@ void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
     keepFlagged(cloud.normals, keep);
     keepFlagged(cloud.colors, keep);
     keepFlagged(cloud.sensor_of_point, keep);
+    keepFlagged(cloud.radii, keep);
+    for (Attribute& attribute : cloud.attributes) keepFlaggedValues(attribute, keep);
 }
 
 /// Mean over the surface of the longest edge of the face there, over the diagonal of all faces.

@@ -2,6 +2,8 @@
 #include "preprocess/input/read.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cstring>
 
 #include "preprocess/input/formats/detect.h"
 #include "preprocess/input/mesh.h"
@@ -9,17 +11,33 @@
 namespace pointrt {
 namespace {
 
+FileReport readFile(const std::string& path, const ReadOptions& options, Sink& sink) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t points_before = sink.cloud.points_read, kept_before = sink.cloud.positions.size(),
+                      scans_before = sink.scans.size();
+    const Source source = openSource(path);
+    const InputFormat& format = formatOf(source, options.format);
+    format.reader.read(source, sink);
+    FileReport report{source.name, std::string(format.title)};
+    report.points = sink.cloud.points_read - points_before;
+    report.kept = sink.cloud.positions.size() - kept_before;
+    report.scans = sink.scans.size() - scans_before;
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+}
+
 void readFiles(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress,
-               Sink& sink) {
+               std::vector<FileReport>* files, Sink& sink) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         if (progress)
             sink.progress = [&, i](double share) {
-                progress((static_cast<double>(i) + share) / static_cast<double>(paths.size()));
+                const double done = (static_cast<double>(i) + share) / static_cast<double>(paths.size());
+                progress({done, i, paths.size(), sink.cloud.points_read + sink.vertices});
             };
-        const Source source = openSource(paths[i]);
-        formatOf(source, options.format).reader.read(source, sink);
+        const FileReport report = readFile(paths[i], options, sink);
+        if (files) files->push_back(report);
     }
-    if (progress) progress(1);
+    if (progress) progress({1, paths.size() - 1, paths.size(), sink.cloud.points_read});
 }
 
 void checkSampling(const ReadOptions& options, const Sink& sink) {
@@ -37,13 +55,41 @@ void dropEmptyNormals(Cloud& cloud) {
     if (empty) cloud.normals = {};
 }
 
+/// What all points of several scans are told apart by, unless the files say something of that name themselves.
+template <typename Number>
+void numberScansAs(Scalar type, Cloud& cloud, const std::vector<ScanRange>& scans) {
+    Attribute numbers{kScanNumber, type, 1, std::vector<char>(cloud.positions.size() * sizeof(Number))};
+    for (std::size_t scan = 0; scan < scans.size(); ++scan)
+        for (std::size_t i = 0; i < scans[scan].position_count; ++i) {
+            const auto number = static_cast<Number>(scan);
+            std::memcpy(numbers.values.data() + (scans[scan].first_position + i) * sizeof number, &number, sizeof number);
+        }
+    cloud.attributes.push_back(std::move(numbers));
+}
+
+void numberScans(Cloud& cloud, const std::vector<ScanRange>& scans, const AttributeChoice& choice) {
+    const bool taken = std::any_of(cloud.attributes.begin(), cloud.attributes.end(),
+                                   [](const Attribute& each) { return each.name == kScanNumber; });
+    if (scans.size() < 2 || taken || !choice.wants(kScanNumber)) return;
+    if (scans.size() <= 0x100) return numberScansAs<std::uint8_t>(Scalar::kU8, cloud, scans);
+    if (scans.size() <= 0x10000) return numberScansAs<std::uint16_t>(Scalar::kU16, cloud, scans);
+    numberScansAs<std::uint32_t>(Scalar::kU32, cloud, scans);
+}
+
 } // namespace
 
-Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress) {
+Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress,
+                 std::vector<FileReport>* files) {
     if (paths.empty()) throw Error(ExitCode::kBadUsage, "no input file");
     Cloud cloud;
     Sink sink(cloud);
-    readFiles(paths, options, progress, sink);
+    sink.attributes = options.attributes;
+    sink.filter = PointFilter(options.filter);
+    sink.world_from_input = options.transform;
+    sink.level = options.level;
+    readFiles(paths, options, progress, files, sink);
+    narrowAttributes(cloud, sink.columns);
+    numberScans(cloud, sink.scans, options.attributes);
     checkSampling(options, sink);
     addMeshNormals(cloud);
     const bool sampled = options.sample_count > 0;

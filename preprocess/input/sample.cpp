@@ -84,6 +84,7 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
         const auto rounded = color.cast<std::uint8_t>();
         samples.colors.push_back({rounded[0], rounded[1], rounded[2]});
     }
+    if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample has its own
     if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
 }
 
@@ -102,6 +103,9 @@ Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans
     points.points_read = cloud.points_read;
     points.points_non_finite = cloud.points_non_finite;
     points.points_unused = cloud.points_unused;
+    points.points_filtered = cloud.points_filtered;
+    points.world = cloud.world;
+    points.scans = cloud.scans;
     points.notes = cloud.notes;
     for (const ScanRange& scan : scans) {
         if (scan.has_faces) continue;
@@ -109,6 +113,7 @@ Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans
         copyRange(cloud.normals, scan, points.normals);
         copyRange(cloud.colors, scan, points.colors);
         copyRange(cloud.sensor_of_point, scan, points.sensor_of_point);
+        copyRange(cloud.radii, scan, points.radii);
     }
     return points;
 }
@@ -140,6 +145,8 @@ void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, Clou
 } // namespace
 
 void sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, std::uint64_t sample_count, std::uint64_t seed) {
+    if (!cloud.attributes.empty())
+        addNote(cloud, scans.front().name, "samples of faces have no attributes: those of the vertices are left out");
     Cloud samples = pointsWithoutFaces(cloud, scans);
     addSamples(cloud, sample_count, seed, samples);
     cloud = std::move(samples);

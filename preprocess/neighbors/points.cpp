@@ -91,6 +91,7 @@ void toUnitSize(Points& points, double extent) {
     const double factor = std::ldexp(1.0, -exponent);
     forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
     for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
+    for (float& radius : points.radii) radius = static_cast<float>(radius * factor);
     points.scale_exponent += exponent;
 }
 
@@ -111,6 +112,7 @@ Points takePoints(Cloud&& cloud) {
     points.colors = gatherAndFree(cloud.colors, points.input_index);
     points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
     points.sensors = std::move(cloud.sensors);
+    points.radii = gatherAndFree(cloud.radii, points.input_index);
     toUnitSize(points, bounds.longestEdge());
     forAll(points.normals, [](Vec3f& normal) { normal = unitOrZero(normal); });
     return points;
@@ -121,6 +123,7 @@ void keepPoints(Points& points, const std::vector<std::uint8_t>& keep) {
     keepFlagged(points.normals, keep);
     keepFlagged(points.colors, keep);
     keepFlagged(points.sensor_of_point, keep);
+    keepFlagged(points.radii, keep);
     keepFlagged(points.input_index, keep);
 }
 
@@ -135,6 +138,7 @@ bool refit(Points& points) {
     points.normals = gatherAndFree(points.normals, order);
     points.colors = gatherAndFree(points.colors, order);
     points.sensor_of_point = gatherAndFree(points.sensor_of_point, order);
+    points.radii = gatherAndFree(points.radii, order);
     points.input_index = gatherAndFree(points.input_index, order);
     toUnitSize(points, extent);
     return true;

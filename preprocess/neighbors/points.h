@@ -18,6 +18,7 @@ struct Points {
     std::vector<Rgb8> colors;
     std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                 ///< in the unit of positions
+    std::vector<float> radii;                   ///< as given, in the unit of positions; 0 where missing
     std::vector<std::uint32_t> input_index;     ///< index in the cloud
     int scale_exponent = 0;
 

@@ -105,9 +105,16 @@ Points takePointsBut(Cloud&& cloud, const std::vector<std::uint32_t>& left_out) 
     leaveOut(cloud.normals, left_out);
     leaveOut(cloud.colors, left_out);
     leaveOut(cloud.sensor_of_point, left_out);
+    leaveOut(cloud.radii, left_out);
     Points points = takePoints(std::move(cloud));
     for (std::uint32_t& index : points.input_index) index = cloud_index[index];
     return points;
+}
+
+/// What says how large its discs are knows better than their neighbours.
+void keepGivenRadii(const Points& points, std::vector<float>& radii) {
+    for (std::size_t i = 0; i < points.radii.size(); ++i)
+        if (points.radii[i] > 0) radii[i] = points.radii[i];
 }
 
 void requireSane(const SurfaceOptions& options) {
@@ -140,6 +147,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         const Stopwatch watch(report.seconds_radii);
         radii = discRadii(points, lists, *search, oriented, {progress, "radii"});
         limitRadii(radii);
+        keepGivenRadii(points, radii);
     }
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
     splats.origin = origin;

@@ -83,6 +83,23 @@ typedef struct pro_index {
     const uint32_t* blend_ranges; /* [cell_count][2] */
 } pro_index;
 
+/* What a scan says of each point besides position, normal and colour: numbers as the file had them, to the bit. */
+typedef struct pro_attribute {
+    char name[PRO_ATTRIBUTE_NAME_MAX + 1]; /* UTF-8, terminated, unique in a file; SPEC.md has those that mean something */
+    uint32_t type;                         /* PRO_TYPE_* */
+    uint32_t components;                   /* 1 to 4 */
+    double low, high;                      /* of all finite values; both 0 where there is none */
+    const void* values;                    /* [splat_count][components] */
+} pro_attribute;
+
+/* How a scan lies in the world, as far as is known. */
+typedef struct pro_world {
+    float up[3];            /* unit length, or zeros: not known */
+    double metres_per_unit; /* 0: not known */
+    uint32_t sensor_count;  /* of SENS: scans, numbered as the attribute "scan" does where there are several */
+    const double* sensors;  /* [sensor_count][4]: position in input coordinates and 1, or zeros; NULL without SENS */
+} pro_world;
+
 /* A splat in plain numbers: cube units, unit normal, sRGB bytes. */
 typedef struct pro_splat {
     float position[3];
@@ -112,6 +129,17 @@ PRO_API void pro_get_info(const pro_file* file, pro_info* info);
 PRO_API void pro_get_view(const pro_file* file, pro_view* view);
 /* Returns 1, or 0 and zeros where the file has no index. */
 PRO_API int pro_get_index(const pro_file* file, pro_index* index);
+/* What is not known is 0 in it, and all of it in files before 1.2. */
+PRO_API void pro_get_world(const pro_file* file, pro_world* world);
+/* Attributes, in the file's order; 0 of them before 1.2. With PRO_OPEN_TRACE their checksums are not compared. */
+PRO_API uint32_t pro_attribute_count(const pro_file* file);
+/* Returns 1, or 0 and zeros where there is no such attribute. */
+PRO_API int pro_get_attribute(const pro_file* file, uint32_t number, pro_attribute* attribute);
+PRO_API int pro_find_attribute(const pro_file* file, const char* name, pro_attribute* attribute);
+/* Bytes of a number of a type; 0 for what is no type. */
+PRO_API uint32_t pro_type_bytes(uint32_t type);
+/* One number of it as a double: component c of a splat is number splat * components + c. */
+PRO_API double pro_attribute_value(const pro_attribute* attribute, size_t number);
 /* The whole file as mapped (page aligned when it came from pro_open). */
 PRO_API const void* pro_bytes(const pro_file* file, size_t* bytes);
 
@@ -137,6 +165,19 @@ PRO_API pro_result pro_write_indexed(const char* path, const pro_info* info, con
  * this one is PRO_CANNOT_WRITE. */
 PRO_API pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                                  pro_message* message);
+
+/* Everything that a file can hold. Zeros, and NULLs, for what is not there. */
+typedef struct pro_content {
+    const pro_info* info;
+    const pro_view* view;
+    const pro_index* index;
+    const pro_world* world;
+    const pro_attribute* attributes; /* low and high are found by the writer */
+    uint32_t attribute_count;        /* at most PRO_ATTRIBUTE_MAX */
+} pro_content;
+
+/* The same with what a scan says beside its points, which makes the file version 1.2. replace: 0 is as pro_write_new. */
+PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */
 PRO_API void pro_splat_encode(const pro_splat* splat, float radius_max, float radius_step, uint32_t words[4]);

@@ -20,6 +20,10 @@
  *                   NEAR  uint32[][4]             near splats, two to an element
  *                   LIST  uint32[][4]             splats, four to an element
  *                   BLND  uint32[][2]             what only blends in each listed cell
+ *                 and, since 1.2, what scans say beside their points:
+ *                   SENS  double[][4]             where the scanner stood, for each scan
+ *                   ATTD  bytes[][64]             name, type and range of each attribute
+ *                   ATTR  number[splat_count][]   the values of one, as often as ATTD has records
  *
  * All values are little-endian. Positions and lengths are in units of the cube edge ("cube units"):
  * input coordinate = origin + scale * cube coordinate, with origin and scale in double.
@@ -28,7 +32,7 @@
 #define POINTRT_PRO_LAYOUT_H
 
 #define PRO_VERSION_MAJOR 1
-#define PRO_VERSION_MINOR 1
+#define PRO_VERSION_MINOR 2
 
 /* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
@@ -63,8 +67,11 @@
 #define PRO_OFF_GRID_SIZE 176     /* uint32[3], cells */
 #define PRO_OFF_GRID_UNEVEN 188   /* uint32, 0 or 1 */
 #define PRO_OFF_BRICK_COUNT 192   /* uint32 */
-#define PRO_FIELDS_END 196
+#define PRO_OFF_UP 196            /* float[3], since 1.2 like METRES: which way is up, unit length; 0 where not known */
+#define PRO_OFF_METRES 208        /* double, metres to an input unit; 0 where not known */
+#define PRO_FIELDS_END 216
 #define PRO_FIELDS_END_1_0 160 /* of version 1.0 */
+#define PRO_FIELDS_END_1_1 196 /* of version 1.1 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -100,6 +107,9 @@
 #define PRO_KIND_NEAR 0x5241454Eu
 #define PRO_KIND_LIST 0x5453494Cu
 #define PRO_KIND_BLND 0x444E4C42u
+#define PRO_KIND_SENS 0x534E4553u
+#define PRO_KIND_ATTD 0x44545441u
+#define PRO_KIND_ATTR 0x52545441u
 
 /*
  * NODE: one word. 0 is an empty leaf; with PRO_NODE_INNER set the other bits are the number of the
@@ -168,5 +178,31 @@
 #define PRO_MAT_REFLECTIVITY 3u /* 0 matte to 1 perfect mirror */
 #define PRO_MAT_SPECULAR 4u     /* weight of the Phong highlight, 0 to 1 */
 #define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
+
+/* SENS: four doubles a scan: where the scanner stood, in input coordinates, and 1; or zeros where that is not known. */
+#define PRO_SENSOR_DOUBLES 4u
+
+/* ATTD: a record an attribute; the k-th section ATTR of the table has the values of the k-th. */
+#define PRO_ATTRIBUTE_BYTES 64u
+#define PRO_ATTRIBUTE_MAX 32u
+#define PRO_ATTRIBUTE_NAME_MAX 31u
+#define PRO_ATTR_OFF_NAME 0        /* UTF-8, ended by a 0, and zeros up to 32 bytes */
+#define PRO_ATTR_OFF_TYPE 32       /* uint32, PRO_TYPE_* */
+#define PRO_ATTR_OFF_COMPONENTS 36 /* uint32, numbers of a splat, 1 to 4 */
+#define PRO_ATTR_OFF_RESERVED 40   /* 8 bytes, 0 */
+#define PRO_ATTR_OFF_LOW 48        /* double, the least finite value of all components; 0 where there is none */
+#define PRO_ATTR_OFF_HIGH 56       /* double, the greatest */
+#define PRO_ATTRIBUTE_COMPONENTS_MAX 4u
+
+#define PRO_TYPE_I8 1u
+#define PRO_TYPE_U8 2u
+#define PRO_TYPE_I16 3u
+#define PRO_TYPE_U16 4u
+#define PRO_TYPE_I32 5u
+#define PRO_TYPE_U32 6u
+#define PRO_TYPE_I64 7u
+#define PRO_TYPE_U64 8u
+#define PRO_TYPE_F32 9u
+#define PRO_TYPE_F64 10u
 
 #endif

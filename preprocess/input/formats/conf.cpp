@@ -31,7 +31,7 @@ Placement parsePlacement(const Source& source, std::string_view line) {
     const Eigen::Quaterniond scan_from_world(v[6], v[3], v[4], v[5]);
     const double length = scan_from_world.norm();
     if (!std::isfinite(length) || length < 1e-6) refuseLine(source, place, "the quaternion is no rotation");
-    placement.world_from_scan.rotation = scan_from_world.normalized().toRotationMatrix().transpose();
+    placement.world_from_scan.linear = scan_from_world.normalized().toRotationMatrix().transpose();
     placement.world_from_scan.translation = {v[0], v[1], v[2]};
     placement.line = std::to_string(1 + std::count(source.begin(), place, '\n'));
     return placement;
@@ -50,14 +50,12 @@ std::vector<Placement> parsePlacements(const Source& source) {
 /// this many diagonals of the scan away sees all of it within 3 degrees of that direction (atan(0.5 / 10)).
 constexpr double kSensorDiagonals = 10;
 
-Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Pose& world_from_scan) {
+Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Eigen::Affine3d& world_from_scan) {
+    const Eigen::Affine3d scan_from_world = world_from_scan.inverse();
     Eigen::AlignedBox3d box; // in the scan's frame
-    for (std::size_t i = 0; i < scan.position_count; ++i) {
-        const Vec3d world = cloud.origin + cloud.positions[scan.first_position + i].cast<double>();
-        box.extend(world_from_scan.rotation.transpose() * (world - world_from_scan.translation));
-    }
-    const Vec3d sensor = box.center() + Vec3d(0, 0, kSensorDiagonals * box.diagonal().norm());
-    return world_from_scan.rotation * sensor + world_from_scan.translation;
+    for (std::size_t i = 0; i < scan.position_count; ++i)
+        box.extend(scan_from_world * (cloud.origin + cloud.positions[scan.first_position + i].cast<double>()));
+    return world_from_scan * (box.center() + Vec3d(0, 0, kSensorDiagonals * box.diagonal().norm()));
 }
 
 namespace fs = std::filesystem;
@@ -100,7 +98,7 @@ void readScan(const Placement& placement, const fs::path& folder, NamedFiles& na
     if (&format.reader == &readers::kConf) refuse(scan, "a .conf file cannot be a scan of another");
     sink.world_from_scan = placement.world_from_scan;
     format.reader.read(scan, sink);
-    setSensor(sink.cloud, sink.scans.back(), sensorOf(sink.cloud, sink.scans.back(), placement.world_from_scan));
+    setSensor(sink, sensorOf(sink.cloud, sink.scans.back(), sink.world_from_vertex));
 }
 
 bool isMeshLine(std::string_view line, bool) { return nextWord(line) == "bmesh"; }

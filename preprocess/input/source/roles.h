@@ -8,7 +8,20 @@
 
 namespace pointrt {
 
-enum Role { kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kRed, kGreen, kBlue, kRoleCount, kIgnored = kRoleCount };
+enum Role {
+    kX,
+    kY,
+    kZ,
+    kNormalX,
+    kNormalY,
+    kNormalZ,
+    kRed,
+    kGreen,
+    kBlue,
+    kRadius, ///< of a disc: no name means it by itself, readers of splats set it
+    kRoleCount,
+    kIgnored = kRoleCount
+};
 
 /// One vertex: a value per role, and one for what is ignored.
 using Row = std::array<double, kRoleCount + 1>;

@@ -8,18 +8,11 @@
 #include <cstdint>
 #include <cstring>
 
+#include "preprocess/cloud/scalar.h"
+
 namespace pointrt {
 
 static_assert(std::endian::native == std::endian::little, "binary scans are read on little-endian machines");
-
-enum class Scalar { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
-
-constexpr std::size_t scalarSize(Scalar type) {
-    constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-    return kSizes[static_cast<int>(type)];
-}
-
-constexpr bool isReal(Scalar type) { return type == Scalar::kF32 || type == Scalar::kF64; }
 
 template <typename Value>
 double loadAs(const char* at, bool swap_bytes) {
@@ -54,6 +47,28 @@ inline double loadScalar(const char* at, Scalar type, bool swap_bytes) {
         return loadAs<double>(at, swap_bytes);
     }
     return 0;
+}
+
+/// A whole number of any integer type, as 64 bits of two's complement.
+inline std::uint64_t loadWhole(const char* at, Scalar type) {
+    const std::size_t size = scalarSize(type);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, at, size);
+    const bool has_sign = type == Scalar::kI8 || type == Scalar::kI16 || type == Scalar::kI32;
+    const bool negative = has_sign && bits >> (8 * size - 1) != 0;
+    return negative ? bits | ~std::uint64_t{0} << (8 * size) : bits;
+}
+
+/// Its low bytes.
+inline void storeWhole(char* at, Scalar type, std::uint64_t bits) { std::memcpy(at, &bits, scalarSize(type)); }
+
+/// Writes a number as a type that holds it.
+inline void storeScalar(char* at, Scalar type, double value) {
+    const auto put = [at](const auto& number) { std::memcpy(at, &number, sizeof number); };
+    if (type == Scalar::kF64) return put(value);
+    if (type == Scalar::kF32) return put(static_cast<float>(value));
+    if (type == Scalar::kU64) return put(static_cast<std::uint64_t>(value));
+    storeWhole(at, type, static_cast<std::uint64_t>(static_cast<std::int64_t>(value)));
 }
 
 } // namespace pointrt

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
+
+#include "preprocess/input/source/scalar.h"
 
 namespace pointrt {
 namespace {
@@ -22,6 +25,8 @@ void fillMissing(Cloud& cloud) {
     const std::size_t count = cloud.positions.size();
     if (!cloud.normals.empty()) cloud.normals.resize(count, Vec3f::Zero());
     if (!cloud.colors.empty()) cloud.colors.resize(count, kGrey);
+    if (!cloud.radii.empty()) cloud.radii.resize(count, 0.0f);
+    fillAttributes(cloud);
     if (!cloud.sensor_of_point.empty()) cloud.sensor_of_point.resize(count, kNoSensor);
 }
 
@@ -90,11 +95,16 @@ bool addPosition(Sink& sink, const Vec3d& position) {
 }
 
 Vec3f cleanNormal(const Sink& sink, const Row& row) {
-    Vec3d normal(row[kNormalX], row[kNormalY], row[kNormalZ]);
+    const Vec3d normal(row[kNormalX], row[kNormalY], row[kNormalZ]);
     if (!normal.allFinite()) return Vec3f::Zero();
-    if (sink.world_from_scan) normal = sink.world_from_scan->rotation * normal;
-    const Vec3f rounded = normal.cast<float>();
+    const Vec3f rounded = (sink.normal_from_vertex * normal).cast<float>();
     return rounded.allFinite() ? rounded : Vec3f(Vec3f::Zero());
+}
+
+/// Zero, which stands for none, for what is no radius.
+float cleanRadius(const Sink& sink, const Row& row) {
+    const auto radius = static_cast<float>(row[kRadius] * std::cbrt(std::abs(sink.world_from_vertex.linear().determinant())));
+    return std::isfinite(radius) && radius > 0 ? radius : 0.0f;
 }
 
 std::uint8_t toByte(double value) {
@@ -102,14 +112,23 @@ std::uint8_t toByte(double value) {
     return value < 255 ? static_cast<std::uint8_t>(value + 0.5) : std::uint8_t{255};
 }
 
-void addColor(Sink& sink, const Row& row) {
-    if (sink.traits.color_scale == ColorScale::kByte) {
-        sink.cloud.colors.push_back({toByte(row[kRed]), toByte(row[kGreen]), toByte(row[kBlue])});
+void addColor(Sink& sink, const Row& row, const char* values) {
+    switch (sink.traits.color_scale) {
+    case ColorScale::kByte:
+        return sink.cloud.colors.push_back({toByte(row[kRed]), toByte(row[kGreen]), toByte(row[kBlue])});
+    case ColorScale::k16Bit: {
+        auto& color = sink.rgb16.emplace_back();
+        std::memcpy(color.data(), values + *sink.rgb16_offset, sizeof color);
         return;
     }
-    sink.wide_colors.push_back(
-        {static_cast<float>(row[kRed]), static_cast<float>(row[kGreen]), static_cast<float>(row[kBlue])});
+    default:
+        sink.wide_colors.push_back(
+            {static_cast<float>(row[kRed]), static_cast<float>(row[kGreen]), static_cast<float>(row[kBlue])});
+    }
 }
+
+/// Of 16 bits the upper 8, as a shift would give them.
+std::uint8_t upperByte(float value) { return toByte(std::floor(value / 256.0)); }
 
 void scaleWideColors(Sink& sink) {
     float largest = 0;
@@ -118,14 +137,20 @@ void scaleWideColors(Sink& sink) {
             if (std::isfinite(value)) largest = std::max(largest, value);
     const bool shares = sink.traits.color_scale == ColorScale::kReal && largest <= 1;
     const bool wide = largest > 255;
-    auto scaled = [&](float value) {
-        if (shares) return toByte(255.0 * value);
-        // Of 16 bits the upper 8, as a shift would give them.
-        return wide ? toByte(std::floor(value / 256.0)) : toByte(value);
-    };
+    auto scaled = [&](float value) { return shares ? toByte(255.0 * value) : wide ? upperByte(value) : toByte(value); };
     for (const auto& color : sink.wide_colors)
         sink.cloud.colors.push_back({scaled(color[0]), scaled(color[1]), scaled(color[2])});
     sink.wide_colors = {};
+}
+
+void scale16BitColors(Sink& sink) {
+    std::uint16_t largest = 0;
+    for (const auto& color : sink.rgb16) largest = std::max({largest, color[0], color[1], color[2]});
+    const int shift = largest > 255 ? 8 : 0;
+    const auto scaled = [shift](std::uint16_t value) { return static_cast<std::uint8_t>(value >> shift); };
+    for (const auto& color : sink.rgb16)
+        sink.cloud.colors.push_back({scaled(color[0]), scaled(color[1]), scaled(color[2])});
+    sink.rgb16 = {};
 }
 
 /// File indices to cloud indices. False when a corner was dropped; the others are bereft.
@@ -152,20 +177,77 @@ void settleTriangles(Sink& sink, const Source& source) {
     triangles.resize(kept);
 }
 
+/// Where a column's value lies in a vertex's packed values.
+std::optional<std::size_t> offsetOf(const ScanTraits& traits, std::string_view name) {
+    std::size_t offset = 0;
+    for (const ColumnTraits& column : traits.columns) {
+        if (column.name == name) return offset;
+        offset += scalarSize(column.type) * column.components;
+    }
+    return std::nullopt;
+}
+
+void beginAttributes(Sink& sink, const Source& source, const ScanTraits& traits, std::size_t room) {
+    sink.rgb16_offset = offsetOf(traits, kRgb16);
+    sink.class_offset = offsetOf(traits, kClassification);
+    for (const ColumnTraits& column : traits.columns)
+        if (column.name == kClassification) sink.class_type = column.type;
+    if (sink.filter.choosesClasses() && !sink.class_offset) refuse(source, "has no classes to choose from");
+    try {
+        beginColumns(sink.columns, sink.cloud, traits.columns, sink.attributes, room);
+    } catch (const Error& error) {
+        refuse(source, error.what());
+    }
+}
+
+void placeScan(Sink& sink) {
+    sink.world_from_vertex = sink.world_from_input.value_or(Eigen::Affine3d::Identity());
+    if (sink.world_from_scan)
+        sink.world_from_vertex =
+            sink.world_from_vertex * Eigen::Translation3d(sink.world_from_scan->translation) * sink.world_from_scan->linear;
+    // Normals are turned by the inverse transpose; a rotation is its own, and keeps every bit.
+    const Eigen::Matrix3d linear = sink.world_from_vertex.linear();
+    const bool rigid = (linear * linear.transpose()).isIdentity(1e-9);
+    sink.normal_from_vertex = rigid ? linear : Eigen::Matrix3d(linear.inverse().transpose());
+}
+
+/// The class of a vertex; 0, never classified, where it is none of the 256 that there are.
+std::uint8_t classOf(const Sink& sink, const char* values) {
+    if (!sink.class_offset) return 0;
+    const double number = loadScalar(values + *sink.class_offset, sink.class_type, false);
+    return number >= 0 && number <= 255 ? static_cast<std::uint8_t>(number) : std::uint8_t{0};
+}
+
+/// A vertex that does not stay; faces have to know which.
+void drop(Sink& sink, std::uint64_t index) {
+    if (sink.traits.faces) sink.dropped.push_back(static_cast<std::uint32_t>(index));
+}
+
+void requirePoints(const Sink& sink, const Source& source, std::size_t kept) {
+    if (sink.vertices == 0) refuse(source, "holds no points");
+    if (kept > 0) return;
+    if (sink.non_finite == sink.vertices)
+        refuse(source, fmt::format("none of its {} points is finite and within {:g}", sink.vertices, kFarthest));
+    refuse(source, fmt::format("none of its {} points is asked for", sink.vertices));
+}
+
 } // namespace
 
 void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     Cloud& cloud = sink.cloud;
-    if (traits.vertices > kMaxPoints - cloud.positions.size())
+    if (traits.vertices > kMaxPoints - cloud.positions.size() && !sink.filter.drops())
         refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     sink.traits = traits;
-    sink.vertices = 0;
+    sink.vertices = sink.non_finite = 0;
     sink.dropped.clear();
     sink.wide_colors.clear();
+    sink.rgb16.clear();
     sink.sensor.reset();
     sink.first_position = cloud.positions.size();
     sink.first_triangle = cloud.triangles.size();
-    const std::size_t room = sink.first_position + traits.vertices;
+    placeScan(sink);
+    // what a filter leaves is not known before
+    const std::size_t room = sink.first_position + (sink.filter.drops() ? 0 : traits.vertices);
     makeRoom(cloud.positions, room);
     if (traits.normals) {
         makeRoom(cloud.normals, room);
@@ -175,22 +257,31 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
         makeRoom(cloud.colors, room);
         cloud.colors.resize(sink.first_position, kGrey);
     }
+    if (traits.radii) {
+        makeRoom(cloud.radii, room);
+        cloud.radii.resize(sink.first_position, 0.0f);
+    }
+    beginAttributes(sink, source, traits, room);
 }
 
-void addVertex(Sink& sink, const Row& row) {
-    const Vec3d position = toWorld(sink, {row[kX], row[kY], row[kZ]});
+void addVertex(Sink& sink, const Row& row, const char* values) {
+    const Vec3d position = sink.world_from_vertex * Vec3d(row[kX], row[kY], row[kZ]);
     const std::uint64_t index = sink.vertices++;
     constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
     if (index % kStep == 0 && sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
     if (index >= kMaxPoints)
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
+    if (sink.filter.drops() && position.allFinite() && !sink.filter.keeps(position, classOf(sink, values)))
+        return drop(sink, index);
     if (!addPosition(sink, position)) {
-        sink.dropped.push_back(static_cast<std::uint32_t>(index));
-        return;
+        ++sink.non_finite;
+        return drop(sink, index);
     }
     if (sink.traits.normals) sink.cloud.normals.push_back(cleanNormal(sink, row));
-    if (sink.traits.colors) addColor(sink, row);
+    if (sink.traits.radii) sink.cloud.radii.push_back(cleanRadius(sink, row));
+    if (sink.traits.colors) addColor(sink, row, values);
+    if (!sink.columns.wanted.empty()) addValues(sink.columns, sink.cloud, values);
 }
 
 void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
@@ -198,21 +289,22 @@ void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
         sink.cloud.triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
-void finishScan(Sink& sink, const Source& source) {
+void finishScan(Sink& sink, const Source& source, const std::string& title, Emptiness emptiness) {
     Cloud& cloud = sink.cloud;
     const std::size_t kept = cloud.positions.size() - sink.first_position;
-    if (sink.vertices == 0) refuse(source, "holds no points");
-    if (kept == 0)
-        refuse(source, fmt::format("none of its {} points is finite and within {:g}", sink.vertices, kFarthest));
+    if (emptiness == Emptiness::kRefused) requirePoints(sink, source, kept);
     if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
-    if (!sink.origin_settled) settleOrigin(sink);
+    if (!sink.origin_settled && kept > 0) settleOrigin(sink);
     scaleWideColors(sink);
+    scale16BitColors(sink);
     settleTriangles(sink, source);
     fillMissing(cloud);
     cloud.points_read += sink.vertices;
-    cloud.points_non_finite += sink.dropped.size();
+    cloud.points_non_finite += sink.non_finite;
+    cloud.points_filtered += sink.vertices - sink.non_finite - kept;
     sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
-    if (sink.sensor) setSensor(cloud, sink.scans.back(), toWorld(sink, *sink.sensor));
+    cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}});
+    if (sink.sensor) setSensor(sink, sink.world_from_vertex * *sink.sensor);
 }
 
 void addNote(Cloud& cloud, const std::string& file, const std::string& text) {
@@ -224,18 +316,38 @@ void addNote(Cloud& cloud, const std::string& file, const std::string& text) {
     cloud.notes.push_back({file, text});
 }
 
-void setSensor(Cloud& cloud, const ScanRange& scan, const Vec3d& world_position) {
+void setWorldFrame(Sink& sink, const Source& source, const WorldFrame& frame) {
+    WorldFrame placed = frame;
+    if (sink.world_from_input) {
+        const Eigen::Matrix3d linear = sink.world_from_input->linear();
+        placed.up = (linear * frame.up).stableNormalized();
+        placed.metres_per_unit = frame.metres_per_unit / std::cbrt(std::abs(linear.determinant()));
+        placed.crs.clear(); // it says where the file's own coordinates are
+    }
+    WorldFrame& world = sink.cloud.world;
+    if (std::exchange(sink.first_frame, false)) {
+        world = placed;
+        return;
+    }
+    if (world.crs != placed.crs) {
+        if (!world.crs.empty() && !placed.crs.empty())
+            addNote(sink.cloud, source.name, "is in another coordinate system than a file before it");
+        world.crs.clear();
+    }
+    if (!world.up.isApprox(placed.up)) world.up.setZero();
+    if (world.metres_per_unit != placed.metres_per_unit) world.metres_per_unit = 0;
+}
+
+void setSensor(Sink& sink, const Vec3d& world_position) {
+    Cloud& cloud = sink.cloud;
+    const ScanRange& scan = sink.scans.back();
     const Vec3f local = (world_position - cloud.origin).cast<float>();
     if (!local.allFinite()) return;
+    cloud.scans.back().sensor = world_position;
     cloud.sensor_of_point.resize(cloud.positions.size(), kNoSensor);
     const auto first = cloud.sensor_of_point.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
     std::fill_n(first, scan.position_count, static_cast<std::uint32_t>(cloud.sensors.size()));
     cloud.sensors.push_back(local);
-}
-
-Vec3d toWorld(const Sink& sink, const Vec3d& position) {
-    if (!sink.world_from_scan) return position;
-    return sink.world_from_scan->rotation * position + sink.world_from_scan->translation;
 }
 
 } // namespace pointrt

@@ -10,33 +10,39 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/input/source/columns.h"
+#include "preprocess/input/source/point_filter.h"
 #include "preprocess/input/source/roles.h"
 #include "preprocess/input/source/source.h"
 
 namespace pointrt {
 
-/// Rigid placement of a scan in the world: world = rotation * scan + translation.
+/// Placement of a scan in the world: world = linear * scan + translation. A rotation, but where a file scales too.
 struct Pose {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
     Vec3d translation = Vec3d::Zero();
 };
 
 /// How colour values become 8-bit ones. Bytes are taken as they are; integers are 16-bit ones when any exceeds 255;
-/// reals are shares of 1 unless any exceeds 1, and then integers.
-enum class ColorScale { kByte, kInteger, kReal };
+/// reals are shares of 1 unless any exceeds 1, and then integers. 16-bit ones come with a column kRgb16 beside the row:
+/// what they are scaled by is told by its largest value, and the attribute keeps all of their bits.
+enum class ColorScale { kByte, kInteger, kReal, k16Bit };
 
 /// What a reader knows before its first vertex.
 struct ScanTraits {
     bool normals = false;
     bool colors = false;
+    bool radii = false;
+    bool faces = true; ///< false: no polygon will be added, and vertices that are dropped need not be known
     ColorScale color_scale = ColorScale::kByte;
+    std::vector<ColumnTraits> columns; ///< attributes, in the order of the values given to addVertex
     /// As many vertices as the file is known to hold, 0 if unknown: reserved, and measures the progress.
     std::uint64_t vertices = 0;
 };
 
-/// One range of the cloud that came from one file.
+/// One range of the cloud that came from one scan.
 struct ScanRange {
-    std::string name;
+    std::string name; ///< of the file
     std::size_t first_position = 0, position_count = 0;
     bool has_faces = false;
 };
@@ -47,6 +53,10 @@ struct Sink {
     Cloud& cloud;
     std::vector<ScanRange> scans; ///< finished ones
     std::optional<Pose> world_from_scan;
+    std::optional<Eigen::Affine3d> world_from_input; ///< of all files, after their poses
+    AttributeChoice attributes;
+    PointFilter filter{{}};
+    std::optional<int> level; ///< of files with levels of detail: nothing finer is read
     std::function<void(double)> progress; ///< share of the current file, or empty
     /// Vertices, by their place in the cloud, whose faces went with a vertex that was dropped.
     std::vector<std::uint32_t> bereft;
@@ -55,36 +65,52 @@ struct Sink {
     std::vector<Vec3d> first_positions;
     bool origin_settled = false;
 
-    // Of the file that is being read:
+    Columns columns;
+    bool first_frame = true; ///< no file has said yet how it lies in the world
+
+    // Of the scan that is being read:
     ScanTraits traits;
+    Eigen::Affine3d world_from_vertex = Eigen::Affine3d::Identity();
+    Eigen::Matrix3d normal_from_vertex = Eigen::Matrix3d::Identity();
+    std::optional<std::size_t> rgb16_offset, class_offset; ///< in a vertex's packed values
+    Scalar class_type = Scalar::kU8;
+    std::vector<std::array<std::uint16_t, 3>> rgb16; ///< of kept vertices
     std::uint64_t vertices = 0;                    ///< given so far, non-finite ones included
-    std::vector<std::uint32_t> dropped;            ///< which of them were not finite, ascending
+    std::uint64_t non_finite = 0;                  ///< of them
+    std::vector<std::uint32_t> dropped;            ///< which of them did not stay, ascending, where there may be faces
     std::vector<std::array<float, 3>> wide_colors; ///< of kept vertices, where the scale is known at the end only
     std::size_t first_position = 0, first_triangle = 0;
     std::optional<Vec3d> sensor; ///< scanner position in the scan's frame
 };
 
-/// Starts a file. Throws Error when the cloud would have more points than its 32-bit indices can tell apart.
+/// Starts a scan: a file, or one of several in it. Throws Error when the cloud would have more points than its 32-bit
+/// indices can tell apart, or classes are chosen and the file has none.
 void beginScan(Sink& sink, const Source& source, const ScanTraits& traits);
 
 /// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, or
-/// 1e25 and more from zero is dropped and counted.
-void addVertex(Sink& sink, const Row& row);
+/// 1e25 and more from zero is dropped and counted; so is, apart, one that the filter does not want.
+/// @param values of the traits' columns, packed in their types; null where there are none
+void addVertex(Sink& sink, const Row& row, const char* values = nullptr);
 
 /// Adds a polygon of 3 or more file indices, each below the number of vertices of the file, as a fan of triangles.
 void addPolygon(Sink& sink, std::span<const std::uint32_t> corners);
 
-/// Ends a file: scales its colours, drops faces with dropped vertices, fills what other files have and it has not.
-/// Throws Error when no finite point was given.
-void finishScan(Sink& sink, const Source& source);
+/// Whether a scan may be without points: one of several in a file may, as long as another one has some.
+enum class Emptiness { kRefused, kAllowed };
+
+/// Ends a scan: scales its colours, drops faces with dropped vertices, fills what other files have and it has not.
+/// Throws Error when no finite point was given and that is refused.
+/// @param title what a file calls one of several scans in it; "" where the file is the scan
+void finishScan(Sink& sink, const Source& source, const std::string& title = "",
+                Emptiness emptiness = Emptiness::kRefused);
+
+/// Keeps what a file says of its coordinates, as far as the files before it agree; call it once a file.
+void setWorldFrame(Sink& sink, const Source& source, const WorldFrame& frame);
 
 /// Has text said of a file; once, however many files and times it is said of.
 void addNote(Cloud& cloud, const std::string& file, const std::string& text);
 
-/// Makes world_position the sensor of one finished scan; ignored when it is not finite.
-void setSensor(Cloud& cloud, const ScanRange& scan, const Vec3d& world_position);
-
-/// A position of the scan's frame in the world.
-Vec3d toWorld(const Sink& sink, const Vec3d& position);
+/// Makes world_position the sensor of the last finished scan; ignored when it is not finite.
+void setSensor(Sink& sink, const Vec3d& world_position);
 
 } // namespace pointrt

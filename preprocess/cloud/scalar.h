@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Types of the numbers that scans hold.
+#pragma once
+
+#include <cstddef>
+
+namespace pointrt {
+
+/// In the order of PRO_TYPE_* (pro_layout.h), less one.
+enum class Scalar { kI8, kU8, kI16, kU16, kI32, kU32, kI64, kU64, kF32, kF64 };
+
+constexpr std::size_t scalarSize(Scalar type) {
+    constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+    return kSizes[static_cast<int>(type)];
+}
+
+constexpr bool isReal(Scalar type) { return type == Scalar::kF32 || type == Scalar::kF64; }
+
+} // namespace pointrt

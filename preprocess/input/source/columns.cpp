@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/source/columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "format/base/error.h"
+#include "preprocess/input/source/scalar.h"
+
+namespace pointrt {
+namespace {
+
+std::size_t countOf(const Attribute& attribute) { return attribute.values.size() / attribute.bytesEach(); }
+
+bool isSigned(Scalar type) { return type == Scalar::kI8 || type == Scalar::kI16 || type == Scalar::kI32 || type == Scalar::kI64; }
+
+/// The smallest type that holds every value of both; doubles for integers of 64 bits that meet others.
+Scalar commonType(Scalar a, Scalar b) {
+    if (a == b) return a;
+    if (isReal(a) || isReal(b)) {
+        const auto fits = [](Scalar type) { return type == Scalar::kF32 || scalarSize(type) <= 2; };
+        return fits(a) && fits(b) ? Scalar::kF32 : Scalar::kF64;
+    }
+    if (isSigned(a) == isSigned(b)) return scalarSize(a) > scalarSize(b) ? a : b;
+    const std::size_t plain = scalarSize(isSigned(a) ? b : a), with_sign = scalarSize(isSigned(a) ? a : b);
+    const std::size_t size = std::max(with_sign, 2 * plain);
+    return size <= 2 ? Scalar::kI16 : size == 4 ? Scalar::kI32 : size == 8 ? Scalar::kI64 : Scalar::kF64;
+}
+
+/// A number of one type as the bytes of another that holds it.
+void convert(const char* from, Scalar from_type, char* to, Scalar to_type) {
+    if (isReal(to_type))
+        storeScalar(to, to_type, loadScalar(from, from_type, false));
+    else
+        storeWhole(to, to_type, loadWhole(from, from_type));
+}
+
+void changeType(Attribute& attribute, Scalar type) {
+    if (attribute.type == type) return;
+    const std::size_t count = attribute.values.size() / scalarSize(attribute.type);
+    std::vector<char> values(count * scalarSize(type));
+    for (std::size_t i = 0; i < count; ++i)
+        convert(attribute.values.data() + i * scalarSize(attribute.type), attribute.type,
+                values.data() + i * scalarSize(type), type);
+    attribute.values = std::move(values);
+    attribute.type = type;
+}
+
+void fillTo(Attribute& attribute, std::size_t count) {
+    const std::size_t bytes = count * attribute.bytesEach(), from = attribute.values.size();
+    attribute.values.resize(bytes);
+    if (!isReal(attribute.type)) return;
+    for (std::size_t at = from; at < bytes; at += scalarSize(attribute.type))
+        storeScalar(attribute.values.data() + at, attribute.type, std::numeric_limits<double>::quiet_NaN());
+}
+
+/// The attribute that takes a column, as wide as it needs.
+std::size_t attributeFor(Cloud& cloud, Columns& columns, const ColumnTraits& column) {
+    auto& all = cloud.attributes;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Attribute& each) { return each.name == column.name; });
+    const auto loose = std::find(columns.loose.begin(), columns.loose.end(), column.name);
+    if (found == all.end()) {
+        all.push_back({column.name, column.type, column.components, {}});
+        if (column.loose) columns.loose.push_back(column.name);
+        return all.size() - 1;
+    }
+    if (found->components != column.components)
+        throw Error(ExitCode::kBadInput, fmt::format("{}: {} numbers each, {} in a file before", column.name,
+                                                     column.components, found->components));
+    changeType(*found, commonType(found->type, column.type));
+    if (!column.loose && loose != columns.loose.end()) columns.loose.erase(loose);
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+/// Whether a type holds all of the values exactly.
+template <typename Value>
+bool holdsAll(const Attribute& attribute) {
+    const std::size_t size = scalarSize(attribute.type);
+    for (std::size_t at = 0; at < attribute.values.size(); at += size) {
+        const double value = loadScalar(attribute.values.data() + at, attribute.type, false);
+        if constexpr (std::is_integral_v<Value>) {
+            const bool in_range = value >= static_cast<double>(std::numeric_limits<Value>::lowest()) &&
+                                  value <= static_cast<double>(std::numeric_limits<Value>::max());
+            if (!in_range || value != std::trunc(value) || (value == 0 && std::signbit(value))) return false;
+        } else if (!std::isnan(value) && static_cast<double>(static_cast<Value>(value)) != value) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Scalar smallestType(const Attribute& attribute) {
+    if (holdsAll<std::uint8_t>(attribute)) return Scalar::kU8;
+    if (holdsAll<std::int8_t>(attribute)) return Scalar::kI8;
+    if (holdsAll<std::uint16_t>(attribute)) return Scalar::kU16;
+    if (holdsAll<std::int16_t>(attribute)) return Scalar::kI16;
+    if (holdsAll<std::uint32_t>(attribute)) return Scalar::kU32;
+    if (holdsAll<std::int32_t>(attribute)) return Scalar::kI32;
+    return holdsAll<float>(attribute) ? Scalar::kF32 : attribute.type;
+}
+
+} // namespace
+
+bool AttributeChoice::wants(std::string_view name) const {
+    return all || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits>& traits,
+                  const AttributeChoice& choice, std::size_t room) {
+    columns.wanted.clear();
+    std::size_t offset = 0;
+    for (const ColumnTraits& column : traits) {
+        if (choice.wants(column.name)) columns.wanted.push_back({offset, column.type, attributeFor(cloud, columns, column)});
+        offset += scalarSize(column.type) * column.components;
+    }
+    fillAttributes(cloud);
+    for (const Columns::Column& column : columns.wanted) {
+        Attribute& attribute = cloud.attributes[column.attribute];
+        const std::size_t bytes = room * attribute.bytesEach();
+        if (bytes > attribute.values.capacity())
+            attribute.values.reserve(std::max(bytes, attribute.values.capacity() + attribute.values.capacity() / 2));
+    }
+}
+
+void addValues(const Columns& columns, Cloud& cloud, const char* values) {
+    for (const Columns::Column& column : columns.wanted) {
+        Attribute& attribute = cloud.attributes[column.attribute];
+        const char* const from = values + column.offset;
+        const std::size_t at = attribute.values.size();
+        if (attribute.type == column.type) {
+            attribute.values.insert(attribute.values.end(), from, from + attribute.bytesEach());
+            continue;
+        }
+        attribute.values.resize(at + attribute.bytesEach());
+        for (std::uint32_t c = 0; c < attribute.components; ++c)
+            convert(from + c * scalarSize(column.type), column.type,
+                    attribute.values.data() + at + c * scalarSize(attribute.type), attribute.type);
+    }
+}
+
+void fillAttributes(Cloud& cloud) {
+    for (Attribute& attribute : cloud.attributes)
+        if (countOf(attribute) < cloud.positions.size()) fillTo(attribute, cloud.positions.size());
+}
+
+void narrowAttributes(Cloud& cloud, const Columns& columns) {
+    for (Attribute& attribute : cloud.attributes)
+        if (std::find(columns.loose.begin(), columns.loose.end(), attribute.name) != columns.loose.end())
+            changeType(attribute, smallestType(attribute));
+}
+
+} // namespace pointrt

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attributes while they are read: the packed values of a file's vertices into the arrays of the cloud.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "preprocess/cloud/cloud.h"
+
+namespace pointrt {
+
+/// Which attributes are asked for, by name.
+struct AttributeChoice {
+    bool all = true;
+    std::vector<std::string> names; ///< where not all are
+
+    bool wants(std::string_view name) const;
+};
+
+/// What a file has of each vertex besides position, normal, colour and radius.
+struct ColumnTraits {
+    std::string name;
+    Scalar type = Scalar::kF32;
+    std::uint32_t components = 1;
+    /// The type is but the reader's: once everything is read, values move to the smallest that holds all of them
+    /// exactly (narrowAttributes).
+    bool loose = false;
+};
+
+/// The columns of the file that is being read.
+struct Columns {
+    struct Column {
+        std::size_t offset;    ///< in a vertex's packed values
+        Scalar type;           ///< there
+        std::size_t attribute; ///< of the cloud
+    };
+    std::vector<Column> wanted;
+    /// Names of attributes that no file gave a type of its own.
+    std::vector<std::string> loose;
+};
+
+/// Makes the cloud's attributes ready for a file's vertices: new ones get their fill for the points before, a type
+/// that cannot hold the file's values becomes one that can, at best exactly. Throws Error (kBadInput, "NAME: reason")
+/// when an attribute's number of components differs from that of the files before.
+void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits>& traits,
+                  const AttributeChoice& choice, std::size_t room);
+
+/// Appends one vertex's values, packed in the order and types of the traits, to the cloud.
+void addValues(const Columns& columns, Cloud& cloud, const char* values);
+
+/// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals.
+void fillAttributes(Cloud& cloud);
+
+/// Gives attributes that only loose columns went into the smallest type that holds their values exactly.
+void narrowAttributes(Cloud& cloud, const Columns& columns);
+
+} // namespace pointrt
