@@ -21,14 +21,39 @@ static_assert(std::endian::native == std::endian::little, "values are written as
 
 constexpr std::size_t kSplatsAtOnce = 16384; // below 1 MiB of buffer
 
-std::string header(const pro_info& info) {
+/// The types' words in a PLY header, which has none for 64-bit integers.
+const char* plyType(std::uint32_t type) {
+    constexpr const char* kWords[] = {"char", "uchar",  "short",  "ushort", "int",
+                                      "uint", "double", "double", "float",  "double"};
+    return kWords[type - PRO_TYPE_I8];
+}
+
+bool isWide(std::uint32_t type) { return type == PRO_TYPE_I64 || type == PRO_TYPE_U64; }
+
+/// A name as one word: what programs write and read as properties has no blanks.
+std::string propertyName(const pro_attribute& attribute, std::uint32_t component) {
+    std::string name = attribute.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return attribute.components == 1 ? name : name + "_" + std::to_string(component);
+}
+
+std::string attributeLines(const ProFile& file) {
+    std::string text;
+    for (const pro_attribute& each : file.attributes())
+        for (std::uint32_t c = 0; c < each.components; ++c)
+            text += std::string("property ") + plyType(each.type) + " " + propertyName(each, c) + "\n";
+    return text;
+}
+
+std::string header(const ProFile& file) {
+    const pro_info& info = file.info();
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment splats of a .pro file: oriented discs\n";
     text += "element vertex " + std::to_string(info.splat_count) + "\n";
     for (const char* name : {"x", "y", "z"}) text += std::string("property double ") + name + "\n";
     for (const char* name : {"nx", "ny", "nz", "radius"}) text += std::string("property float ") + name + "\n";
     if (info.flags & PRO_FLAG_COLOR)
         for (const char* name : {"red", "green", "blue"}) text += std::string("property uchar ") + name + "\n";
-    return text + "end_header\n";
+    return text + attributeLines(file) + "end_header\n";
 }
 
 /// Splat numbers in the order of their input points.
@@ -55,18 +80,34 @@ void appendSplat(std::vector<char>& buffer, const pro_info& info, const pro_spla
     if (info.flags & PRO_FLAG_COLOR) buffer.insert(buffer.end(), splat.color, splat.color + 3);
 }
 
+void appendAttributes(std::vector<char>& buffer, const ProFile& file, std::size_t splat) {
+    for (const pro_attribute& each : file.attributes()) {
+        const std::size_t first = splat * each.components;
+        if (isWide(each.type)) {
+            for (std::uint32_t c = 0; c < each.components; ++c) append(buffer, pro_attribute_value(&each, first + c));
+            continue;
+        }
+        const std::size_t size = pro_type_bytes(each.type);
+        const auto* bytes = static_cast<const char*>(each.values) + first * size;
+        buffer.insert(buffer.end(), bytes, bytes + each.components * size);
+    }
+}
+
 /// Takes the next bytes; false where it cannot.
 using Write = std::function<bool(const void* data, std::size_t bytes)>;
 
 bool writeAll(const Write& write, const ProFile& file) {
-    const std::string text = header(file.info());
+    const std::string text = header(file);
     if (!write(text.data(), text.size())) return false;
     const std::vector<std::uint32_t> splats = inputOrder(file);
     std::vector<char> buffer;
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         buffer.clear();
         const std::size_t end = std::min(first + kSplatsAtOnce, splats.size());
-        for (std::size_t i = first; i < end; ++i) appendSplat(buffer, file.info(), file.splat(splats[i]));
+        for (std::size_t i = first; i < end; ++i) {
+            appendSplat(buffer, file.info(), file.splat(splats[i]));
+            appendAttributes(buffer, file, splats[i]);
+        }
         if (!write(buffer.data(), buffer.size())) return false;
     }
     return true;

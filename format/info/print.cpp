@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "format/base/printable.h"
+#include "format/info/histogram.h"
 #include "format/info/metadata.h"
 
 namespace pointrt {
@@ -68,6 +72,53 @@ std::string materialsText(const ProFile& file) {
     return text;
 }
 
+/// "2 61.0 %, 5 39.0 %", or bars from the least to the greatest.
+std::string histogramText(const Histogram& histogram, std::uint64_t numbers) {
+    std::string text;
+    for (const auto& [value, count] : histogram.values)
+        text += fmt::format("{}{:.10g}: {:.3g} %", text.empty() ? "" : ", ", value,
+                            100 * static_cast<double>(count) / static_cast<double>(numbers));
+    if (histogram.bins.empty()) return text;
+    constexpr const char* kBars[] = {" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+    const std::uint64_t most = *std::max_element(histogram.bins.begin(), histogram.bins.end());
+    for (const std::uint64_t count : histogram.bins) text += kBars[most == 0 ? 0 : (count * 8 + most - 1) / most];
+    if (histogram.not_finite > 0) text += fmt::format(", {} not finite", histogram.not_finite);
+    return text;
+}
+
+std::string attributesText(const ProFile& file) {
+    if (file.attributes().empty()) return {};
+    std::string text = fmt::format("\n{:<20} {:<10} {:>24}  {}\n", "attribute", "type", "from ... to", "values");
+    for (const pro_attribute& each : file.attributes()) {
+        const std::string type =
+            fmt::format("{}{}", typeName(each.type), each.components > 1 ? fmt::format(" x {}", each.components) : "");
+        const Histogram histogram = histogramOf(each, file.info().splat_count);
+        text += fmt::format("{:<20} {:<10} {:>24}  {}\n", printable(each.name, std::string::npos), type,
+                            fmt::format("{:.10g} ... {:.10g}", each.low, each.high),
+                            histogramText(histogram, std::uint64_t{file.info().splat_count} * each.components));
+    }
+    return text;
+}
+
+/// "x", "-z", or the vector where it is along none of the axes.
+std::string upText(const pro_world& world) {
+    if (world.up[0] == 0 && world.up[1] == 0 && world.up[2] == 0) return "not known";
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(world.up[axis]) == 1) return fmt::format("{}{}", world.up[axis] < 0 ? "-" : "", "xyz"[axis]);
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", world.up[0], world.up[1], world.up[2]);
+}
+
+std::string unitText(const pro_world& world) {
+    return world.metres_per_unit == 0 ? "not known" : fmt::format("{:.10g} m", world.metres_per_unit);
+}
+
+std::string sensorsText(const pro_world& world) {
+    std::uint32_t known = 0;
+    for (std::uint32_t i = 0; i < world.sensor_count; ++i)
+        known += world.sensors[std::size_t{i} * PRO_SENSOR_DOUBLES + 3] != 0;
+    return fmt::format("{} of {} scans", known, world.sensor_count);
+}
+
 Json vectorJson(const double v[3]) { return {v[0], v[1], v[2]}; }
 
 Json sectionsJson(const Summary& summary) {
@@ -111,6 +162,40 @@ Json materialsJson(const ProFile& file) {
     return materials;
 }
 
+Json histogramJson(const Histogram& histogram) {
+    Json json;
+    if (histogram.bins.empty()) {
+        json["values"] = Json::object();
+        for (const auto& [value, count] : histogram.values) json["values"][fmt::format("{:.17g}", value)] = count;
+    } else {
+        json["bins"] = histogram.bins;
+    }
+    json["not_finite"] = histogram.not_finite;
+    return json;
+}
+
+Json attributesJson(const ProFile& file) {
+    Json attributes = Json::array();
+    for (const pro_attribute& each : file.attributes())
+        attributes.push_back({{"name", each.name},
+                              {"type", typeName(each.type)},
+                              {"components", each.components},
+                              {"low", each.low},
+                              {"high", each.high},
+                              {"histogram", histogramJson(histogramOf(each, file.info().splat_count))}});
+    return attributes;
+}
+
+/// Null for a scan without.
+Json sensorsJson(const pro_world& world) {
+    Json sensors = Json::array();
+    for (std::uint32_t i = 0; i < world.sensor_count; ++i) {
+        const double* sensor = world.sensors + std::size_t{i} * PRO_SENSOR_DOUBLES;
+        sensors.push_back(sensor[3] == 0 ? Json() : vectorJson(sensor));
+    }
+    return sensors;
+}
+
 Json flagsJson(const pro_info& info) {
     return {{"has_color", (info.flags & PRO_FLAG_COLOR) != 0},
             {"oriented", (info.flags & PRO_FLAG_ORIENTED) != 0},
@@ -143,7 +228,10 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
     line("colour", yesNo(info.flags, PRO_FLAG_COLOR));
     line("oriented", yesNo(info.flags, PRO_FLAG_ORIENTED));
     line("pruned", yesNo(info.flags, PRO_FLAG_PRUNED));
-    text += levelsText(s) + sectionsText(s) + materialsText(file);
+    line("up", upText(file.world()));
+    line("input unit", unitText(file.world()));
+    if (file.world().sensor_count > 0) line("sensors", sensorsText(file.world()));
+    text += attributesText(file) + levelsText(s) + sectionsText(s) + materialsText(file);
     if (!file.metadata().empty()) text += "\nmetadata " + dumpJson(parseMetadata(file.metadata()), true) + "\n";
     return text;
 }
@@ -166,6 +254,11 @@ std::string summaryJson(const Summary& s, const ProFile& file) {
                  {"bounds_min", vectorJson(info.bounds_min)},
                  {"bounds_max", vectorJson(info.bounds_max)}};
     json.update(flagsJson(info));
+    const pro_world& world = file.world();
+    json["up"] = {world.up[0], world.up[1], world.up[2]};
+    json["metres_per_unit"] = world.metres_per_unit;
+    json["sensors"] = sensorsJson(world);
+    json["attributes"] = attributesJson(file);
     json["blend_slab"] = info.blend_slab;
     json["radius_max"] = info.radius_max * info.scale;
     json["radius_error"] = s.radius_error;

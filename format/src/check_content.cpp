@@ -47,9 +47,12 @@ void checkContent(const pro_info& info, const Content& content, Level level, Fin
     if (view.order) checkOrder(info, view, level, findings);
     if (findings.stopped()) return;
     if (isWhole(content.index)) checkIndex(info, content.index, findings);
+    if (findings.stopped()) return;
+    if (content.world.sensors) checkSensors(content.world, findings);
     if (level != Level::kVerify) return;
     if (leaves && refs) checkRefsOfLeaves(info, view, findings);
     if (tree && leaves && splats) checkCentres(info, view, findings);
+    checkAttributeValues(info, content, findings);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
 }

@@ -50,6 +50,21 @@ bool checkIndexFrame(const pro_index& index, Findings& findings);
 /// that passed checkIndexFrame and all pointers.
 void checkIndex(const pro_info& info, const pro_index& index, Findings& findings);
 
+/// PRO_OFF_UP and what follows it in the header.
+void checkWorld(const pro_world& world, Findings& findings);
+
+/// SENS. Needs world.sensors.
+void checkSensors(const pro_world& world, Findings& findings);
+
+/// One record of ATTD, apart from its values. Needs content.attribute_records.
+bool checkAttributeRecord(const Content& content, std::size_t i, Findings& findings);
+
+/// No two records of one name. Needs records that passed.
+void checkAttributeNames(const Content& content, Findings& findings);
+
+/// Ranges of the records against the values. Needs records that passed.
+void checkAttributeValues(const pro_info& info, const Content& content, Findings& findings);
+
 /// All of the above that the pointers in content allow; null sections, and an index in parts, are left out. The frame
 /// of a whole one must have passed checkIndexFrame.
 void checkContent(const pro_info& info, const Content& content, Level level, Findings& findings);

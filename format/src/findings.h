@@ -26,6 +26,8 @@ enum class Finding : std::uint32_t {
     kFrame = 1013,
     kBounds = 1014,
     kGridFrame = 1015,
+    kUp = 1016,
+    kMetres = 1017,
 
     kTableShape = 2001,
     kRequiredUnknown = 2002,
@@ -40,6 +42,7 @@ enum class Finding : std::uint32_t {
     kPadding = 2011,
     kSectionChecksum = 2012,
     kIndexIncomplete = 2013,
+    kAttributeSections = 2014,
 
     kRootGroup = 3001,
     kGroupNumber = 3002,
@@ -81,6 +84,14 @@ enum class Finding : std::uint32_t {
     kCellCodes = 9106,
     kListSplat = 9107,
     kBlendRange = 9108,
+
+    kAttributeName = 9201,
+    kAttributeType = 9202,
+    kAttributeReserved = 9203,
+    kAttributeRange = 9204,
+    kAttributeValues = 9205,
+
+    kSensor = 9301,
 };
 
 /// Receives findings. With stop_at_first only the first is passed on.

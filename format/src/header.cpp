@@ -87,6 +87,10 @@ void visitPointer(std::uint32_t kind, Visit&& visit) {
         return visit([](auto& content) -> auto& { return content.index.lists; });
     case PRO_KIND_BLND:
         return visit([](auto& content) -> auto& { return content.index.blend_ranges; });
+    case PRO_KIND_SENS:
+        return visit([](auto& content) -> auto& { return content.world.sensors; });
+    case PRO_KIND_ATTD:
+        return visit([](auto& content) -> auto& { return content.attribute_records; });
     default:
         return;
     }
@@ -120,6 +124,10 @@ std::uint64_t elementCount(std::uint32_t kind, const pro_info& info, const Conte
         return index.near_count / kNearOfElement;
     case PRO_KIND_LIST:
         return index.list_count / kListedOfElement;
+    case PRO_KIND_SENS:
+        return content.world.sensor_count;
+    case PRO_KIND_ATTD:
+        return content.attribute_count;
     default:
         return content.view.metadata_bytes;
     }
@@ -137,6 +145,8 @@ void setSection(Content& content, std::uint32_t kind, const std::byte* data, std
     if (kind == PRO_KIND_CELL) index.cell_count = words;
     if (kind == PRO_KIND_NEAR) index.near_count = words * kNearOfElement;
     if (kind == PRO_KIND_LIST) index.list_count = words * kListedOfElement;
+    if (kind == PRO_KIND_SENS) content.world.sensor_count = words;
+    if (kind == PRO_KIND_ATTD) content.attribute_count = count;
 }
 
 const void* sectionData(const Content& content, std::uint32_t kind) {
@@ -190,6 +200,13 @@ void eachFrameField(Index& index, const On& on) {
     on(index.brick_count, PRO_OFF_BRICK_COUNT);
 }
 
+/// The same of the world.
+template <typename World, typename On>
+void eachWorldField(World& world, const On& on) {
+    on(world.up, PRO_OFF_UP);
+    on(world.metres_per_unit, PRO_OFF_METRES);
+}
+
 /// The same of a section's record in the table.
 template <typename Record, typename On>
 void eachSectionField(Record& section, const On& on) {
@@ -233,6 +250,14 @@ pro_index loadFrame(const std::byte* header) {
 }
 
 void storeFrame(std::byte* header, const pro_index& index) { eachFrameField(index, storeTo(header)); }
+
+pro_world loadWorld(const std::byte* header) {
+    pro_world world{};
+    eachWorldField(world, loadFrom(header));
+    return world;
+}
+
+void storeWorld(std::byte* header, const pro_world& world) { eachWorldField(world, storeTo(header)); }
 
 Section loadSection(const std::byte* header, std::uint32_t index) {
     Section section;

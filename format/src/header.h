@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "pointrt/pro.h"
 #include "pointrt/pro_index_layout.h"
@@ -21,14 +22,14 @@ struct Section {
 /// kIndex: all of these or none.
 enum class Presence { kMandatory, kOptional, kIndex };
 
-/// What the format says of a kind.
+/// What the format says of a kind. ATTR has no rule: it may be there many times, of any stride.
 struct KindRule {
     std::uint32_t kind;
     std::uint32_t stride;
     Presence presence;
     bool traced = true; ///< tracers with an index read it
 };
-inline constexpr std::array<KindRule, 14> kKindRules = {{
+inline constexpr std::array<KindRule, 16> kKindRules = {{
     {PRO_KIND_NODE, 4, Presence::kMandatory, false},
     {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, Presence::kMandatory, false},
     {PRO_KIND_REFS, 4, Presence::kMandatory, false},
@@ -43,12 +44,18 @@ inline constexpr std::array<KindRule, 14> kKindRules = {{
     {PRO_KIND_NEAR, 2 * 4 * PRO_NEAR_WORDS, Presence::kIndex},
     {PRO_KIND_LIST, 4 * 4, Presence::kIndex},
     {PRO_KIND_BLND, 4 * PRO_BLEND_RANGE_WORDS, Presence::kIndex},
+    {PRO_KIND_SENS, 8 * PRO_SENSOR_DOUBLES, Presence::kOptional},
+    {PRO_KIND_ATTD, PRO_ATTRIBUTE_BYTES, Presence::kOptional},
 }};
 
 /// What sections hold, whichever they are; null pointers are sections that are not there.
 struct Content {
     pro_view view{};
     pro_index index{}; ///< its frame comes from the header
+    pro_world world{};
+    const std::byte* attribute_records = nullptr;   ///< ATTD
+    std::size_t attribute_count = 0;                ///< records
+    std::vector<const std::byte*> attribute_values; ///< ATTR, in the order of the table
 };
 
 /// Null for kinds that the format does not know.
@@ -76,6 +83,9 @@ void storeInfo(std::byte* header, const pro_info& info);
 /// The index's frame: all but counts of sections and pointers.
 pro_index loadFrame(const std::byte* header);
 void storeFrame(std::byte* header, const pro_index& index);
+/// What the header has of the world; sensors are null.
+pro_world loadWorld(const std::byte* header);
+void storeWorld(std::byte* header, const pro_world& world);
 Section loadSection(const std::byte* header, std::uint32_t index);
 void storeSection(std::byte* header, std::uint32_t index, const Section& section);
 std::uint32_t loadU32(const std::byte* bytes, std::size_t offset);

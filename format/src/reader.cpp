@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <new>
 
 #include "format/base/mapped_file.h"
+#include "format/src/attributes.h"
 #include "format/src/validate.h"
 
 using namespace pointrt::format;
@@ -99,6 +101,24 @@ void pro_get_view(const pro_file* file, pro_view* view) { *view = file->parsed.c
 int pro_get_index(const pro_file* file, pro_index* index) {
     *index = file->parsed.content.index;
     return file->parsed.indexed ? 1 : 0;
+}
+
+void pro_get_world(const pro_file* file, pro_world* world) { *world = file->parsed.content.world; }
+
+uint32_t pro_attribute_count(const pro_file* file) {
+    return static_cast<uint32_t>(file->parsed.content.attribute_count);
+}
+
+int pro_get_attribute(const pro_file* file, uint32_t number, pro_attribute* attribute) {
+    const bool there = number < pro_attribute_count(file);
+    *attribute = there ? loadAttribute(file->parsed.content, number) : pro_attribute{};
+    return there ? 1 : 0;
+}
+
+int pro_find_attribute(const pro_file* file, const char* name, pro_attribute* attribute) {
+    for (uint32_t i = 0; pro_get_attribute(file, i, attribute) == 1; ++i)
+        if (std::strcmp(attribute->name, name) == 0) return 1;
+    return 0;
 }
 
 const void* pro_bytes(const pro_file* file, size_t* bytes) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "format/base/parallel.h"
+#include "format/src/attributes.h"
 #include "format/src/header.h"
 
 namespace pointrt::format {
@@ -39,6 +40,12 @@ bool checkIdentity(Bytes bytes, Findings& findings) {
     return major == PRO_VERSION_MAJOR;
 }
 
+/// Where the header's fields end in files of a version.
+std::size_t fieldsEnd(std::uint32_t version_minor) {
+    if (version_minor == 0) return PRO_FIELDS_END_1_0;
+    return version_minor == 1 ? PRO_FIELDS_END_1_1 : PRO_FIELDS_END;
+}
+
 void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
     if (info.file_bytes != bytes.size())
         findings.add(Finding::kFileSize, "%zu bytes, the header says %llu", bytes.size(),
@@ -47,7 +54,7 @@ void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
         findings.add(Finding::kHeaderChecksum, "the header's checksum does not match");
     checkRanges(info, findings);
     if (info.version_minor > PRO_VERSION_MINOR) return; // later minors may use reserved bytes and flags
-    const std::size_t fields_end = info.version_minor == 0 ? PRO_FIELDS_END_1_0 : PRO_FIELDS_END;
+    const std::size_t fields_end = fieldsEnd(info.version_minor);
     if (!allZero(bytes.subspan(fields_end, PRO_TABLE_OFFSET - fields_end)))
         findings.add(Finding::kHeaderReserved, "reserved header bytes are not 0");
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
@@ -126,6 +133,9 @@ bool countFits(const Section& section, const Parsed& parsed) {
     switch (section.kind) {
     case PRO_KIND_META:
         return true;
+    case PRO_KIND_ATTD:
+        return section.count <= PRO_ATTRIBUTE_MAX;
+    case PRO_KIND_SENS:
     case PRO_KIND_BRIK:
     case PRO_KIND_CELL:
     case PRO_KIND_SLAB:
@@ -173,6 +183,30 @@ std::vector<Section> checkSections(Bytes bytes, const std::vector<Section>& tabl
     return placed;
 }
 
+/// Sets the values of the attributes, and checks their sections against ATTD. Leaves all attributes set, or none.
+void checkAttributes(Bytes bytes, const std::vector<Section>& table, Parsed& parsed, Findings& findings) {
+    Content& content = parsed.content;
+    const std::size_t before = findings.count();
+    for (std::size_t i = 0; i < content.attribute_count; ++i) checkAttributeRecord(content, i, findings);
+    for (const Section& section : table) {
+        if (section.kind != PRO_KIND_ATTR || findings.count() != before) continue;
+        const std::size_t i = content.attribute_values.size();
+        const pro_attribute attribute = i < content.attribute_count ? loadAttribute(content, i) : pro_attribute{};
+        if (section.stride != attribute.components * pro_type_bytes(attribute.type) || section.stride == 0 ||
+            section.count != parsed.info.splat_count)
+            findings.add(Finding::kAttributeSections, "ATTR: %llu elements of %u bytes, not what ATTD promises",
+                         static_cast<unsigned long long>(section.count), section.stride);
+        content.attribute_values.push_back(bytes.data() + section.offset);
+    }
+    if (findings.count() == before && content.attribute_values.size() != content.attribute_count)
+        findings.add(Finding::kAttributeSections, "%zu sections ATTR for %zu records of ATTD",
+                     content.attribute_values.size(), content.attribute_count);
+    if (findings.count() == before) checkAttributeNames(content, findings);
+    if (findings.count() == before) return;
+    content.attribute_count = 0;
+    content.attribute_values.clear();
+}
+
 /// The index's sections against one another and their frame; placed ones must have been set. Leaves a whole index set,
 /// or none.
 void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed& parsed, Findings& findings) {
@@ -184,7 +218,7 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
     const auto listed = std::count_if(placed.begin(), placed.end(), belongs);
     const std::size_t before = findings.count();
     if (listed == 0) {
-        if (!allZero(bytes.subspan(PRO_FIELDS_END_1_0, PRO_FIELDS_END - PRO_FIELDS_END_1_0)) &&
+        if (!allZero(bytes.subspan(PRO_FIELDS_END_1_0, PRO_FIELDS_END_1_1 - PRO_FIELDS_END_1_0)) &&
             parsed.info.version_minor > 0)
             findings.add(Finding::kGridFrame, "an entry grid without its sections");
     } else if (!isWhole(index)) {
@@ -212,7 +246,8 @@ void dropUntraced(std::vector<Section>& placed, Content& content) {
 void checkChecksums(Bytes bytes, std::vector<Section> sections, Level level, Findings& findings) {
     // skipped sections are not read at all
     if (level != Level::kVerify)
-        std::erase_if(sections, [](const Section& section) { return !findRule(section.kind); });
+        std::erase_if(sections,
+                      [](const Section& section) { return !findRule(section.kind) && section.kind != PRO_KIND_ATTR; });
     std::vector<char> wrong(sections.size());
     const auto compare = [&](std::size_t k) {
         wrong[k] = checksum(bytes.data() + sections[k].offset, sections[k].length) != sections[k].xxh3;
@@ -231,7 +266,9 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     if (!checkIdentity(bytes, findings)) return parsed;
     parsed.info = loadInfo(bytes.data());
     if (parsed.info.version_minor > 0) parsed.content.index = loadFrame(bytes.data());
+    if (parsed.info.version_minor > 1) parsed.content.world = loadWorld(bytes.data());
     checkHeader(bytes, parsed.info, findings);
+    checkWorld(parsed.content.world, findings);
     if (findings.stopped()) return parsed;
     const std::vector<Section> table = loadTable(bytes, findings);
     if (parsed.info.version_minor <= PRO_VERSION_MINOR) checkTableReserved(bytes, table, findings);
@@ -240,6 +277,8 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     std::vector<Section> placed = checkSections(bytes, table, parsed, findings);
     if (findings.stopped()) return parsed;
     checkIndexSections(bytes, placed, parsed, findings);
+    if (findings.stopped()) return parsed;
+    if (findings.count() == before) checkAttributes(bytes, table, parsed, findings);
     if (findings.stopped()) return parsed;
     if (level == Level::kTrace && parsed.indexed) dropUntraced(placed, parsed.content);
     if (checksums) checkChecksums(bytes, placed, level, findings);

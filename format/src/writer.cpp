@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <vector>
 
 #include "format/base/atomic_file.h"
+#include "format/src/attributes.h"
 #include "format/src/checks.h"
 #include "format/src/header.h"
 
@@ -21,6 +23,20 @@ std::uint64_t alignUp(std::uint64_t bytes) {
     return (bytes + PRO_SECTION_ALIGNMENT - 1) / PRO_SECTION_ALIGNMENT * PRO_SECTION_ALIGNMENT;
 }
 
+/// Gives a section its place behind the others.
+void addSection(Plan& plan, std::uint32_t kind, std::uint32_t stride, std::uint64_t count, const void* data) {
+    Section section;
+    section.kind = kind;
+    section.stride = stride;
+    section.count = count;
+    section.offset = plan.file_bytes;
+    section.length = count * stride;
+    section.xxh3 = checksum(data, section.length);
+    plan.file_bytes = alignUp(section.offset + section.length);
+    plan.sections.push_back(section);
+    plan.data.push_back(data);
+}
+
 Plan planSections(const pro_info& info, const Content& content) {
     Plan plan;
     for (const KindRule& rule : kKindRules) {
@@ -28,28 +44,25 @@ Plan planSections(const pro_info& info, const Content& content) {
         const std::uint64_t count = elementCount(rule.kind, info, content);
         const bool mandatory = rule.presence == Presence::kMandatory;
         if (!mandatory && (!data || count == 0)) continue;
-        Section section;
-        section.kind = rule.kind;
-        section.stride = rule.stride;
-        section.count = count;
-        section.offset = plan.file_bytes;
-        section.length = count * rule.stride;
-        section.xxh3 = checksum(data, section.length);
-        section.flags = mandatory ? PRO_SECTION_REQUIRED : 0;
-        plan.file_bytes = alignUp(section.offset + section.length);
-        plan.sections.push_back(section);
-        plan.data.push_back(data);
+        addSection(plan, rule.kind, rule.stride, count, data);
+        plan.sections.back().flags = mandatory ? PRO_SECTION_REQUIRED : 0;
+    }
+    for (std::size_t i = 0; i < content.attribute_count; ++i) {
+        const pro_attribute attribute = loadAttribute(content, i);
+        addSection(plan, PRO_KIND_ATTR, attribute.components * pro_type_bytes(attribute.type), info.splat_count,
+                   attribute.values);
     }
     return plan;
 }
 
 using Header = std::array<std::byte, PRO_HEADER_BYTES>;
 
-Header makeHeader(pro_info info, const pro_index& index, const Plan& plan) {
+Header makeHeader(pro_info info, const Content& content, const Plan& plan) {
     Header header{};
     info.file_bytes = plan.file_bytes;
     storeInfo(header.data(), info);
-    storeFrame(header.data(), index);
+    storeFrame(header.data(), content.index);
+    storeWorld(header.data(), content.world);
     storeU32(header.data(), PRO_OFF_SECTION_COUNT, static_cast<std::uint32_t>(plan.sections.size()));
     storeU32(header.data(), PRO_OFF_SECTION_STRIDE, PRO_SECTION_BYTES);
     for (std::uint32_t i = 0; i < plan.sections.size(); ++i) storeSection(header.data(), i, plan.sections[i]);
@@ -86,6 +99,9 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
     if (isWhole(content.index)) checkIndexFrame(content.index, findings);
+    checkWorld(content.world, findings);
+    for (std::size_t i = 0; i < content.attribute_count; ++i) checkAttributeRecord(content, i, findings);
+    checkAttributeNames(content, findings);
     if (!findings.stopped()) checkContent(info, content, Level::kOpen, findings);
     return findings.count() == 0;
 }
@@ -94,7 +110,7 @@ pro_result writeFile(const char* path, Existing existing, const pro_info& info, 
                      pro_message* message) {
     AtomicFile file;
     const Plan plan = planSections(info, content);
-    if (file.open(path, existing) && writePlan(file, makeHeader(info, content.index, plan), plan) && file.commit())
+    if (file.open(path, existing) && writePlan(file, makeHeader(info, content, plan), plan) && file.commit())
         return PRO_OK;
     if (file.nameIsTaken())
         setMessage(message, 0, "%s", file.error().c_str());
@@ -104,18 +120,59 @@ pro_result writeFile(const char* path, Existing existing, const pro_info& info, 
     return PRO_CANNOT_WRITE;
 }
 
-pro_result writeAs(Existing existing, const char* path, const pro_info* info, const pro_view* view,
-                   const pro_index* index, pro_message* message) {
+bool hasNulls(const pro_content& content) {
+    if (!content.info || !content.view || missingSection(*content.info, *content.view)) return true;
+    if (content.index && !isWhole(*content.index)) return true;
+    if (content.world && content.world->sensor_count > 0 && !content.world->sensors) return true;
+    if (content.attribute_count > PRO_ATTRIBUTE_MAX || (content.attribute_count > 0 && !content.attributes))
+        return true;
+    return std::any_of(content.attributes, content.attributes + content.attribute_count,
+                       [](const pro_attribute& attribute) { return !attribute.values; });
+}
+
+bool isKnown(const pro_world& world) {
+    return world.up[0] != 0 || world.up[1] != 0 || world.up[2] != 0 || world.metres_per_unit != 0 ||
+           world.sensor_count > 0;
+}
+
+/// The attributes as sections; records receives ATTD.
+void setAttributes(Content& to, const pro_content& from, std::vector<std::byte>& records) {
+    records.resize(from.attribute_count * std::size_t{PRO_ATTRIBUTE_BYTES});
+    for (std::size_t i = 0; i < from.attribute_count; ++i) {
+        pro_attribute attribute = from.attributes[i];
+        attribute.name[PRO_ATTRIBUTE_NAME_MAX] = 0;
+        if (attribute.components <= PRO_ATTRIBUTE_COMPONENTS_MAX && pro_type_bytes(attribute.type) > 0)
+            findRange(attribute, std::size_t{from.info->splat_count} * attribute.components);
+        storeAttribute(records.data() + i * PRO_ATTRIBUTE_BYTES, attribute);
+        to.attribute_values.push_back(static_cast<const std::byte*>(attribute.values));
+    }
+    to.attribute_records = records.data();
+    to.attribute_count = from.attribute_count;
+}
+
+/// What a reader of an earlier version would miss nothing of is of that version.
+std::uint32_t leastMinor(const pro_content& content) {
+    if (content.attribute_count > 0 || (content.world && isKnown(*content.world))) return PRO_VERSION_MINOR;
+    return content.index ? 1 : 0;
+}
+
+pro_result writeAs(Existing existing, const char* path, const pro_content& given, pro_message* message) {
     setMessage(message, 0, "%s", "");
     try {
-        if (!path || !info || !view || missingSection(*info, *view) || (index && !isWhole(*index))) {
-            setMessage(message, 0, "pro_write: null argument or section");
+        if (!path || hasNulls(given)) {
+            setMessage(message, 0, "pro_write: null argument or section, or more than %u attributes",
+                       PRO_ATTRIBUTE_MAX);
             return PRO_BAD_ARGUMENT;
         }
-        const Content content{*view, index ? *index : pro_index{}};
-        pro_info versioned = *info;
+        Content content;
+        std::vector<std::byte> records;
+        content.view = *given.view;
+        if (given.index) content.index = *given.index;
+        if (given.world) content.world = *given.world;
+        setAttributes(content, given, records);
+        pro_info versioned = *given.info;
         versioned.version_major = PRO_VERSION_MAJOR;
-        versioned.version_minor = index ? PRO_VERSION_MINOR : 0; // what a reader of 1.0 would miss nothing of is 1.0
+        versioned.version_minor = leastMinor(given);
         if (!checkInput(versioned, content, message)) return PRO_BAD_ARGUMENT;
         return writeFile(path, existing, versioned, content, message);
     } catch (const std::exception&) {
@@ -132,10 +189,14 @@ pro_result pro_write(const char* path, const pro_info* info, const pro_view* vie
 
 pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                              pro_message* message) {
-    return writeAs(Existing::kReplaced, path, info, view, index, message);
+    return writeAs(Existing::kReplaced, path, {info, view, index, nullptr, nullptr, 0}, message);
 }
 
 pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                          pro_message* message) {
-    return writeAs(Existing::kKept, path, info, view, index, message);
+    return writeAs(Existing::kKept, path, {info, view, index, nullptr, nullptr, 0}, message);
+}
+
+pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message) {
+    return writeAs(replace ? Existing::kReplaced : Existing::kKept, path, content ? *content : pro_content{}, message);
 }

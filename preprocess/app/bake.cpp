@@ -14,6 +14,7 @@
 #include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/interrupt.h"
+#include "preprocess/octree/carry_attributes.h"
 #include "preprocess/octree/write.h"
 
 namespace pointrt {
@@ -99,11 +100,27 @@ TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& opt
     }
 }
 
-void store(const BakeOptions& options, const PackedSplats& splats, const Octree& octree, BakeReport& report,
-           BakeProgress& progress) {
-    ProContent content;
+/// What the scans say beside their points; report keeps the names.
+ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report) {
+    fitAttributes(cloud);
+    ProContent said;
+    said.attributes = std::exchange(cloud.attributes, {});
+    said.sensors = sensorRows(cloud.scans);
+    if (!options.up.isZero()) cloud.world.up = options.up;
+    said.world = report.world = cloud.world;
+    for (const Attribute& each : said.attributes)
+        report.attributes.push_back({each.name, each.type, each.components, {}});
+    report.scans = std::move(cloud.scans);
+    report.source_header = std::move(cloud.source_header);
+    report.notes = std::move(cloud.notes);
+    return said;
+}
+
+void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
+           BakeReport& report, BakeProgress& progress) {
+    content.attributes = carryAttributes(content.attributes, splats.input_index);
     content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
-    content.metadata = metadataJson(options);
+    content.metadata = metadataJson(options, report);
     content.pruned = options.prune;
     const ProSections sections = makeSections(splats, octree, content);
     TracingIndex index;
@@ -134,16 +151,23 @@ BakeReport bake(const BakeOptions& options) {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
     BakeProgress progress(options.verbosity, options.progress, stagesLeftOut(options));
     const auto show = [&](double share) { progress.update(share); };
-    const auto show_read = [&](const ReadStatus& status) { progress.update(status.share); };
+    const auto show_read = [&](const ReadStatus& status) {
+        if (status.share > 0)
+            progress.setPoints(static_cast<std::uint64_t>(static_cast<double>(status.points) / status.share));
+        progress.update(status.share);
+    };
     BakeReport report;
 
     progress.begin("read", 0);
-    Cloud cloud = readInputs(options.inputs, options.read, show_read);
+    Cloud cloud = readInputs(options.inputs, options.read, show_read, &report.files);
     progress.setPoints(cloud.positions.size());
     report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
     report.points_non_finite = cloud.points_non_finite;
     report.points_unused = cloud.points_unused;
-    report.notes = std::move(cloud.notes);
+    report.points_filtered = cloud.points_filtered;
+    ProContent said = takeSaid(options, cloud, report);
+    if (report.files.size() > 1)
+        for (const FileReport& file : report.files) progress.note(fileLine(file));
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
@@ -161,7 +185,7 @@ BakeReport bake(const BakeOptions& options) {
         report.pruning = pruneOctree(packed, options.pruning, octree, show);
     }
     freeScaffold(packed);
-    store(options, packed, octree, report, progress);
+    store(options, std::move(said), packed, octree, report, progress);
     progress.finish();
     report.seconds = progress.seconds();
     report.seconds_total = progress.totalSeconds();

@@ -8,6 +8,8 @@
 
 #include "format/base/command_line.h"
 #include "format/base/error.h"
+#include "preprocess/app/filter_options.h"
+#include "preprocess/input/folders.h"
 #include "preprocess/input/formats/formats.h"
 
 namespace pointrt {
@@ -19,6 +21,7 @@ const std::map<std::string, NormalSource> kNormalSources{
 const std::map<std::string, OrientMode> kOrientModes{{"auto", OrientMode::kAuto},
                                                      {"sensor", OrientMode::kSensor},
                                                      {"mst", OrientMode::kMst},
+                                                     {"up", OrientMode::kUp},
                                                      {"none", OrientMode::kNone}};
 const std::map<std::string, bool> kSwitch{{"on", true}, {"off", false}};
 const std::map<std::string, ProgressStyle> kProgressStyles{{"auto", ProgressStyle::kAuto},
@@ -59,6 +62,8 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
 constexpr const char* kExamples =
     "  pointrt-bake scan.ply -o scan.pro\n"
     "  pointrt-bake a.ply b.pcd -o all.pro               two scans that share coordinates\n"
+    "  pointrt-bake tiles/ -o site.pro                   a folder of tiles\n"
+    "  pointrt-bake city.laz --classes 2,6 -o city.pro   ground and buildings\n"
     "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
     "  zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro\n";
 constexpr const char* kNotes =
@@ -68,6 +73,17 @@ constexpr const char* kNotes =
 template <typename Value>
 CLI::Validator range(Value least, Value most) {
     return CLI::Range(least, most).description("");
+}
+
+void takeAttributes(const std::string& text, AttributeChoice& choice) {
+    choice = {text == "auto", {}};
+    if (choice.all || text == "none") return;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        if (end == begin) throw CLI::ValidationError("--attributes", "'" + text + "' has an empty name");
+        choice.names.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
 }
 
 /// CLI11 takes -1 for 2^64 - 1.
@@ -87,7 +103,8 @@ void addInputFormat(CLI::App& app, std::string& format) {
 
 void addInputOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Scans in, scene out");
-    app.add_option("SCAN", options.inputs, "Scan files, merged into one cloud; - reads standard input")
+    app.add_option("SCAN", options.inputs,
+                   "Scan files and folders of them, merged into one cloud; - reads standard input")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -109,6 +126,53 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("N");
 }
 
+/// Calls take(words) with the option's text.
+template <typename Take>
+CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string& help, const Take& take) {
+    return app.add_option_function<std::string>(name, take, help);
+}
+
+void addFilterOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Which points, and where");
+    auto& read = options.read;
+    addParsed(app, "--bounds", "Only points inside, in the scan's coordinates", [&](const std::string& text) {
+        read.filter.bounds = parseBounds(text);
+    })->type_name("MINX,MINY,MINZ,MAXX,MAXY,MAXZ");
+    CLI::Option* const classes =
+        addParsed(app, "--classes", "Only points of these classes, as 2,6 or 3-5", [&](const std::string& text) {
+            read.filter.keep_classes = parseClasses("--classes", text);
+        })->type_name("LIST");
+    addParsed(app, "--drop-classes", "No points of these classes",
+              [&](const std::string& text) {
+                  read.filter.keep_classes = parseClasses("--drop-classes", text);
+                  read.filter.keep_classes.flip();
+              })
+        ->type_name("LIST")
+        ->excludes(classes);
+    app.add_option("--thin", read.filter.thin_spacing, "One point in each cube of this edge, the first of the input")
+        ->check(range(std::numeric_limits<double>::min(), std::numeric_limits<double>::max()))
+        ->type_name("SPACING");
+    app.add_option("--every", read.filter.every, "Of every N points the first (default 1)")
+        ->check(range(std::uint64_t{1}, std::uint64_t{1} << 40))
+        ->type_name("N");
+    app.add_option_function<int>(
+           "--level", [&](int level) { read.level = level; },
+           "Levels of detail of COPC files down to N, 0 the coarsest (default: all)")
+        ->check(range(0, 64))
+        ->type_name("N");
+    addParsed(app, "--transform", "A 4x4 matrix in a file that all inputs go through", [&](const std::string& text) {
+        read.transform = readTransform(text);
+    })->type_name("FILE");
+    addParsed(app, "--up", "Which way is up in the scan's coordinates (default auto: as the files say)",
+              [&](const std::string& text) { options.up = parseUp(text); })
+        ->type_name("auto|x|y|z|-x|-y|-z");
+    addParsed(app, "--attributes",
+              "What else scans have of their points: all of it, nothing, or names, as "
+              "intensity,classification (default auto)",
+              [&](const std::string& text) { takeAttributes(text, read.attributes); })
+        ->type_name("auto|none|NAMES");
+}
+
 void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Surface");
     auto& surface = options.surface;
@@ -118,7 +182,8 @@ void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
         ->check(range(3, 255))
         ->type_name("K");
     addChoice(app, "--orient", surface.orient, kOrientModes,
-              "Their side; auto takes sensors where known, else a minimum spanning tree (default auto)");
+              "Their side; auto takes sensors where known, up for airborne lidar, else a minimum spanning tree "
+              "(default auto)");
     app.add_option("--radius-scale", surface.radius_scale, "Multiplies the radii, 0.01 to 100 (default 1)")
         ->check(range(0.01, 100.0))
         ->type_name("S");
@@ -199,6 +264,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
                  "pointrt-bake"};
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addInputOptions(app, options);
+    addFilterOptions(app, options);
     addSurfaceOptions(app, options);
     addOctreeOptions(app, options);
     addReportOptions(app, options);
@@ -207,6 +273,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");
     checkOptions(options);
+    options.inputs = filesOf(options.inputs);
     return true;
 }
 

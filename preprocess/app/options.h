@@ -27,8 +27,9 @@ struct BakeOptions {
     OctreeOptions octree;
     bool prune = true;
     PruneOptions pruning;
-    bool index = true;      ///< write the tracing index
-    float reflectivity = 0; ///< of the material, 0 to 1
+    bool index = true;        ///< write the tracing index
+    float reflectivity = 0;   ///< of the material, 0 to 1
+    Vec3d up = Vec3d::Zero(); ///< unit length; zero: as the inputs say
 };
 
 /// Parses the command line. Returns false when help or version was printed and nothing is left to do.

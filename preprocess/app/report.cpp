@@ -21,11 +21,36 @@ std::uint64_t peakRssBytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
 }
 
+Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+Json worldJson(const WorldFrame& world) {
+    return {{"up", vectorJson(world.up)}, {"metres_per_unit", world.metres_per_unit}, {"crs", world.crs}};
+}
+
+Json filesJson(const BakeReport& report) {
+    Json files = Json::array();
+    for (const FileReport& file : report.files)
+        files.push_back({{"name", file.name},
+                         {"format", file.format},
+                         {"points", file.points},
+                         {"kept", file.kept},
+                         {"scans", file.scans},
+                         {"seconds", file.seconds}});
+    return files;
+}
+
+Json attributeNames(const BakeReport& report) {
+    Json names = Json::array();
+    for (const Attribute& attribute : report.attributes) names.push_back(attribute.name);
+    return names;
+}
+
 Json toJson(const BakeReport& report) {
     Json json;
     json["input_points"] = report.input_points;
     json["points_non_finite"] = report.points_non_finite;
     json["points_unused"] = report.points_unused;
+    json["points_filtered"] = report.points_filtered;
     json["duplicates_removed"] = report.surface.duplicates_removed + report.merged;
     json["outliers_removed"] = report.surface.outliers_removed;
     json["normals_estimated"] = report.surface.normals_estimated;
@@ -43,6 +68,9 @@ Json toJson(const BakeReport& report) {
                        {"probes", report.pruning.probes},
                        {"harm", report.pruning.harm},
                        {"harm_bound", report.pruning.harm_bound}};
+    json["up"] = vectorJson(report.world.up);
+    json["attributes"] = attributeNames(report);
+    json["files"] = filesJson(report);
     json["notes"] = Json::array();
     for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
     json["bytes"] = report.octree.file_bytes;
@@ -57,6 +85,7 @@ std::string leftOut(const BakeReport& report) {
     const std::pair<std::uint64_t, const char*> reasons[] = {
         {report.points_non_finite, "not finite"},
         {report.points_unused, "used by no face"},
+        {report.points_filtered, "not asked for"},
         {report.surface.duplicates_removed + report.merged, "duplicate"},
         {report.surface.outliers_removed, "stray"}};
     std::string text;
@@ -71,6 +100,15 @@ std::string missedBound(const BakeReport& report) {
     if (pruning.harm_bound <= report.harm_allowed) return {};
     return fmt::format(" (pruning may change {:.2g} of the hits, more than the {:.2g} allowed: --prune off keeps all)",
                        pruning.harm_bound, report.harm_allowed);
+}
+
+bool isKnown(const WorldFrame& world) { return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty(); }
+
+/// "a/b.e57: Scan 1" as "b.e57: Scan 1".
+std::string withoutFolder(const std::string& scan) {
+    const std::size_t title = scan.find(": ");
+    const std::size_t slash = scan.rfind('/', title);
+    return slash == std::string::npos ? scan : scan.substr(slash + 1);
 }
 
 } // namespace
@@ -95,11 +133,24 @@ std::string summaryLine(const BakeReport& report) {
            missedBound(report);
 }
 
-std::string metadataJson(const BakeOptions& options) {
+std::string fileLine(const FileReport& file) {
+    const double rate = file.seconds > 0 ? static_cast<double>(file.points) / file.seconds : 0;
+    std::string line = fmt::format("{}: {}, {} points", file.name, file.format, file.points);
+    if (file.kept != file.points) line += fmt::format(", {} kept", file.kept);
+    if (file.scans != 1) line += fmt::format(", {} scans", file.scans);
+    return line + fmt::format(", {:.2f} s, {:.2g} million points/s", file.seconds, rate / 1e6);
+}
+
+std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     Json json;
     json["writer"] = "pointrt-bake " POINTRT_VERSION;
     for (const std::string& input : options.inputs) // folders are nobody else's business
         json["sources"].push_back(std::filesystem::path(input).filename().string());
+    for (const Scan& scan : report.scans)
+        if (report.scans.size() > 1) json["scans"].push_back(withoutFolder(scan.name));
+    if (isKnown(report.world)) json["world"] = worldJson(report.world);
+    const Json header = Json::parse(report.source_header, nullptr, false);
+    if (header.is_object()) json["source_header"] = header;
     Json& settings = json["settings"];
     settings["sample"] = options.read.sample_count;
     settings["seed"] = options.read.seed;

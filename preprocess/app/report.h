@@ -8,13 +8,19 @@
 
 #include "preprocess/app/options.h"
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/input/read.h"
 #include "preprocess/octree/write.h"
 
 namespace pointrt {
 
 struct BakeReport {
-    std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0;
+    std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0, points_filtered = 0;
     std::vector<Note> notes; ///< of reading
+    std::vector<FileReport> files;
+    WorldFrame world;
+    std::vector<Scan> scans;
+    std::string source_header;         ///< Cloud::source_header
+    std::vector<Attribute> attributes; ///< names and types only
     SurfaceReport surface;
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
@@ -35,7 +41,11 @@ std::string noteLine(const Note& note);
 /// One line for people.
 std::string summaryLine(const BakeReport& report);
 
-/// Provenance for the file: tool, settings, sources. Holds nothing that differs between runs or thread counts.
-std::string metadataJson(const BakeOptions& options);
+/// Provenance for the file: tool, settings, sources, how they lie in the world. Holds nothing that differs between runs
+/// or thread counts.
+std::string metadataJson(const BakeOptions& options, const BakeReport& report);
+
+/// One line for people of a file that was read.
+std::string fileLine(const FileReport& file);
 
 } // namespace pointrt

@@ -38,6 +38,7 @@ struct Scan {
 struct WorldFrame {
     Vec3d up = Vec3d::Zero();   ///< unit length; zero: not known
     double metres_per_unit = 0; ///< 0: not known
+    bool from_above = false;    ///< airborne: every surface was seen from above
     std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": not known
 };
 
@@ -46,11 +47,11 @@ struct Cloud {
     /// Input coordinate = origin + position, per axis; whole numbers, so that no bit is lost in double.
     Vec3d origin = Vec3d::Zero();
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;                          ///< as given, any length; zero where missing
-    std::vector<Rgb8> colors;                            ///< sRGB
-    std::vector<std::uint32_t> sensor_of_point;          ///< index into sensors, or kNoSensor
-    std::vector<Vec3f> sensors;                          ///< scanner positions, relative to origin
-    std::vector<float> radii;                            ///< as given; 0 where missing
+    std::vector<Vec3f> normals;                 ///< as given, any length; zero where missing
+    std::vector<Rgb8> colors;                   ///< sRGB
+    std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
+    std::vector<Vec3f> sensors;                 ///< scanner positions, relative to origin
+    std::vector<float> radii;                   ///< as given; 0 where missing
     std::vector<Attribute> attributes;
     std::vector<Scan> scans; ///< in the order read; attribute kScanNumber numbers them where there are several
     WorldFrame world;

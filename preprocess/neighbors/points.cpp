@@ -113,6 +113,8 @@ Points takePoints(Cloud&& cloud) {
     points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
     points.sensors = std::move(cloud.sensors);
     points.radii = gatherAndFree(cloud.radii, points.input_index);
+    points.up = cloud.world.up.cast<float>();
+    points.from_above = cloud.world.from_above;
     toUnitSize(points, bounds.longestEdge());
     forAll(points.normals, [](Vec3f& normal) { normal = unitOrZero(normal); });
     return points;

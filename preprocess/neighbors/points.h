@@ -20,6 +20,8 @@ struct Points {
     std::vector<Vec3f> sensors;                 ///< in the unit of positions
     std::vector<float> radii;                   ///< as given, in the unit of positions; 0 where missing
     std::vector<std::uint32_t> input_index;     ///< index in the cloud
+    Vec3f up = Vec3f::Zero();                   ///< zero: not known
+    bool from_above = false;                    ///< every surface was seen from up
     int scale_exponent = 0;
 
     std::size_t size() const { return positions.size(); }

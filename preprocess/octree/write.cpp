@@ -5,6 +5,7 @@
 #include <new>
 
 #include "format/base/error.h"
+#include "preprocess/octree/carry_attributes.h"
 
 namespace pointrt {
 
@@ -44,6 +45,15 @@ pro_info makeInfo(const PackedSplats& splats, const Octree& octree, const ProCon
     return info;
 }
 
+pro_world makeWorld(const ProContent& content) {
+    pro_world world{};
+    for (int axis = 0; axis < 3; ++axis) world.up[axis] = static_cast<float>(content.world.up[axis]);
+    world.metres_per_unit = content.world.metres_per_unit;
+    world.sensor_count = static_cast<std::uint32_t>(content.sensors.size() / PRO_SENSOR_DOUBLES);
+    world.sensors = content.sensors.empty() ? nullptr : content.sensors.data();
+    return world;
+}
+
 } // namespace
 
 ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content) {
@@ -62,13 +72,20 @@ ProSections makeSections(const PackedSplats& splats, const Octree& octree, const
     view.order = splats.input_index.data();
     view.metadata = content.metadata.data();
     view.metadata_bytes = content.metadata.size();
+    sections.world = makeWorld(content);
+    sections.attributes = attributeViews(content.attributes);
     return sections;
 }
 
 OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections& sections, const pro_index* index) {
     pro_message message{};
-    const auto write = overwrite ? pro_write_indexed : pro_write_new;
-    const pro_result result = write(path.c_str(), &sections.info, &sections.view, index, &message);
+    const pro_content content{&sections.info,
+                              &sections.view,
+                              index,
+                              &sections.world,
+                              sections.attributes.data(),
+                              static_cast<std::uint32_t>(sections.attributes.size())};
+    const pro_result result = pro_write_content(path.c_str(), &content, overwrite ? 1 : 0, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
     // what the writer refuses to write is a scan that no .pro can hold
     const ExitCode code = result == PRO_CANNOT_WRITE ? ExitCode::kCannotWrite : ExitCode::kBadInput;

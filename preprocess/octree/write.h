@@ -15,7 +15,10 @@ using MaterialRow = std::array<float, PRO_MATERIAL_FLOATS>;
 /// What the file holds besides splats and octree.
 struct ProContent {
     std::vector<MaterialRow> materials; ///< 1 to 256 rows; splats name theirs
-    std::string metadata;               ///< JSON
+    std::vector<Attribute> attributes;  ///< of the splats; names that fit (carry_attributes.h)
+    std::vector<double> sensors;        ///< PRO_SENSOR_DOUBLES a scan, or empty
+    WorldFrame world;
+    std::string metadata; ///< JSON
     bool pruned = false;
 };
 
@@ -32,6 +35,8 @@ struct ProSections {
     pro_info info{};
     pro_view view{};
     std::vector<std::uint32_t> nodes, leaves;
+    pro_world world{};
+    std::vector<pro_attribute> attributes;
 };
 ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content);
 

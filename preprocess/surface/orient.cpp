@@ -26,15 +26,22 @@ void requireSensors(const Points& points) {
                                          std::to_string(points.size()) + " points is not known"};
 }
 
-/// Turns a normal towards its sensor. Returns whether the sensor tells for sure: not when there is none, nor at a
-/// grazing angle, where the error of the normal itself (seldom above 11 degrees, sine 0.2) may decide.
-bool faceSensor(Points& points, std::size_t i) {
+/// +Z where it is not known, as scanners have it.
+Vec3f upOf(const Points& points) { return points.up.isZero() ? Vec3f(Vec3f::UnitZ()) : points.up; }
+
+/// Turns a normal towards a direction. Returns whether that tells its side for sure: not at a grazing angle, where the
+/// error of the normal itself (seldom above 11 degrees, sine 0.2) may decide.
+bool faceTowards(Points& points, std::size_t i, const Vec3f& direction) {
     constexpr float kGrazing = 0.2f;
-    const Vec3f* sensor = points.sensorOf(i);
-    if (sensor == nullptr) return false;
-    const float cosine = points.normals[i].dot((*sensor - points.positions[i]).stableNormalized());
+    const float cosine = points.normals[i].dot(direction);
     if (cosine < 0) points.normals[i] = -points.normals[i];
     return std::abs(cosine) > kGrazing;
+}
+
+/// False when there is no sensor.
+bool faceSensor(Points& points, std::size_t i) {
+    const Vec3f* sensor = points.sensorOf(i);
+    return sensor != nullptr && faceTowards(points, i, (*sensor - points.positions[i]).stableNormalized());
 }
 
 /// Flags the points whose side is known without looking at neighbours.
@@ -43,6 +50,24 @@ Flags faceSensors(Points& points, const Flags& given) {
     for (std::size_t i = 0; i < known.size(); ++i)
         if (!known[i]) known[i] = faceSensor(points, i);
     return known;
+}
+
+Flags faceUp(Points& points, const Flags& given) {
+    const Vec3f up = upOf(points);
+    Flags known = given;
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (!known[i]) known[i] = faceTowards(points, i, up);
+    return known;
+}
+
+/// The points whose side is known without looking at neighbours, by the mode; they are turned to it.
+Flags turnKnown(Points& points, const Flags& given, OrientMode mode) {
+    const Flags nothing(points.size(), 0);
+    if (mode == OrientMode::kMst) return nothing;
+    if (mode == OrientMode::kUp) return faceUp(points, nothing);
+    const bool above = points.sensors.empty() && points.from_above;
+    if (mode == OrientMode::kAuto && above) return faceUp(points, given);
+    return faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
 }
 
 /// What is summed over a component to tell its outside.
@@ -82,10 +107,11 @@ double areaOf(const NeighborLists& lists, std::size_t point) {
 }
 
 void placeComponents(Components& components, const Points& points, const NeighborLists& lists, const Flags& known) {
+    const Vec3f up = upOf(points);
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         Component& component = components.all[components.of_point[i]];
         component.has_known_side |= known[i] != 0;
-        if (points.positions[i].z() > points.positions[component.top].z()) component.top = i;
+        if (points.positions[i].dot(up) > points.positions[component.top].dot(up)) component.top = i;
         const double area = areaOf(lists, i);
         component.area += area;
         component.centroid += area * points.positions[i].cast<double>();
@@ -95,23 +121,25 @@ void placeComponents(Components& components, const Points& points, const Neighbo
 
 /// Adds a start for each component that has none: its highest point, facing up, as CGAL does.
 Flags addSources(const Components& components, Points& points, Flags known) {
+    const Vec3f up = upOf(points);
     for (const Component& component : components.all) {
         if (component.has_known_side) continue;
         known[component.top] = 1;
         Vec3f& normal = points.normals[component.top];
-        if (normal.z() < 0) normal = -normal;
+        if (normal.dot(up) < 0) normal = -normal;
     }
     return known;
 }
 
 void measureSides(Components& components, const Points& points, const NeighborLists& lists) {
+    const Vec3d up = upOf(points).cast<double>();
     for (std::size_t i = 0; i < points.size(); ++i) {
         Component& component = components.all[components.of_point[i]];
         const Vec3d offset = points.positions[i].cast<double>() - component.centroid;
         const Vec3d normal = points.normals[i].cast<double>() * areaOf(lists, i);
         component.outward += normal.dot(offset);
         component.outward_limit += areaOf(lists, i) * offset.norm();
-        component.upward += normal.z();
+        component.upward += normal.dot(up);
     }
 }
 
@@ -158,9 +186,7 @@ bool orientNormals(Points& points, const NeighborLists& lists, const std::vector
     if (mode == OrientMode::kSensor) requireSensors(points);
 
     const std::vector<Vec3f> before = points.normals;
-    const Flags nothing(points.size(), 0);
-    const Flags known =
-        mode == OrientMode::kMst ? nothing : faceSensors(points, mode == OrientMode::kAuto ? given : nothing);
+    const Flags known = turnKnown(points, given, mode);
     if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, known, share);
     flipped_count = countTurned(before, points.normals);
     share.report(1);

@@ -11,9 +11,10 @@
 namespace pointrt::surface {
 
 /// Turns points.normals by mode, in this order:
-///   1. kAuto: given normals keep their side; the others face their sensor, where one is known.
-///   2. kAuto, kMst: what is left follows its neighbours along a minimum spanning tree (Hoppe et al. 1992). So do
-///      normals that see their sensor at a grazing angle.
+///   1. kAuto: given normals keep their side; the others face their sensor, where one is known, or up, where none is
+///      and all was seen from there. kUp: all face up, +Z where that is not known.
+///   2. kAuto, kUp, kMst: what is left follows its neighbours along a minimum spanning tree (Hoppe et al. 1992). So do
+///      normals that see their sensor, or the sky, at a grazing angle.
 ///   3. A component of the neighbour graph that holds no known side is turned as a whole: outwards, seen from its
 ///      centroid, or upwards, towards +Z, whichever its normals agree on more: the first for objects, the second for
 ///      ground. Rooms seen from within come out with their normals in the walls, unless the sensor is known.

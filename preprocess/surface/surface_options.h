@@ -13,6 +13,7 @@ enum class NormalSource {
 enum class OrientMode {
     kAuto,   ///< given normals keep their side, then towards the sensor where it is known, then by spanning tree
     kSensor, ///< towards the sensor, which every point must have
+    kUp,     ///< upwards; what is too steep to tell follows its neighbours
     kMst,    ///< by minimum spanning tree, whatever is known
     kNone    ///< normals stay as they are given or fitted, on any side
 };

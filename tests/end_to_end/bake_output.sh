@@ -8,7 +8,8 @@ case_help_names_every_option() {
     local option
     expectDone pointrt-bake --help
     for option in -o --output -f --force -j --threads --normals --neighbors --orient --radius-scale --max-leaf-splats \
-        --max-depth --prune --probe-rays --sample --seed --stats --progress --input-format -q -v; do
+        --max-depth --prune --probe-rays --sample --seed --stats --progress --input-format -q -v --bounds --classes \
+        --drop-classes --thin --every --level --transform --up --attributes; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
 }

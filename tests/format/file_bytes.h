@@ -143,6 +143,19 @@ inline std::uint64_t touchEverything(const pro_info& info, const pro_view& view)
     return sum;
 }
 
+/// Reads every value of attributes and sensors.
+inline std::uint64_t touchSaid(const pro_info& info, const pro_file* file) {
+    double sum = 0;
+    pro_attribute attribute;
+    for (std::uint32_t i = 0; pro_get_attribute(file, i, &attribute); ++i)
+        for (std::size_t k = 0; k < std::size_t{info.splat_count} * attribute.components; ++k)
+            sum += pro_attribute_value(&attribute, k) > 0;
+    pro_world world;
+    pro_get_world(file, &world);
+    for (std::size_t i = 0; i < std::size_t{world.sensor_count} * PRO_SENSOR_DOUBLES; ++i) sum += world.sensors[i] > 0;
+    return static_cast<std::uint64_t>(sum);
+}
+
 /// Opens a copy in a heap block of the exact size, so that AddressSanitizer sees one byte over; also verifies it.
 inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
     const std::unique_ptr<std::byte[]> copy(new std::byte[bytes.size()]);
@@ -160,6 +173,7 @@ inline OpenResult openCopy(const Bytes& bytes, std::uint32_t open_flags = 0) {
         sink = touchEverything(info, view);
         pro_index index;
         if (pro_get_index(file, &index)) sink = touchIndex(info, view, index);
+        sink = touchSaid(info, file);
         pro_close(file);
     } else if (findings == 0) {
         throw std::logic_error("refused, yet without findings");

@@ -85,11 +85,12 @@ typedef struct pro_index {
 
 /* What a scan says of each point besides position, normal and colour: numbers as the file had them, to the bit. */
 typedef struct pro_attribute {
-    char name[PRO_ATTRIBUTE_NAME_MAX + 1]; /* UTF-8, terminated, unique in a file; SPEC.md has those that mean something */
-    uint32_t type;                         /* PRO_TYPE_* */
-    uint32_t components;                   /* 1 to 4 */
-    double low, high;                      /* of all finite values; both 0 where there is none */
-    const void* values;                    /* [splat_count][components] */
+    char name[PRO_ATTRIBUTE_NAME_MAX +
+              1];        /* UTF-8, terminated, unique in a file; SPEC.md has those that mean something */
+    uint32_t type;       /* PRO_TYPE_* */
+    uint32_t components; /* 1 to 4 */
+    double low, high;    /* of all finite values; both 0 where there is none */
+    const void* values;  /* [splat_count][components] */
 } pro_attribute;
 
 /* How a scan lies in the world, as far as is known. */
@@ -176,7 +177,8 @@ typedef struct pro_content {
     uint32_t attribute_count;        /* at most PRO_ATTRIBUTE_MAX */
 } pro_content;
 
-/* The same with what a scan says beside its points, which makes the file version 1.2. replace: 0 is as pro_write_new. */
+/* The same with what a scan says beside its points, which makes the file version 1.2. replace: 0 is as pro_write_new.
+ */
 PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pointrt/pro.h"
 
@@ -41,6 +42,9 @@ public:
         pro_get_info(file, &info_);
         pro_get_view(file, &view_);
         has_index_ = pro_get_index(file, &index_) == 1;
+        pro_get_world(file, &world_);
+        attributes_.resize(pro_attribute_count(file));
+        for (std::uint32_t i = 0; i < attributes_.size(); ++i) pro_get_attribute(file, i, &attributes_[i]);
     }
 
     const pro_info& info() const { return info_; }
@@ -66,6 +70,16 @@ public:
     std::string_view metadata() const { return {view_.metadata, view_.metadata_bytes}; }
     /// The tracing index; nullptr where the file has none.
     const pro_index* index() const { return has_index_ ? &index_ : nullptr; }
+    /// How the scan lies in the world, as far as is known.
+    const pro_world& world() const { return world_; }
+    /// What the scan says of each splat besides position, normal and colour.
+    const std::vector<pro_attribute>& attributes() const { return attributes_; }
+    /// nullptr where there is none of that name.
+    const pro_attribute* attribute(std::string_view name) const {
+        for (const pro_attribute& each : attributes_)
+            if (name == each.name) return &each;
+        return nullptr;
+    }
     /// The whole file, page aligned.
     std::span<const std::byte> bytes() const {
         std::size_t size = 0;
@@ -89,6 +103,8 @@ private:
     pro_view view_{};
     pro_index index_{};
     bool has_index_ = false;
+    pro_world world_{};
+    std::vector<pro_attribute> attributes_;
 };
 
 /// pro_write_indexed; throws ProError (PRO_CANNOT_WRITE) with "FILE: reason" when the file cannot be written.

@@ -80,6 +80,15 @@ const InputFormat* formatOfPlainText(std::string_view bytes) {
 
 } // namespace
 
+SuffixOf suffixKind(const std::string& name) {
+    const std::string suffix = suffixOf(name);
+    if (suffix == "txt" || suffix == "csv") return SuffixOf::kText;
+    bool known = false;
+    for (const InputFormat& format : inputFormats())
+        forSuffixes(format, [&](std::string_view each) { known = known || each == suffix; });
+    return known ? SuffixOf::kScan : SuffixOf::kOther;
+}
+
 const InputFormat& formatOf(const Source& source, std::string_view name) {
     const InputFormat* const named = formatNamed(name);
     if (!name.empty() && !named) throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", quoted(name)));

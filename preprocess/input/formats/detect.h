@@ -10,4 +10,8 @@ namespace pointrt {
 /// Throws Error: unknown format name (usage); a known format that this build does not read, no known format.
 const InputFormat& formatOf(const Source& source, std::string_view name);
 
+/// Whether a name ends as those of scans do, ".gz" left out; .txt and .csv, which may be anything, apart.
+enum class SuffixOf { kScan, kText, kOther };
+SuffixOf suffixKind(const std::string& name);
+
 } // namespace pointrt

@@ -103,7 +103,8 @@ Vec3f cleanNormal(const Sink& sink, const Row& row) {
 
 /// Zero, which stands for none, for what is no radius.
 float cleanRadius(const Sink& sink, const Row& row) {
-    const auto radius = static_cast<float>(row[kRadius] * std::cbrt(std::abs(sink.world_from_vertex.linear().determinant())));
+    const auto radius =
+        static_cast<float>(row[kRadius] * std::cbrt(std::abs(sink.world_from_vertex.linear().determinant())));
     return std::isfinite(radius) && radius > 0 ? radius : 0.0f;
 }
 
@@ -203,8 +204,8 @@ void beginAttributes(Sink& sink, const Source& source, const ScanTraits& traits,
 void placeScan(Sink& sink) {
     sink.world_from_vertex = sink.world_from_input.value_or(Eigen::Affine3d::Identity());
     if (sink.world_from_scan)
-        sink.world_from_vertex =
-            sink.world_from_vertex * Eigen::Translation3d(sink.world_from_scan->translation) * sink.world_from_scan->linear;
+        sink.world_from_vertex = sink.world_from_vertex * Eigen::Translation3d(sink.world_from_scan->translation) *
+                                 sink.world_from_scan->linear;
     // Normals are turned by the inverse transpose; a rotation is its own, and keeps every bit.
     const Eigen::Matrix3d linear = sink.world_from_vertex.linear();
     const bool rigid = (linear * linear.transpose()).isIdentity(1e-9);
@@ -335,6 +336,7 @@ void setWorldFrame(Sink& sink, const Source& source, const WorldFrame& frame) {
         world.crs.clear();
     }
     if (!world.up.isApprox(placed.up)) world.up.setZero();
+    world.from_above &= placed.from_above;
     if (world.metres_per_unit != placed.metres_per_unit) world.metres_per_unit = 0;
 }
 

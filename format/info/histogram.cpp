@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/info/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointrt {
+
+namespace {
+
+/// False once there are too many.
+bool countValues(const pro_attribute& attribute, std::size_t numbers, Histogram& histogram) {
+    if (attribute.type >= PRO_TYPE_F32) return false;
+    for (std::size_t i = 0; i < numbers; ++i) {
+        ++histogram.values[pro_attribute_value(&attribute, i)];
+        if (histogram.values.size() > Histogram::kMostValues) return false;
+    }
+    return true;
+}
+
+void countBins(const pro_attribute& attribute, std::size_t numbers, Histogram& histogram) {
+    constexpr double kLast = Histogram::kBins - 1;
+    histogram.bins.resize(Histogram::kBins);
+    // halves, as the width of all finite doubles is none of them
+    const double width = attribute.high / 2 - attribute.low / 2;
+    for (std::size_t i = 0; i < numbers; ++i) {
+        const double value = pro_attribute_value(&attribute, i);
+        if (!std::isfinite(value)) {
+            ++histogram.not_finite;
+            continue;
+        }
+        const double share = width > 0 ? (value / 2 - attribute.low / 2) / width : 0;
+        ++histogram.bins[static_cast<std::size_t>(std::clamp(share * Histogram::kBins, 0.0, kLast))];
+    }
+}
+
+} // namespace
+
+Histogram histogramOf(const pro_attribute& attribute, std::size_t count) {
+    Histogram histogram;
+    const std::size_t numbers = count * attribute.components;
+    if (countValues(attribute, numbers, histogram)) return histogram;
+    histogram.values.clear();
+    countBins(attribute, numbers, histogram);
+    return histogram;
+}
+
+const char* typeName(std::uint32_t type) {
+    constexpr const char* kNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                      "uint32", "int64", "uint64", "float",  "double"};
+    return type >= PRO_TYPE_I8 && type <= PRO_TYPE_F64 ? kNames[type - PRO_TYPE_I8] : "unknown";
+}
+
+} // namespace pointrt

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/filter_options.h"
+
+#include <cmath>
+
+#include "format/base/error.h"
+#include "preprocess/input/source/source.h"
+#include "preprocess/input/source/text.h"
+
+namespace pointrt {
+namespace {
+
+[[noreturn]] void usage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
+
+/// Calls use(word) for each part between commas.
+template <typename Use>
+void eachPart(const std::string& text, const Use& use) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        use(std::string_view(text).substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+/// One class or the first and the last of several.
+void markClasses(const std::string& option, std::string_view part, std::vector<bool>& classes) {
+    const std::size_t dash = part.find('-');
+    double first = 0, last = 0;
+    const bool numbers = wholeNumber(part.substr(0, dash), first) &&
+                         wholeNumber(dash == std::string_view::npos ? part : part.substr(dash + 1), last);
+    if (!numbers || first != std::floor(first) || last != std::floor(last) || first < 0 || last > 255 || first > last)
+        usage(fmt::format("{}: {} is no class, 0 to 255, and no range of them, as 3-5", option, quoted(part)));
+    for (auto each = static_cast<std::size_t>(first); each <= static_cast<std::size_t>(last); ++each)
+        classes[each] = true;
+}
+
+} // namespace
+
+Eigen::AlignedBox3d parseBounds(const std::string& text) {
+    std::vector<double> values;
+    eachPart(text, [&](std::string_view part) {
+        double value = 0;
+        if (!wholeNumber(part, value) || std::isnan(value))
+            usage(fmt::format("--bounds: {} is no number", quoted(part)));
+        values.push_back(value);
+    });
+    if (values.size() != 6)
+        usage(fmt::format("--bounds: {} numbers, not 6: MINX,MINY,MINZ,MAXX,MAXY,MAXZ", values.size()));
+    const Eigen::Vector3d low(values[0], values[1], values[2]), high(values[3], values[4], values[5]);
+    for (int axis = 0; axis < 3; ++axis)
+        if (low[axis] > high[axis])
+            usage(fmt::format("--bounds: in {} the minimum {:g} is above the maximum {:g}", "xyz"[axis], low[axis],
+                              high[axis]));
+    return {low, high};
+}
+
+std::vector<bool> parseClasses(const std::string& option, const std::string& text) {
+    std::vector<bool> classes(256);
+    eachPart(text, [&](std::string_view part) { markClasses(option, part, classes); });
+    return classes;
+}
+
+Eigen::Affine3d readTransform(const std::string& path) {
+    const Source source = openSource(path);
+    std::string_view rest = source.bytes;
+    std::vector<double> values;
+    while (true) {
+        while (!rest.empty() && (isSpace(rest.front()) || rest.front() == ',')) rest.remove_prefix(1);
+        if (rest.empty()) break;
+        double value = 0;
+        const char* const stop = parseNumber(rest.data(), rest.data() + rest.size(), value);
+        if (!stop || !std::isfinite(value)) refuseLine(source, rest.data(), "is no number of a matrix");
+        values.push_back(value);
+        rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
+        if (values.size() > 16) break;
+    }
+    if (values.size() != 16) refuse(source, "is no matrix: 16 numbers are one, four rows of four");
+    Eigen::Matrix4d matrix = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data());
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) refuse(source, "the matrix's last row is not 0 0 0 1");
+    const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>();
+    // of a matrix with columns this long; what is flatter is rounding
+    const double largest = linear.colwise().norm().prod();
+    if (!(std::abs(linear.determinant()) > 1e-12 * largest)) refuse(source, "the matrix flattens space");
+    return Eigen::Affine3d(matrix);
+}
+
+Eigen::Vector3d parseUp(const std::string& text) {
+    if (text == "auto") return Eigen::Vector3d::Zero();
+    const bool negative = text.starts_with('-');
+    const std::string axis = negative ? text.substr(1) : text;
+    if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+        usage("--up: '" + text + "' is none of auto|x|y|z|-x|-y|-z");
+    return (negative ? -1 : 1) * Eigen::Vector3d::Unit(axis[0] - 'x');
+}
+
+} // namespace pointrt

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/folders.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "format/base/error.h"
+#include "preprocess/input/formats/detect.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> scansIn(const std::string& folder) {
+    std::vector<std::string> scans, texts;
+    std::error_code failure;
+    for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
+        const std::string name = entry->path().filename().string();
+        const SuffixOf kind = suffixKind(name);
+        if (name.starts_with('.') || kind == SuffixOf::kOther || !entry->is_regular_file(failure)) continue;
+        (kind == SuffixOf::kScan ? scans : texts).push_back(entry->path().string());
+    }
+    if (scans.empty()) scans = texts;
+    if (failure) throw Error(ExitCode::kBadInput, folder + ": " + failure.message());
+    if (scans.empty()) throw Error(ExitCode::kBadInput, folder + ": the folder holds no scan that this build reads");
+    std::sort(scans.begin(), scans.end());
+    return scans;
+}
+
+void keepPosed(std::vector<std::string>& scans) {
+    const auto is_conf = [](const std::string& name) { return name.ends_with(".conf"); };
+    if (std::any_of(scans.begin(), scans.end(), is_conf)) std::erase_if(scans, std::not_fn(is_conf));
+}
+
+} // namespace
+
+std::vector<std::string> filesOf(const std::vector<std::string>& paths) {
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        std::error_code failure;
+        if (path == "-" || !fs::is_directory(path, failure)) {
+            files.push_back(path);
+            continue;
+        }
+        std::vector<std::string> scans = scansIn(path);
+        keepPosed(scans);
+        files.insert(files.end(), scans.begin(), scans.end());
+    }
+    return files;
+}
+
+} // namespace pointrt

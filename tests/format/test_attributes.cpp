@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Version 1.2: what scans say beside their points is read as it was written, and lies about it are found.
+#include <gtest/gtest.h>
+
+#include "file_bytes.h"
+#include "tests/support/temporary_folder.h"
+#include "tiny_attributes.h"
+
+namespace {
+
+using namespace pointrt;
+using namespace pointrt::test;
+
+const std::string kTinyV12 = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro";
+
+TEST(Attributes, GoldenReads) {
+    const ProFile file(kTinyV12);
+    EXPECT_EQ(file.info().version_minor, 2u);
+    EXPECT_EQ(file.world().up[2], 1.0f);
+    EXPECT_EQ(file.world().metres_per_unit, 0.3048);
+    ASSERT_EQ(file.world().sensor_count, 2u);
+    EXPECT_EQ(file.world().sensors[2], 1e6);
+    EXPECT_EQ(file.world().sensors[7], 0.0);
+    ASSERT_EQ(file.attributes().size(), 5u);
+    const pro_attribute* const intensity = file.attribute("intensity");
+    ASSERT_NE(intensity, nullptr);
+    EXPECT_EQ(intensity->type, std::uint32_t{PRO_TYPE_U16});
+    EXPECT_EQ(intensity->low, 0.0);
+    EXPECT_EQ(intensity->high, 65535.0);
+    EXPECT_EQ(pro_attribute_value(intensity, 3), 300.0);
+    EXPECT_EQ(pro_attribute_value(file.attribute("rgb16"), 14), 65535.0);
+    EXPECT_EQ(file.attribute("gps_time")->low, -4.5) << "NaN is no value";
+    EXPECT_EQ(file.attribute("gps_time")->high, 1e9 + 0.25);
+    EXPECT_EQ(file.attributes()[4].low, -0x1p63);
+    EXPECT_EQ(file.attribute("nir"), nullptr);
+    EXPECT_NE(file.index(), nullptr);
+}
+
+TEST(Attributes, GoldenVerifiesClean) { EXPECT_TRUE(findingsOf(readBytes(kTinyV12)).empty()); }
+
+TEST(Attributes, SameContentIsWrittenAsTheSameBytes) {
+    const TemporaryFolder folder;
+    Scene scene = tinyScene();
+    Said said;
+    ASSERT_EQ(said.write(scene, folder.file("a.pro")), PRO_OK);
+    EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(kTinyV12));
+}
+
+TEST(Attributes, NothingSaidIsAnEarlierVersion) {
+    const TemporaryFolder folder;
+    Scene scene = tinyScene();
+    Said said;
+    said.world = {};
+    said.attributes.clear();
+    ASSERT_EQ(said.write(scene, folder.file("a.pro")), PRO_OK);
+    EXPECT_EQ(readBytes(folder.file("a.pro")), readBytes(POINTRT_GOLDEN_DIR "/tiny_v1_1.pro"));
+}
+
+TEST(Attributes, TracersReadThemToo) {
+    const ProFile file(kTinyV12, PRO_OPEN_TRACE);
+    EXPECT_EQ(file.world().up[2], 1.0f);
+    ASSERT_NE(file.attribute("classification"), nullptr);
+    EXPECT_EQ(pro_attribute_value(file.attribute("classification"), 2), 6.0);
+}
+
+struct AttributeWriter : testing::Test {
+    TemporaryFolder folder;
+    Scene scene = tinyScene();
+    Said said;
+    pro_message message{};
+
+    std::uint32_t refusedWith() {
+        EXPECT_EQ(said.write(scene, folder.file("a.pro"), &message), PRO_BAD_ARGUMENT) << message.text;
+        EXPECT_FALSE(std::filesystem::exists(folder.file("a.pro")));
+        return message.finding;
+    }
+};
+
+TEST_F(AttributeWriter, RefusesNames) {
+    std::memset(said.attributes[1].name, 0, sizeof said.attributes[1].name);
+    EXPECT_EQ(refusedWith(), 9201u);
+    std::strcpy(said.attributes[1].name, "intensity");
+    EXPECT_EQ(refusedWith(), 9201u);
+    std::strcpy(said.attributes[1].name, "a\nb");
+    EXPECT_EQ(refusedWith(), 9201u);
+    std::strcpy(said.attributes[1].name, "\xC3");
+    EXPECT_EQ(refusedWith(), 9201u);
+}
+
+TEST_F(AttributeWriter, RefusesTypes) {
+    said.attributes[0].type = 11;
+    EXPECT_EQ(refusedWith(), 9202u);
+    said.attributes[0].type = PRO_TYPE_U16;
+    said.attributes[0].components = 5;
+    EXPECT_EQ(refusedWith(), 9202u);
+}
+
+TEST_F(AttributeWriter, RefusesWorlds) {
+    said.world.up[2] = 2;
+    EXPECT_EQ(refusedWith(), 1016u);
+    said.world.up[2] = -1;
+    said.world.metres_per_unit = -1;
+    EXPECT_EQ(refusedWith(), 1017u);
+    said.world.metres_per_unit = 0;
+    said.sensors[3] = 0.5;
+    EXPECT_EQ(refusedWith(), 9301u);
+}
+
+TEST_F(AttributeWriter, RefusesTooMany) {
+    while (said.attributes.size() <= PRO_ATTRIBUTE_MAX) {
+        const std::string name = std::to_string(said.attributes.size());
+        said.add(name.c_str(), PRO_TYPE_U8, 1, said.classification.data());
+    }
+    EXPECT_EQ(refusedWith(), 0u);
+    said.attributes.resize(PRO_ATTRIBUTE_MAX);
+    EXPECT_EQ(said.write(scene, folder.file("a.pro"), &message), PRO_OK) << message.text;
+}
+
+const Bytes& golden() {
+    static const Bytes bytes = readBytes(kTinyV12);
+    return bytes;
+}
+
+template <typename T>
+void expectFound(std::size_t offset, T value, std::uint32_t finding, bool opens = false) {
+    Bytes bytes = golden();
+    storeAt(bytes, offset, value);
+    fixChecksums(bytes);
+    const OpenResult opened = openCopy(bytes);
+    EXPECT_EQ(opened.result == PRO_OK, opens) << finding << " " << opened.message.text;
+    EXPECT_EQ(opened.message.finding, opens ? 0 : finding) << opened.message.text;
+    const auto findings = findingsOf(bytes);
+    EXPECT_NE(std::find(findings.begin(), findings.end(), finding), findings.end()) << finding;
+}
+
+TEST(HostileAttributes, RecordsAndHeader) {
+    const std::size_t records = sectionOf(golden(), PRO_KIND_ATTD);
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    expectFound(PRO_OFF_UP, 0.5f, 1016);
+    expectFound(PRO_OFF_METRES, kNan, 1017);
+    expectFound(records + PRO_ATTR_OFF_NAME, std::uint8_t{0}, 9201);
+    expectFound(records + PRO_ATTR_OFF_NAME + 31, std::uint8_t{'x'}, 9201);
+    expectFound(records + PRO_ATTR_OFF_TYPE, 0u, 9202);
+    expectFound(records + PRO_ATTR_OFF_TYPE, 0xFFFFFFFFu, 9202);
+    expectFound(records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_U8}, 2014);
+    expectFound(records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_I16}, 9205, true);
+    expectFound(records + PRO_ATTR_OFF_COMPONENTS, 2u, 2014);
+    expectFound(records + PRO_ATTR_OFF_COMPONENTS, 0xFFFFFFFFu, 9202);
+    expectFound(records + PRO_ATTR_OFF_RESERVED, 1u, 9203);
+    expectFound(records + PRO_ATTR_OFF_LOW, kNan, 9204);
+    expectFound(records + PRO_ATTR_OFF_LOW, 1e9, 9204);
+    expectFound(records + PRO_ATTR_OFF_LOW, 1.0, 9205, true);
+    expectFound(sectionOf(golden(), PRO_KIND_SENS) + 24, 0.0, 9301);
+    expectFound(sectionOf(golden(), PRO_KIND_SENS), kNan, 9301);
+}
+
+TEST(HostileAttributes, SectionsThatAreNotThere) {
+    constexpr std::uint32_t kUnknown = 0x58585858u;
+    expectFound(recordOf(golden(), PRO_KIND_ATTD), kUnknown, 2014);
+    expectFound(recordOf(golden(), PRO_KIND_ATTR), kUnknown, 2014);
+    Bytes none = golden(); // neither is fine: another version's file
+    storeAt(none, recordOf(none, PRO_KIND_ATTD), kUnknown);
+    for (int i = 0; i < 5; ++i) storeAt(none, recordOf(none, PRO_KIND_ATTR), kUnknown);
+    fixChecksums(none);
+    EXPECT_EQ(openCopy(none).result, PRO_OK);
+}
+
+TEST(HostileAttributes, EveryWordOfTheHeaderTableAndRecords) {
+    const auto last = recordOf(golden(), PRO_KIND_SENS) + PRO_SECTION_BYTES * 7;
+    const std::size_t records = sectionOf(golden(), PRO_KIND_ATTD);
+    const auto tryAll = [](std::size_t begin, std::size_t end) {
+        for (std::size_t offset = begin; offset < end; offset += 4)
+            for (const std::uint32_t value : {0u, 1u, 2u, 0x7FFFFFFFu, 0xFFFFFFFFu}) {
+                Bytes bytes = golden();
+                storeAt(bytes, offset, value);
+                fixHeaderChecksum(bytes);
+                openCopy(bytes, PRO_OPEN_SKIP_CHECKSUMS); // AddressSanitizer looks on
+            }
+    };
+    tryAll(0, last);
+    tryAll(records, records + 5 * PRO_ATTRIBUTE_BYTES);
+}
+
+TEST(HostileAttributes, EveryPrefixIsRefused) {
+    for (std::size_t size = PRO_HEADER_BYTES; size < golden().size(); size += 512) {
+        Bytes prefix(golden().begin(), golden().begin() + static_cast<std::ptrdiff_t>(size));
+        storeAt(prefix, PRO_OFF_FILE_BYTES, std::uint64_t{size});
+        fixHeaderChecksum(prefix);
+        ASSERT_EQ(openCopy(prefix).result == PRO_OK, size + PRO_SECTION_ALIGNMENT > golden().size() + 40) << size;
+    }
+}
+
+} // namespace
