@@ -24,6 +24,19 @@ missingPackages() {
     done
 }
 
+# rustUse: "rust12" or "rust13", whichever this Debian needs for LAZ and E57 files; nothing where a cargo is new enough.
+rustUse() {
+    local version
+    version=$(cargo --version 2>/dev/null || true)
+    version=$(awk '{ split($2, part, "."); print part[1] * 1000 + part[2] }' <<<"$version")
+    [ "${version:-0}" -lt 1085 ] || return 0 # 1.85: format/scanfile/Cargo.toml
+    # shellcheck disable=SC1091
+    case $(. /etc/os-release && echo "${VERSION_ID:-}") in
+        12) echo rust12 ;;
+        *) echo rust13 ;;
+    esac
+}
+
 # installPackages USE...: installs what is missing, and touches apt only then.
 installPackages() {
     local missing as_root=""
@@ -31,6 +44,7 @@ installPackages() {
         say "no dpkg here: expecting the libraries of .ci/packages.txt to be there"
         return
     fi
+    case " $* " in *" bake "*) set -- "$@" "$(rustUse)" ;; esac
     missing=$(missingPackages "$@" | tr '\n' ' ')
     [ -n "$missing" ] || return 0
     if [ "$(id -u)" != 0 ]; then

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * What the Rust half of this library (src/) gives to the C++ half: the compression of LAZ files, and E57 files.
+ * There without Rust too, but then nothing defines it: POINTRT_LAZ_E57 is 0.
+ *
+ * Functions that take a scan_error return false, or NULL, when they fail, and have told why in it: bytes that
+ * come from a file may be anything, they never crash or read out of bounds. Other arguments are the caller's to get
+ * right. Nothing is kept between calls but what a handle holds; a handle is used by one thread at a time.
+ */
+#ifndef POINTRT_SCANFILE_ABI_H
+#define POINTRT_SCANFILE_ABI_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A few words without the file's name, ended by a 0. */
+typedef struct scan_error {
+    char text[256];
+} scan_error;
+
+/* Takes the next bytes; false where it cannot. Must not throw. */
+typedef bool (*scan_write)(void* user, const uint8_t* data, size_t bytes);
+
+/* ---- LAZ: vlr is the payload of the file's LASzip VLR, a record is a point as in a LAS file. ---- */
+
+typedef struct scan_laz_reader scan_laz_reader;
+
+/* Starts with the first point of a chunk, or of all data where the file has no chunks. chunk: as long as the reader
+ * lives. Fails when records of the VLR are not record_bytes long. */
+scan_laz_reader* scan_laz_open(const uint8_t* vlr, size_t vlr_bytes, size_t record_bytes, const uint8_t* chunk,
+                               size_t chunk_bytes, scan_error* error);
+/* The next records, as many as fit into bytes. After a failure only close may follow. */
+bool scan_laz_read(scan_laz_reader* reader, uint8_t* records, size_t bytes, scan_error* error);
+/* Bytes of the chunk that were read so far; once all of its points are, those of the chunk. */
+uint64_t scan_laz_consumed(const scan_laz_reader* reader);
+void scan_laz_close(scan_laz_reader* reader); /* NULL is nothing */
+
+/* Of a chunk table, its version and number of chunks included: points (has_counts, else 0) and bytes of each chunk.
+ * chunks: what the table says, which the caller has held against the file's length. */
+bool scan_laz_read_table(const uint8_t* table, size_t table_bytes, bool has_counts, size_t chunks, uint64_t* counts,
+                         uint64_t* sizes, scan_error* error);
+
+/* A VLR's payload for point format 0 to 10, in chunks of chunk_points each. */
+bool scan_laz_describe(uint8_t point_format, uint16_t extra_bytes, uint32_t chunk_points, scan_write write, void* user,
+                       scan_error* error);
+/* Packs one chunk. */
+bool scan_laz_pack(const uint8_t* vlr, size_t vlr_bytes, const uint8_t* records, size_t bytes, scan_write write,
+                   void* user, scan_error* error);
+/* The chunk table, from the bytes of each chunk. */
+bool scan_laz_pack_table(const uint8_t* vlr, size_t vlr_bytes, const uint64_t* sizes, size_t chunks, scan_write write,
+                         void* user, scan_error* error);
+
+/* ---- E57 ---- */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

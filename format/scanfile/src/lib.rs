@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+//! The Rust half of pointrt_scanfile, called through scanfile_abi.h.
+mod e57;
+mod guard;
+mod laz;
