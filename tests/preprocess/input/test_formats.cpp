@@ -57,12 +57,14 @@ TEST(Formats, TheReadmeListsTheSuffixesOfAll) {
     EXPECT_EQ(listed.size(), known.size());
 }
 
-TEST(Formats, EachFileOfTheFolderIsCompiled) {
-    const std::string build = textOf(kFormats / "CMakeLists.txt");
-    for (const fs::directory_entry& entry : fs::directory_iterator(kFormats)) {
+TEST(Formats, EachFileOfTheFoldersIsCompiled) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kFormats)) {
         if (entry.path().extension() != ".cpp") continue;
+        const std::string build = textOf(entry.path().parent_path() / "CMakeLists.txt");
         const std::string name = entry.path().filename().string();
-        EXPECT_NE(build.find("    " + name + "\n"), std::string::npos) << name;
+        const std::size_t at = build.find("    " + name);
+        ASSERT_NE(at, std::string::npos) << entry.path();
+        EXPECT_NE(std::string("\n)").find(build[at + 4 + name.size()]), std::string::npos) << entry.path();
     }
 }
 

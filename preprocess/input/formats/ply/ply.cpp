@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "preprocess/input/formats/formats.h"
-#include "preprocess/input/formats/ply_header.h"
+#include "preprocess/input/formats/ply/ply_header.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {

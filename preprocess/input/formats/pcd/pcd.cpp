@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "preprocess/input/formats/formats.h"
-#include "preprocess/input/formats/lzf.h"
-#include "preprocess/input/formats/pcd_header.h"
+#include "preprocess/input/formats/pcd/lzf.h"
+#include "preprocess/input/formats/pcd/pcd_header.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/formats/lzf.h"
+#include "preprocess/input/formats/pcd/lzf.h"
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/formats/pcd_header.h"
+#include "preprocess/input/formats/pcd/pcd_header.h"
 
 #include <algorithm>
 #include <array>

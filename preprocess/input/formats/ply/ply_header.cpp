@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/formats/ply_header.h"
+#include "preprocess/input/formats/ply/ply_header.h"
 
 #include <algorithm>
 #include <optional>

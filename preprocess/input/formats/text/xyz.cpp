@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "preprocess/input/formats/formats.h"
-#include "preprocess/input/formats/xyz_columns.h"
+#include "preprocess/input/formats/text/xyz_columns.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/input/formats/xyz_columns.h"
+#include "preprocess/input/formats/text/xyz_columns.h"
 
 #include <algorithm>
 #include <cmath>
