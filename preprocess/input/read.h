@@ -20,10 +20,10 @@ struct ReadOptions {
     /// Above 0, meshes are sampled with this many points spread over their area instead of by their vertices.
     std::uint64_t sample_count = 0;
     std::uint64_t seed = 0; ///< of the sampling
-    AttributeChoice attributes;
-    FilterOptions filter;
-    std::optional<Eigen::Affine3d> transform; ///< of all files, after their poses
-    std::optional<int> level;                 ///< of files with levels of detail: nothing finer is read
+    AttributeChoice attributes = {};
+    FilterOptions filter = {};
+    std::optional<Eigen::Affine3d> transform = {}; ///< of all files, after their poses
+    std::optional<int> level = {};                 ///< of files with levels of detail: nothing finer is read
 };
 
 /// How far reading is.

@@ -33,7 +33,7 @@ Scalar commonType(Scalar a, Scalar b) {
 
 /// A number of one type as the bytes of another that holds it.
 void convert(const char* from, Scalar from_type, char* to, Scalar to_type) {
-    if (isReal(to_type))
+    if (isReal(to_type) || isReal(from_type))
         storeScalar(to, to_type, loadScalar(from, from_type, false));
     else
         storeWhole(to, to_type, loadWhole(from, from_type));

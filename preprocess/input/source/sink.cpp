@@ -203,9 +203,11 @@ void beginAttributes(Sink& sink, const Source& source, const ScanTraits& traits,
 
 void placeScan(Sink& sink) {
     sink.world_from_vertex = sink.world_from_input.value_or(Eigen::Affine3d::Identity());
-    if (sink.world_from_scan)
-        sink.world_from_vertex = sink.world_from_vertex * Eigen::Translation3d(sink.world_from_scan->translation) *
-                                 sink.world_from_scan->linear;
+    if (sink.world_from_scan) {
+        Eigen::Affine3d pose(sink.world_from_scan->linear);
+        pose.translation() = sink.world_from_scan->translation;
+        sink.world_from_vertex = sink.world_from_vertex * pose;
+    }
     // Normals are turned by the inverse transpose; a rotation is its own, and keeps every bit.
     const Eigen::Matrix3d linear = sink.world_from_vertex.linear();
     const bool rigid = (linear * linear.transpose()).isIdentity(1e-9);

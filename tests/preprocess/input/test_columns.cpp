@@ -5,6 +5,7 @@
 #include "input_fixture.h"
 #include "preprocess/input/source/columns.h"
 #include "preprocess/input/source/scalar.h"
+#include "preprocess/input/source/sink.h"
 
 namespace pointrt {
 namespace {

@@ -131,7 +131,7 @@ TEST_F(SourceTest, MergedFacesPointToTheirOwnVertices) {
 TEST_F(SourceTest, ProgressEndsAtOne) {
     std::vector<double> shares;
     const std::string path = write("a.xyz", "1 2 3\n4 5 6\n");
-    readInputs({path, path}, {}, [&](double share) { shares.push_back(share); });
+    readInputs({path, path}, {}, [&](const ReadStatus& status) { shares.push_back(status.share); });
     ASSERT_FALSE(shares.empty());
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_EQ(shares.back(), 1);
