@@ -62,12 +62,14 @@ void numberScansAs(Scalar type, Cloud& cloud, const std::vector<ScanRange>& scan
     for (std::size_t scan = 0; scan < scans.size(); ++scan)
         for (std::size_t i = 0; i < scans[scan].position_count; ++i) {
             const auto number = static_cast<Number>(scan);
-            std::memcpy(numbers.values.data() + (scans[scan].first_position + i) * sizeof number, &number, sizeof number);
+            std::memcpy(numbers.values.data() + (scans[scan].first_position + i) * sizeof number, &number,
+                        sizeof number);
         }
     cloud.attributes.push_back(std::move(numbers));
 }
 
-void numberScans(Cloud& cloud, const std::vector<ScanRange>& scans, const AttributeChoice& choice) {
+void numberScans(Cloud& cloud, Columns& columns, const std::vector<ScanRange>& scans, const AttributeChoice& choice) {
+    if (scans.size() > 1) columns.offered.push_back(kScanNumber);
     const bool taken = std::any_of(cloud.attributes.begin(), cloud.attributes.end(),
                                    [](const Attribute& each) { return each.name == kScanNumber; });
     if (scans.size() < 2 || taken || !choice.wants(kScanNumber)) return;
@@ -89,7 +91,8 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     sink.level = options.level;
     readFiles(paths, options, progress, files, sink);
     narrowAttributes(cloud, sink.columns);
-    numberScans(cloud, sink.scans, options.attributes);
+    numberScans(cloud, sink.columns, sink.scans, options.attributes);
+    requireOffered(sink.columns, options.attributes);
     checkSampling(options, sink);
     addMeshNormals(cloud);
     const bool sampled = options.sample_count > 0;

@@ -47,6 +47,8 @@ case_can_be_chosen() {
     pointrt-info out/one.pro --json >info.json
     [ "$(jsonValue info.json attributes.0.name)" = intensity ] || fail "not what was asked for"
     [ -z "$(jsonValue info.json attributes.1.name)" ] || fail "more than was asked for"
+    expectError 1 "--attributes: no scan has 'intensty', did you mean 'intensity'.; there are classification, intensity" \
+        pointrt-bake -q scan.ply -o out/two.pro --attributes intensty
     expectDone pointrt-bake -q scan.ply -o out/none.pro --attributes none
     pointrt-info out/none.pro --json >info.json
     [ -z "$(jsonValue info.json attributes.0.name)" ] || fail "there although none was asked for"

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "format/base/error.h"
+#include "format/base/near_name.h"
+#include "format/base/printable.h"
 #include "preprocess/input/source/scalar.h"
 
 namespace pointrt {
@@ -16,7 +18,9 @@ namespace {
 
 std::size_t countOf(const Attribute& attribute) { return attribute.values.size() / attribute.bytesEach(); }
 
-bool isSigned(Scalar type) { return type == Scalar::kI8 || type == Scalar::kI16 || type == Scalar::kI32 || type == Scalar::kI64; }
+bool isSigned(Scalar type) {
+    return type == Scalar::kI8 || type == Scalar::kI16 || type == Scalar::kI32 || type == Scalar::kI64;
+}
 
 /// The smallest type that holds every value of both; doubles for integers of 64 bits that meet others.
 Scalar commonType(Scalar a, Scalar b) {
@@ -115,7 +119,10 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
     columns.wanted.clear();
     std::size_t offset = 0;
     for (const ColumnTraits& column : traits) {
-        if (choice.wants(column.name)) columns.wanted.push_back({offset, column.type, attributeFor(cloud, columns, column)});
+        if (std::find(columns.offered.begin(), columns.offered.end(), column.name) == columns.offered.end())
+            columns.offered.push_back(column.name);
+        if (choice.wants(column.name))
+            columns.wanted.push_back({offset, column.type, attributeFor(cloud, columns, column)});
         offset += scalarSize(column.type) * column.components;
     }
     fillAttributes(cloud);
@@ -146,6 +153,20 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values) {
 void fillAttributes(Cloud& cloud) {
     for (Attribute& attribute : cloud.attributes)
         if (countOf(attribute) < cloud.positions.size()) fillTo(attribute, cloud.positions.size());
+}
+
+void requireOffered(const Columns& columns, const AttributeChoice& choice) {
+    const std::vector<std::string_view> offered(columns.offered.begin(), columns.offered.end());
+    for (const std::string& name : choice.names) {
+        if (std::find(offered.begin(), offered.end(), name) != offered.end()) continue;
+        const std::string_view near = nearestName(name, offered);
+        std::string list;
+        for (const std::string_view each : offered) list += (list.empty() ? "" : ", ") + printable(each);
+        throw Error(ExitCode::kBadInput,
+                    fmt::format("--attributes: no scan has '{}'{}; there {}", printable(name),
+                                near.empty() ? "" : fmt::format(", did you mean '{}'?", printable(near)),
+                                list.empty() ? "is none" : "are " + list));
+    }
 }
 
 void narrowAttributes(Cloud& cloud, const Columns& columns) {

@@ -40,6 +40,8 @@ struct Columns {
     std::vector<Column> wanted;
     /// Names of attributes that no file gave a type of its own.
     std::vector<std::string> loose;
+    /// All names that files had, asked for or not, each once.
+    std::vector<std::string> offered;
 };
 
 /// Makes the cloud's attributes ready for a file's vertices: new ones get their fill for the points before, a type
@@ -53,6 +55,9 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values);
 
 /// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals.
 void fillAttributes(Cloud& cloud);
+
+/// Throws Error (kBadInput) naming an attribute that is asked for and that no file has, and those that there are.
+void requireOffered(const Columns& columns, const AttributeChoice& choice);
 
 /// Gives attributes that only loose columns went into the smallest type that holds their values exactly.
 void narrowAttributes(Cloud& cloud, const Columns& columns);
