@@ -13,6 +13,16 @@ std::size_t wrongSides(const Splats& splats, const Shape& shape) {
     return wrong;
 }
 
+/// The lower half of a sphere, whose outside faces down; towards its rim it is too steep for up to tell.
+Shape bowl() {
+    Shape shape;
+    const Shape sphere = randomSphere(20'000);
+    for (std::size_t i = 0; i < sphere.positions.size(); ++i)
+        if (sphere.positions[i].z() < -0.1f)
+            shape.add(sphere.positions[i].cast<double>(), sphere.normals[i].cast<double>());
+    return shape;
+}
+
 TEST(Orient, SphereAndTorusOutwards) {
     for (const Shape& shape : {randomSphere(10'000), fibonacciSphere(10'000), randomTorus(20'000)}) {
         const Splats splats = estimate(shape.cloud());
@@ -43,11 +53,7 @@ TEST(Orient, ThinPlateOfTwoSheets) {
 }
 
 TEST(Orient, BowlOutwardsThoughItsHighestPointFacesDown) {
-    Shape shape;
-    const Shape sphere = randomSphere(20'000);
-    for (std::size_t i = 0; i < sphere.positions.size(); ++i)
-        if (sphere.positions[i].z() < -0.1f)
-            shape.add(sphere.positions[i].cast<double>(), sphere.normals[i].cast<double>());
+    const Shape shape = bowl();
     EXPECT_EQ(wrongSides(estimate(shape.cloud()), shape), 0u);
 }
 
@@ -74,6 +80,28 @@ TEST(Orient, TowardsTheSensor) {
     SurfaceOptions options;
     options.orient = OrientMode::kMst;
     EXPECT_EQ(wrongSides(estimate(cloud, options), shape), 0u) << "kMst does not ask the sensor";
+}
+
+TEST(Orient, UpwardsWhereThatIsAskedFor) {
+    const Shape shape = bowl();
+    SurfaceOptions options;
+    options.orient = OrientMode::kUp;
+    Cloud cloud = shape.cloud();
+    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), cloud.positions.size()) << "+Z is up where nobody says";
+    cloud.world.up = -Vec3d::UnitZ();
+    EXPECT_EQ(wrongSides(estimate(cloud, options), shape), 0u);
+}
+
+TEST(Orient, WhatWasSeenFromAboveFacesUp) {
+    const Shape shape = bowl();
+    Cloud cloud = shape.cloud();
+    cloud.world.up = Vec3d::UnitZ();
+    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "a bowl like any other";
+    cloud.world.from_above = true;
+    EXPECT_EQ(wrongSides(estimate(cloud), shape), cloud.positions.size());
+    cloud.sensors = {Vec3f(0, 0, -100)};
+    cloud.sensor_of_point.assign(cloud.positions.size(), 0);
+    EXPECT_EQ(wrongSides(estimate(cloud), shape), 0u) << "a sensor knows better";
 }
 
 TEST(Orient, PointsWithoutSensorFollowThoseWithOne) {

@@ -47,6 +47,16 @@ void expectSquareCells(const Splats& splats, int steps) {
     }
 }
 
+TEST(Radii, GivenOnesStay) {
+    const Shape shape = gridPlane(40, 0, Vec3d::UnitZ());
+    Cloud cloud = shape.cloud();
+    cloud.radii.assign(cloud.positions.size(), 0);
+    cloud.radii[7] = 0.25f;
+    const Splats splats = estimate(cloud), alone = estimate(shape.cloud());
+    for (std::size_t i = 0; i < splats.radii.size(); ++i)
+        EXPECT_EQ(splats.radii[i], splats.input_index[i] == 7 ? 0.25f : alone.radii[i]);
+}
+
 TEST(Radii, GridIsClosedByTheSmallestDiscs) {
     const Splats splats = estimate(gridPlane(50).cloud());
     EXPECT_GT(leastWeight(splats, 0), 0.1) << "to the very rim, half a spacing outside the last points";
