@@ -56,7 +56,7 @@ struct Sink {
     std::optional<Eigen::Affine3d> world_from_input; ///< of all files, after their poses
     AttributeChoice attributes;
     PointFilter filter{{}};
-    std::optional<int> level; ///< of files with levels of detail: nothing finer is read
+    std::optional<int> level;             ///< of files with levels of detail: nothing finer is read
     std::function<void(double)> progress; ///< share of the current file, or empty
     /// Vertices, by their place in the cloud, whose faces went with a vertex that was dropped.
     std::vector<std::uint32_t> bereft;
@@ -75,8 +75,8 @@ struct Sink {
     std::optional<std::size_t> rgb16_offset, class_offset; ///< in a vertex's packed values
     Scalar class_type = Scalar::kU8;
     std::vector<std::array<std::uint16_t, 3>> rgb16; ///< of kept vertices
-    std::uint64_t vertices = 0;                    ///< given so far, non-finite ones included
-    std::uint64_t non_finite = 0;                  ///< of them
+    std::uint64_t vertices = 0;                      ///< given so far, non-finite ones included
+    std::uint64_t non_finite = 0;                    ///< of them
     std::vector<std::uint32_t> dropped;            ///< which of them did not stay, ascending, where there may be faces
     std::vector<std::array<float, 3>> wide_colors; ///< of kept vertices, where the scale is known at the end only
     std::size_t first_position = 0, first_triangle = 0;
