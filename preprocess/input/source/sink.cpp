@@ -117,11 +117,10 @@ void addColor(Sink& sink, const Row& row, const char* values) {
     switch (sink.traits.color_scale) {
     case ColorScale::kByte:
         return sink.cloud.colors.push_back({toByte(row[kRed]), toByte(row[kGreen]), toByte(row[kBlue])});
-    case ColorScale::k16Bit: {
-        auto& color = sink.rgb16.emplace_back();
-        std::memcpy(color.data(), values + *sink.rgb16_offset, sizeof color);
+    case ColorScale::k16Bit:
+        if (!sink.rgb16_attribute)
+            std::memcpy(sink.rgb16.emplace_back().data(), values + *sink.rgb16_offset, sizeof sink.rgb16.back());
         return;
-    }
     default:
         sink.wide_colors.push_back(
             {static_cast<float>(row[kRed]), static_cast<float>(row[kGreen]), static_cast<float>(row[kBlue])});
@@ -145,12 +144,28 @@ void scaleWideColors(Sink& sink) {
 }
 
 void scale16BitColors(Sink& sink) {
+    if (sink.traits.color_scale != ColorScale::k16Bit) return;
+    using Rgb16 = std::array<std::uint16_t, 3>;
+    const char* const first = sink.rgb16_attribute ? sink.cloud.attributes[*sink.rgb16_attribute].values.data() +
+                                                         sink.first_position * sizeof(Rgb16)
+                                                   : reinterpret_cast<const char*>(sink.rgb16.data());
+    const std::size_t count = sink.cloud.positions.size() - sink.first_position;
+    const auto colorAt = [first](std::size_t i) {
+        Rgb16 color;
+        std::memcpy(color.data(), first + i * sizeof color, sizeof color);
+        return color;
+    };
     std::uint16_t largest = 0;
-    for (const auto& color : sink.rgb16) largest = std::max({largest, color[0], color[1], color[2]});
+    for (std::size_t i = 0; i < count; ++i) {
+        const Rgb16 color = colorAt(i);
+        largest = std::max({largest, color[0], color[1], color[2]});
+    }
     const int shift = largest > 255 ? 8 : 0;
     const auto scaled = [shift](std::uint16_t value) { return static_cast<std::uint8_t>(value >> shift); };
-    for (const auto& color : sink.rgb16)
+    for (std::size_t i = 0; i < count; ++i) {
+        const Rgb16 color = colorAt(i);
         sink.cloud.colors.push_back({scaled(color[0]), scaled(color[1]), scaled(color[2])});
+    }
     sink.rgb16 = {};
 }
 
@@ -199,6 +214,11 @@ void beginAttributes(Sink& sink, const Source& source, const ScanTraits& traits,
     } catch (const Error& error) {
         refuse(source, error.what());
     }
+    sink.rgb16_attribute.reset();
+    for (const Columns::Column& column : sink.columns.wanted)
+        if (sink.cloud.attributes[column.attribute].name == kRgb16 && column.type == Scalar::kU16 &&
+            sink.cloud.attributes[column.attribute].type == Scalar::kU16)
+            sink.rgb16_attribute = column.attribute;
 }
 
 void placeScan(Sink& sink) {

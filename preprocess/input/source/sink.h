@@ -74,7 +74,8 @@ struct Sink {
     Eigen::Matrix3d normal_from_vertex = Eigen::Matrix3d::Identity();
     std::optional<std::size_t> rgb16_offset, class_offset; ///< in a vertex's packed values
     Scalar class_type = Scalar::kU8;
-    std::vector<std::array<std::uint16_t, 3>> rgb16; ///< of kept vertices
+    std::optional<std::size_t> rgb16_attribute;      ///< of the cloud, which keeps 16-bit colours as they are
+    std::vector<std::array<std::uint16_t, 3>> rgb16; ///< of kept vertices, where no attribute keeps them
     std::uint64_t vertices = 0;                      ///< given so far, non-finite ones included
     std::uint64_t non_finite = 0;                    ///< of them
     std::vector<std::uint32_t> dropped;            ///< which of them did not stay, ascending, where there may be faces
