@@ -57,6 +57,55 @@ bool scan_laz_pack_table(const uint8_t* vlr, size_t vlr_bytes, const uint64_t* s
 
 /* ---- E57 ---- */
 
+typedef struct scan_e57 scan_e57;
+typedef struct scan_e57_points scan_e57_points;
+
+/* What a column holds: raw whole numbers of which the value is the number itself, or offset + scale * number; or
+ * reals. */
+enum { SCAN_E57_WHOLE = 0, SCAN_E57_SCALED = 1, SCAN_E57_SINGLE = 2, SCAN_E57_DOUBLE = 3 };
+
+typedef struct scan_e57_column {
+    const char* name; /* as in the standard, "cartesianX"; "PREFIX:NAME", or "NAME", of an extension */
+    uint32_t kind;
+    int64_t least, most; /* raw whole numbers, which are held to them; all of 64 bits where the file says nothing */
+    double scale, offset;
+} scan_e57_column;
+
+typedef struct scan_e57_limits {
+    bool are_there;
+    double least, most;
+} scan_e57_limits;
+
+typedef struct scan_e57_scan {
+    const char* name;
+    const char* guid;
+    uint64_t points; /* as promised; those of all scans together fit in the file's bytes */
+    const scan_e57_column* columns;
+    size_t column_count;
+    bool has_pose;
+    double rotation[4];    /* w x y z; as in the file, of any length: file = rotation * scan + translation */
+    double translation[3]; /* metres */
+    scan_e57_limits color_limits[3], intensity_limits; /* the scan's, or else those of the column's type */
+} scan_e57_scan;
+
+/* Reads what a file says of its scans. bytes: all of the file, as long as what is opened of it lives. */
+scan_e57* scan_e57_open(const uint8_t* bytes, size_t size, scan_error* error);
+void scan_e57_close(scan_e57* file); /* NULL is nothing */
+size_t scan_e57_scans(const scan_e57* file);
+size_t scan_e57_images(const scan_e57* file);
+/* Well-known text of a coordinate system, as it should be; "" where there is none. */
+const char* scan_e57_coordinate_metadata(const scan_e57* file);
+/* What it points to lives as long as the file. scan: below scan_e57_scans. */
+scan_e57_scan scan_e57_describe(const scan_e57* file, size_t scan);
+
+/* Starts with a scan's first point. It may outlive the file, but not its bytes. */
+scan_e57_points* scan_e57_begin(const scan_e57* file, size_t scan, scan_error* error);
+/* Reads the next points, capacity at most: column i to columns[i], an array of int64_t, float or double by its kind, or
+ * NULL where it is not wanted. count: how many; 0 after the last. Checksums of all pages read are checked. After a
+ * failure only end may follow. */
+bool scan_e57_read(scan_e57_points* points, size_t capacity, void* const* columns, size_t* count, scan_error* error);
+void scan_e57_end(scan_e57_points* points); /* NULL is nothing */
+
 #ifdef __cplusplus
 }
 #endif

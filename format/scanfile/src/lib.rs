@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! The Rust half of pointrt_scanfile, called through scanfile_abi.h.
 mod e57;
+mod e57_pages;
+mod e57_points;
 mod guard;
 mod laz;

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "format/scanfile/e57.h"
+
 namespace pointrt {
 namespace {
 
@@ -48,6 +50,7 @@ void expectExtents(const Cloud& cloud, const std::string& text) {
 bool isReadFormat(const nlohmann::json& name) {
     if (!name.is_string()) return false;
     const std::string format = name;
+    if (format == "E57") return hasE57();
     for (const char* prefix : {"PLY", "PCD", "OBJ", "Draco"})
         if (format.starts_with(prefix)) return true;
     return false;
@@ -63,7 +66,7 @@ nlohmann::json truth() {
     return nlohmann::json::parse(file);
 }
 
-/// Points as an independent reader counted them: a number, or "NUMBER (WxH)".
+/// Points as an independent reader counted them: a number, "NUMBER (WxH)" or "NUMBER in N scans".
 std::size_t wantedPoints(const nlohmann::json& points) {
     return points.is_number() ? points.get<std::size_t>() : std::stoul(points.get<std::string>());
 }
@@ -99,9 +102,24 @@ TEST(DataTest, FilesWithoutPointsAreRefused) {
           "ply_odd/pdal_no_vertex.ply", "ply_odd/pdal_sized_dims.ply", "ply_odd/trimesh_empty.ply",
           "ply_odd/trimesh_ply_empty_ascii.ply", "ply_odd/trimesh_ply_empty_header.ply",
           "ply_odd/trimesh_point_uv.ply.zip", "splats/f3d_empty.splat", "splats/minimal.splat", "splats/minimal-v2.spz",
-          "text_formats/bunny16k.pts", "text_formats/pdal_1.2-with-color.ptx", "e57/pdal_A4.e57",
-          "las/1.2-with-color.las"}) {
+          "text_formats/bunny16k.pts", "text_formats/pdal_1.2-with-color.ptx", "las/1.2-with-color.las"}) {
         const std::string path = (dataFolder() / name).string();
+        try {
+            readInputs({path}, {});
+            ADD_FAILURE() << name << " was read";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadInput);
+            EXPECT_EQ(std::string(error.what()).find(path + ":"), 0u) << error.what();
+        }
+    }
+}
+
+TEST(DataTest, E57FilesWithoutGoodPointsAreRefused) {
+    if (dataFolder().empty()) GTEST_SKIP() << "POINTRT_DATA is not set: no real scan is read";
+    if (!hasE57()) GTEST_SKIP() << "this build has no Rust: E57 is not tested";
+    for (const char* name : {"cryinc_corrupt_crc", "cryinc_empty", "cryinc_empty_pc", "libe57_InvalidCVHeader",
+                             "libe57_PinholeImageWithDistortionParameters", "libe57_ZeroPoints", "libe57_empty"}) {
+        const std::string path = (dataFolder() / "e57" / (std::string(name) + ".e57")).string();
         try {
             readInputs({path}, {});
             ADD_FAILURE() << name << " was read";

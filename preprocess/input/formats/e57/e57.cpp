@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ASTM E2807, "Standard Specification for 3D Imaging Data Exchange, Version 1.0".
+#include "format/scanfile/e57.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "preprocess/input/formats/e57/e57_columns.h"
+#include "preprocess/input/formats/formats.h"
+#include "preprocess/input/source/scalar.h"
+#include "preprocess/input/source/text.h"
+
+namespace pointrt {
+namespace {
+
+/// Points read at once: with some 20 columns of 8 bytes they stay in a core's cache.
+constexpr std::size_t kBatch = 4096;
+
+/// What a user should know of all scans of a file.
+struct Counts {
+    std::uint64_t points = 0, invalid = 0, directions = 0; ///< directions: of the invalid ones
+    std::uint64_t colors_invalid = 0, values_invalid = 0, colors_beyond = 0;
+};
+
+/// Columns of a batch, as read and as numbers.
+struct Batch {
+    const E57Scan& scan;
+    const E57Plan& plan;
+    std::vector<std::vector<std::int64_t>> raw; ///< of each wanted column: 8 bytes a number hold all kinds
+    std::vector<void*> columns;
+
+    Batch(const E57Scan& of_scan, const E57Plan& by_plan) : scan(of_scan), plan(by_plan), raw(scan.columns.size()) {
+        for (std::size_t i = 0; i < raw.size(); ++i) {
+            if (plan.wanted[i]) raw[i].resize(kBatch);
+            columns.push_back(plan.wanted[i] ? raw[i].data() : nullptr);
+        }
+    }
+
+    double number(std::size_t column, std::size_t i) const {
+        const E57Column& facts = scan.columns[column];
+        const char* const at = reinterpret_cast<const char*>(raw[column].data());
+        switch (facts.kind) {
+        case E57Kind::kWhole:
+            return static_cast<double>(raw[column][i]);
+        case E57Kind::kScaled:
+            return static_cast<double>(raw[column][i]) * facts.scale + facts.offset;
+        case E57Kind::kSingle:
+            return loadScalar(at + i * sizeof(float), Scalar::kF32, false);
+        case E57Kind::kDouble:
+            break;
+        }
+        return loadScalar(at + i * sizeof(double), Scalar::kF64, false);
+    }
+
+    Vec3d numbers(const E57Triple& triple, std::size_t i) const {
+        return {number(triple[0], i), number(triple[1], i), number(triple[2], i)};
+    }
+
+    /// 0 where no column says otherwise.
+    double state(const std::optional<std::size_t>& column, std::size_t i) const {
+        return column ? number(*column, i) : 0;
+    }
+};
+
+/// From range, azimuth and elevation in radians.
+Vec3d fromSpherical(const Vec3d& spherical) {
+    const double range = spherical[0], azimuth = spherical[1], elevation = spherical[2];
+    return range *
+           Vec3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+}
+
+void setPosition(Row& row, const Vec3d& position) { std::copy_n(position.data(), 3, &row[kX]); }
+
+struct Reader {
+    const Batch& batch;
+    Counts& counts;
+    Row row{};
+    std::vector<char> values;
+
+    Reader(const Batch& of_batch, Counts& into) : batch(of_batch), counts(into), values(batch.plan.value_bytes) {}
+
+    /// NaN, which is left out and counted, where the file marks both kinds of coordinates as invalid: 1 stands for a
+    /// direction alone, 2 for nothing.
+    void readPosition(std::size_t i) {
+        const E57Plan& plan = batch.plan;
+        const double cartesian = plan.cartesian ? batch.state(plan.cartesian_invalid, i) : 2;
+        if (cartesian == 0) return setPosition(row, batch.numbers(*plan.cartesian, i));
+        const double spherical = plan.spherical ? batch.state(plan.spherical_invalid, i) : 2;
+        if (spherical == 0) return setPosition(row, fromSpherical(batch.numbers(*plan.spherical, i)));
+        ++counts.invalid;
+        counts.directions += cartesian == 1 || spherical == 1;
+        setPosition(row, Vec3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    }
+
+    /// In [0, 1] between the scan's limits.
+    double shareOf(const E57Limits& limits, double value) {
+        const double share = (value - limits.least) / (limits.most - limits.least);
+        counts.colors_beyond += share < 0 || share > 1;
+        return share > 0 ? std::min(share, 1.0) : 0.0;
+    }
+
+    void setColor(std::size_t channel, double share) {
+        if (!batch.plan.rgb16_offset) {
+            row[kRed + channel] = 255 * share;
+            return;
+        }
+        const auto wide = static_cast<std::uint16_t>(std::lround(65535 * share));
+        std::memcpy(values.data() + *batch.plan.rgb16_offset + channel * sizeof wide, &wide, sizeof wide);
+        row[kRed + channel] = wide >> 8;
+    }
+
+    void readColor(std::size_t i) {
+        constexpr double kGrey = 200; // as points of other files without colours
+        const E57Plan& plan = batch.plan;
+        const bool invalid = batch.state(plan.color_invalid, i) != 0;
+        counts.colors_invalid += invalid;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double value = batch.number((*plan.colors)[channel], i);
+            if (!plan.scaled_colors)
+                row[kRed + channel] = invalid ? 0 : value;
+            else
+                setColor(channel, invalid ? kGrey / 255 : shareOf(*batch.scan.color_limits[channel], value));
+        }
+    }
+
+    void readAttribute(const E57Attribute& attribute, std::size_t i) {
+        char* const into = values.data() + attribute.offset;
+        const bool invalid = batch.state(attribute.invalid, i) != 0;
+        counts.values_invalid += invalid;
+        if (isReal(attribute.type)) {
+            const double value = batch.number(attribute.column, i);
+            storeScalar(into, attribute.type, invalid ? std::numeric_limits<double>::quiet_NaN() : value);
+        } else {
+            const std::int64_t value = invalid ? 0 : batch.raw[attribute.column][i] + attribute.add;
+            storeWhole(into, attribute.type, static_cast<std::uint64_t>(value));
+        }
+    }
+
+    void read(std::size_t i) {
+        readPosition(i);
+        if (batch.plan.normals) {
+            const Vec3d normal = batch.numbers(*batch.plan.normals, i);
+            std::copy_n(normal.data(), 3, &row[kNormalX]);
+        }
+        if (batch.plan.colors) readColor(i);
+        for (const E57Attribute& attribute : batch.plan.attributes) readAttribute(attribute, i);
+    }
+};
+
+/// Runs work whose errors lack the file's name and the place.
+template <typename Work>
+auto naming(const Source& source, const std::string& place, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        throw Error(error.code, fmt::format("{}{}: {}", source.name, place.empty() ? "" : ":" + place, error.what()));
+    }
+}
+
+Pose poseOf(const Source& source, const E57Scan& scan, const std::string& title) {
+    const auto [w, x, y, z] = scan.rotation;
+    const Eigen::Quaterniond rotation(w, x, y, z);
+    const Vec3d translation(scan.translation[0], scan.translation[1], scan.translation[2]);
+    if (!(rotation.norm() > 0) || !std::isfinite(rotation.norm()) || !translation.allFinite())
+        refuseAt(source, title, "its pose is no rotation and translation");
+    return {rotation.normalized().toRotationMatrix(), translation};
+}
+
+/// Whether the frame's origin is where the scanner stood. Scans that were put together to one have coordinates of a
+/// common frame, and a pose that says nothing if any.
+bool isScannerFrame(const E57Scan& scan, const E57Plan& plan, const Pose& pose) {
+    const auto is_index = [](const E57Column& column) {
+        return column.name == "rowIndex" || column.name == "columnIndex";
+    };
+    const bool is_grid = std::count_if(scan.columns.begin(), scan.columns.end(), is_index) == 2;
+    return is_grid || plan.spherical || !pose.linear.isIdentity() || !pose.translation.isZero();
+}
+
+/// What to call a scan in messages: its name, or its number from 1.
+std::string titleOf(const E57File& file, std::size_t number) {
+    const std::string& name = file.scans[number].name;
+    return name.empty() ? fmt::format("scan {}", number + 1) : quoted(name);
+}
+
+void readScan(const Source& source, const E57File& file, std::size_t number, Sink& sink, Counts& counts) {
+    const E57Scan& scan = file.scans[number];
+    const std::string title = titleOf(file, number);
+    const E57Plan plan = naming(source, title, [&] { return planE57(scan); });
+    const Pose pose = poseOf(source, scan, title);
+    E57Points points = naming(source, title, [&] { return e57Points(file, number); });
+    sink.world_from_scan = pose;
+    beginScan(sink, source, plan.traits);
+    if (isScannerFrame(scan, plan, pose)) sink.sensor = Vec3d::Zero();
+    Batch batch(scan, plan);
+    Reader reader(batch, counts);
+    const auto next = [&] { return readE57Points(points, kBatch, batch.columns.data()); };
+    while (const std::size_t count = naming(source, title, next))
+        for (std::size_t i = 0; i < count; ++i) {
+            reader.read(i);
+            addVertex(sink, reader.row, reader.values.data());
+        }
+    const bool alone = file.scans.size() == 1 && scan.name.empty();
+    finishScan(sink, source, alone ? "" : scan.name.empty() ? title : scan.name, Emptiness::kAllowed);
+    sink.world_from_scan.reset();
+    counts.points += scan.points;
+}
+
+void readScans(const Source& source, const E57File& file, Sink& sink, Counts& counts) {
+    double all = 0, before = 0; // points
+    for (const E57Scan& scan : file.scans) all += static_cast<double>(scan.points);
+    const auto progress = sink.progress;
+    for (std::size_t i = 0; i < file.scans.size(); ++i) {
+        const auto points = static_cast<double>(file.scans[i].points);
+        if (progress) sink.progress = [&](double share) { progress((before + share * points) / std::max(all, 1.0)); };
+        readScan(source, file, i, sink, counts);
+        before += points;
+    }
+    sink.progress = progress;
+}
+
+/// Well-known text, or the number of a register: else the field holds something that no other program would know.
+bool isCoordinateSystem(std::string_view text) {
+    return text.starts_with("EPSG:") || (!text.empty() && text.back() == ']' && text.find('[') != text.npos);
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// E57 is in metres; that z is up is what scanners and their programs do, the standard leaves it open.
+void frameWorld(const Source& source, const E57File& file, Sink& sink) {
+    const std::string_view system = trimmed(file.coordinate_metadata);
+    const bool is_known = isCoordinateSystem(system);
+    if (!system.empty() && !is_known)
+        addNote(sink.cloud, source.name, fmt::format("its coordinate system is not understood: {}", quoted(system)));
+    WorldFrame frame;
+    frame.up = Vec3d::UnitZ();
+    frame.metres_per_unit = 1;
+    if (is_known) frame.crs = system;
+    setWorldFrame(sink, source, frame);
+}
+
+void note(const Source& source, Sink& sink, const Counts& counts, std::size_t images) {
+    const auto say = [&](std::uint64_t count, const std::string& text) {
+        if (count > 0) addNote(sink.cloud, source.name, text);
+    };
+    say(counts.invalid, fmt::format("{} of its {} points are marked invalid, {} of them as directions alone: left out",
+                                    counts.invalid, counts.points, counts.directions));
+    say(counts.colors_invalid,
+        fmt::format("{} of its colours are marked invalid: those points are grey", counts.colors_invalid));
+    say(counts.colors_beyond,
+        fmt::format("{} of its colour values are beyond the limits that it gives for them: cut off",
+                    counts.colors_beyond));
+    say(counts.values_invalid,
+        fmt::format("{} of its intensities or times are marked invalid: they are kept as NaN, or 0 where whole",
+                    counts.values_invalid));
+    say(images, fmt::format("holds {} pictures too, which are not read", images));
+}
+
+void requireKept(const Source& source, const Counts& counts, std::size_t kept) {
+    if (kept > 0) return;
+    if (counts.points == 0) refuse(source, "holds no points");
+    if (counts.invalid == counts.points)
+        refuse(source, fmt::format("all of its {} points are marked invalid", counts.points));
+    refuse(source, fmt::format("none of its {} points is finite and asked for", counts.points));
+}
+
+bool isE57Start(std::string_view bytes) { return bytes.starts_with("ASTM-E57"); }
+
+void readE57(const Source& source, Sink& sink) {
+    const E57File file = naming(source, "", [&] { return openE57(source.bytes); });
+    if (file.scans.empty())
+        refuse(source,
+               file.images == 0 ? "holds no scans" : fmt::format("holds {} pictures and no scans", file.images));
+    const std::size_t before = sink.cloud.positions.size();
+    Counts counts;
+    frameWorld(source, file, sink);
+    readScans(source, file, sink, counts);
+    requireKept(source, counts, sink.cloud.positions.size() - before);
+    note(source, sink, counts, file.images);
+}
+
+} // namespace
+
+const FormatReader readers::kE57{.isStart = isE57Start, .read = readE57};
+
+} // namespace pointrt

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Every file of a folder of scans: read or refused, and whether truth.json and other readers say the same.
+
+  table.py BIN_DIR DATA_DIR [--json OUT.json]
+
+Prints a row a file in Markdown: points kept and read, attributes, or the line that refuses it; what was compared, and
+what disagrees. Exits with 1 when anything does, or a program crashed. Compared are: with DATA_DIR/truth.json, points,
+extents, colours, normals and faces; with laspy and lazrs (LAS, LAZ), pye57 (E57) and plyfile (PLY), which read the
+file beside ours, points, extents to half the file's own step, and least, largest and summed values of each attribute.
+Needs numpy, laspy, lazrs, pye57 and plyfile (PyPI).
+"""
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+
+import others
+
+SKIPPED = re.compile(r"(README.*|MANIFEST\.md|truth\.json)$")
+
+# What a truth.json that a reader wrote cannot say: files that it took otherwise than their format means.
+KNOWN = {
+    "las_odd/1.2-no-points.las": "its header promises points that the file has not",
+}
+
+
+def run_ours(bin_dir, path):
+    """Its JSON, or the line that it ends with."""
+    done = subprocess.run([os.path.join(bin_dir, "read_scan"), "--content", path], capture_output=True, text=True,
+                          errors="replace", timeout=300)
+    if done.returncode == 0:
+        return json.loads(done.stdout), None
+    line = done.stderr.strip()
+    if done.returncode not in (1, 3) or "\n" in line or not line:
+        return None, "CRASHED with %d: %s" % (done.returncode, line[:200])
+    return None, line.replace("read_scan: error: ", "").replace(path + ": ", "").replace(path, "")
+
+
+def near(a, b, step):
+    return abs(a - b) <= step
+
+
+def extents_of(text):
+    return [tuple(float(end) for end in word.split("..")) for word in text.split() if ".." in word]
+
+
+def against_truth(ours, truth):
+    """Words of what disagrees."""
+    wrong = []
+    number = re.match(r"\d+", str(truth["points"]))
+    counted = number and "lines" not in str(truth["points"])
+    if counted and int(number.group()) != ours["points"]:
+        wrong.append("%d points, truth has %s" % (ours["points"], truth["points"]))
+    for name, have in (("col", ours["colors"] is not None), ("norm", ours["normals"])):
+        if truth[name] is not None and truth[name] != have:
+            wrong.append("%s %s, truth says %s" % ({"col": "colours", "norm": "normals"}[name], have, truth[name]))
+    if counted and (truth["faces"] > 0) != (ours["faces"] > 0):
+        wrong.append("%d faces, truth has %s" % (ours["faces"], truth["faces"]))
+    extents = extents_of(truth["ext"]) if isinstance(truth["ext"], str) else []
+    if len(extents) == 3 and ours["unused"] == 0:
+        for axis, (least, most) in zip(range(3), extents):
+            mine = ours["positions"][axis]
+            # it has six digits, and float positions seven of the cloud's size
+            step = 6e-6 * max(abs(least), abs(most), most - least, 1e-12)
+            if "min" not in mine or not near(mine["min"], least, step) or not near(mine["max"], most, step):
+                wrong.append("%s %s, truth has %g..%g" % ("xyz"[axis], mine, least, most))
+    return wrong
+
+
+def refused_rightly(truth, theirs):
+    """Whether what refuses a file need not be explained."""
+    if truth is None:
+        return theirs is None or not theirs.get("points")
+    text = str(truth["points"])
+    return text.startswith(("unreadable", "0", "-")) or bool(re.search(r"non-finite", str(truth["ext"])) and
+                                                             not extents_of(truth["ext"]))
+
+
+def attribute_differs(mine, yours):
+    for key in ("min", "max"):
+        if key in yours and not near(mine.get(key, float("nan")), yours[key], 1e-12 * abs(yours[key])):
+            return "%s %r, not %r" % (key, mine.get(key), yours[key])
+    # sums are of doubles in another order
+    if "sum" in yours and not near(mine["sum"], yours["sum"], 1e-9 * max(abs(yours["sum"]), yours["size"])):
+        return "sum %r, not %r" % (mine["sum"], yours["sum"])
+    return None
+
+
+def against_other(ours, theirs):
+    wrong = []
+    if theirs["points"] != ours["kept"]:
+        wrong.append("%d points kept, %s has %d" % (ours["kept"], theirs["reader"], theirs["points"]))
+    if ours["unused"] == 0 and theirs["points"] > 0:
+        for axis in range(3):
+            mine, (least, most) = ours["positions"][axis], theirs["extents"][axis]
+            # half a step of the file, and the 24 bits of floats from the cloud's origin
+            size = max(abs(end) for each in theirs["extents"] for end in (each[0] - each[1],))
+            step = theirs["step"] / 2 + size * 2.0 ** -23 + 1e-15 * max(abs(least), abs(most))
+            if not near(mine["min"], least, step) or not near(mine["max"], most, step):
+                wrong.append("%s %.9g..%.9g, %s has %.9g..%.9g" % ("xyz"[axis], mine["min"], mine["max"],
+                                                                   theirs["reader"], least, most))
+    have = {each["name"]: each for each in ours["attributes"]}
+    for name, yours in theirs["attributes"].items():
+        if name not in have:
+            wrong.append("no attribute " + name)
+        elif difference := attribute_differs(have[name], yours):
+            wrong.append("%s: %s" % (name, difference))
+    return wrong
+
+
+def check(bin_dir, data, name, truth):
+    path = os.path.join(data, name)
+    ours, refusal = run_ours(bin_dir, path)
+    theirs, why_not = others.read(path)
+    row = {"file": name, "wrong": [], "compared": [], "ours": ours, "refusal": refusal, "other_refusal": why_not}
+    if ours is None:
+        if refusal.startswith("CRASHED"):
+            row["wrong"].append(refusal)
+        elif not refused_rightly(truth, theirs) and name not in KNOWN:
+            row["wrong"].append("refused, but truth.json or another reader has points")
+        return row
+    if truth is not None:
+        row["compared"].append("truth")
+        row["wrong"] += against_truth(ours, truth)
+    if theirs is not None:
+        row["compared"].append(theirs["reader"])
+        row["wrong"] += against_other(ours, theirs)
+    return row
+
+
+def print_row(row):
+    ours = row["ours"]
+    if ours is None:
+        print("| %s | refused | | %s | %s | %s |" % (row["file"], row["refusal"].replace("|", "\\|"),
+                                                   ", ".join(row["compared"]), "; ".join(row["wrong"]) or "-"))
+        return
+    attributes = " ".join(each["name"] for each in ours["attributes"])
+    kept = str(ours["kept"]) if ours["kept"] == ours["points"] else "%d of %d" % (ours["kept"], ours["points"])
+    scans = " in %d scans" % len(ours["scans"]) if len(ours["scans"]) > 1 else ""
+    print("| %s | %s | %s%s | %s | %s | %s |" % (row["file"], ours["format"], kept, scans, attributes,
+                                               ", ".join(row["compared"]), "; ".join(row["wrong"]) or "-"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bin_dir")
+    parser.add_argument("data_dir")
+    parser.add_argument("--json")
+    arguments = parser.parse_args()
+    with open(os.path.join(arguments.data_dir, "truth.json")) as file:
+        truth = json.load(file)
+    names = sorted(os.path.relpath(os.path.join(folder, each), arguments.data_dir)
+                   for folder, _, files in os.walk(arguments.data_dir) for each in files if not SKIPPED.match(each))
+    print("| file | format | points | attributes, or why not | compared with | disagrees |\n|---|---|---|---|---|---|")
+    rows = []
+    for name in names:
+        rows.append(check(arguments.bin_dir, arguments.data_dir, name, truth.get(name)))
+        print_row(rows[-1])
+    if arguments.json:
+        with open(arguments.json, "w") as file:
+            json.dump(rows, file, indent=1)
+    wrong = [row["file"] for row in rows if row["wrong"]]
+    print("\n%d files, %d read, %d refused, %d disagree%s" %
+          (len(rows), sum(row["ours"] is not None for row in rows), sum(row["ours"] is None for row in rows), len(wrong),
+           ": " + ", ".join(wrong) if wrong else ""))
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
