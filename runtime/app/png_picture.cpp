@@ -30,6 +30,7 @@ Film blankRows(std::uint32_t width, std::uint32_t rows) {
 } // namespace
 
 PngPicture::PngPicture(Device& device, PngPlan plan) : plan_(std::move(plan)) {
+    if (plan_.legend) legend_ = drawLegend(*plan_.legend, plan_.size);
     if (!plan_.filter) return;
     const Clock::time_point start = Clock::now();
     filter_.emplace(device, *plan_.filter, [this](std::span<const float> rgba) { write(rgba); });
@@ -59,6 +60,8 @@ void PngPicture::write(std::span<const float> rgba) {
         const std::span<const float> part = rgba.first(std::min(step, rgba.size()));
         bytes_.resize(part.size() / 4 * 3);
         tonemapPixels(part, plan_.stops, bytes_.data());
+        if (legend_) layOn(*legend_, {bytes_, plan_.size.width, written_});
+        written_ += part.size() / row_floats;
         png_->addRows(bytes_);
     }
     write_ms_ += millisecondsSince(start);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/coloring/legend_picture.h"
 #include "runtime/film/picture_filter.h"
 #include "runtime/gpu/device.h"
 #include "runtime/image/film.h"
@@ -21,6 +22,7 @@ struct PngPlan {
     PixelSize size;
     float stops = 0; ///< of exposure
     std::optional<FilterPlan> filter;
+    std::optional<Legend> legend; ///< to lie on the picture
 };
 
 class PngPicture {
@@ -42,8 +44,10 @@ private:
     PngPlan plan_;
     std::optional<PictureFilter> filter_;
     std::optional<PngWriter> png_; ///< from the first row on
+    std::optional<LegendPicture> legend_;
     std::vector<std::uint8_t> bytes_;
-    std::uint32_t rows_ = 0; ///< that have come
+    std::size_t written_ = 0; ///< rows
+    std::uint32_t rows_ = 0;  ///< that have come
     double filter_ms_ = 0, write_ms_ = 0;
 };
 

@@ -94,7 +94,9 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
 
 PngPlan pngPlan(const RenderSession& session, const std::string& path) {
     const RenderSettings& settings = session.settings;
-    return {path, {settings.width, settings.height}, settings.exposure, {}};
+    PngPlan plan{path, {settings.width, settings.height}, settings.exposure, {}, {}};
+    if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
+    return plan;
 }
 
 void writeImage(RenderSession& session, const std::string& path, const std::string& signature, Film film) {

@@ -99,6 +99,17 @@ std::optional<Environment> readSky(const DeviceScene& scene) {
     return image.empty() ? Environment{} : makeEnvironment(readFloatImage(image));
 }
 
+/// Where other paint is asked for than there is.
+void repaint(Device& device, DeviceScene& scene, const RenderSettings& settings) {
+    const PaintRequest request = paintRequest(scene.description, settings);
+    if (request == scene.paint.request) return;
+    const std::vector<PlacedScan> scans = placedScans(scene, scene.description);
+    ScenePaint fresh = paintScene(device, scans, planPaint(scans, request));
+    scene.device_bytes += deviceBytes(fresh) - deviceBytes(scene.paint);
+    destroyScenePaint(device, scene.paint);
+    scene.paint = std::exchange(fresh, {});
+}
+
 void furnishSky(Device& device, DeviceScene& scene, const RenderSettings& settings, std::optional<Environment> map) {
     if (map) {
         scene.sky_image.clear(); // until all of it is there
@@ -133,6 +144,13 @@ void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
     replaceRows(device, scene.materials, "material buffer", std::move(rows.materials));
     replaceRows(device, scene.shapes, "shape buffer", std::move(rows.shapes));
     replaceRows(device, scene.lights, "light buffer", std::move(rows.lights));
+}
+
+/// The splats of an instance that was painted.
+const PagedBuffer* paintedSplats(const DeviceScene& scene, const Instance& instance) {
+    const std::size_t number = instance.params.materials.x;
+    if (number >= scene.paint.of.size() || !scene.paint.of[number]) return nullptr;
+    return &scene.paint.splats[*scene.paint.of[number]];
 }
 
 /// All programs name an instance's buffers, those too that never read them.
@@ -174,6 +192,7 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
 
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings) {
     SceneRows rows = makeSceneRows(scene, scene.description, settings);
+    repaint(device, scene, settings);
     furnishSky(device, scene, settings, readSky(scene));
     furnishRows(device, scene, std::move(rows));
 }
@@ -199,8 +218,36 @@ bool castsCaustics(const DeviceScene& scene) {
                                          std::find(shapes.begin(), shapes.end(), true) != shapes.end());
 }
 
+std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description) {
+    std::vector<PlacedScan> scans;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        scans.push_back({&scene.files[scene.instances[i].file], &description.instances.at(i)});
+    return scans;
+}
+
+std::optional<Vec3> knownUp(const DeviceScene& scene) {
+    for (const auto& [file, instance] : placedScans(scene, scene.description)) {
+        pro_world world;
+        pro_get_world(file->file, &world);
+        const Vec3 up{world.up[0], world.up[1], world.up[2]};
+        const std::array<Vec3, 3>& rotation = instance->placement.rotation;
+        if (up != Vec3{}) return normalize({dot(rotation[0], up), dot(rotation[1], up), dot(rotation[2], up)});
+    }
+    return std::nullopt;
+}
+
+PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance) {
+    PagedBuffers buffers = pagedBuffers(scene.files[instance.file]);
+    if (const PagedBuffer* painted = paintedSplats(scene, instance)) buffers.back() = painted; // splats come last
+    return buffers;
+}
+
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance) {
     std::vector<BufferBinding> bindings = scanBindings(scene.files[instance.file]);
+    if (const PagedBuffer* painted = paintedSplats(scene, instance))
+        std::find_if(bindings.begin(), bindings.end(), [](const BufferBinding& each) {
+            return each.slot == BINDING_SPLATS;
+        })->buffer = &painted->pages[0];
     bindings.insert(bindings.end(), {{BINDING_INSTANCE, &instance.params_buffer},
                                      {BINDING_MATERIALS, &scene.materials},
                                      {BINDING_SHAPES, &scene.shapes},
@@ -215,6 +262,7 @@ void destroyDeviceScene(Device& device, DeviceScene& scene) {
     for (Buffer* buffer : {&scene.materials, &scene.shapes, &scene.lights, &scene.ggx_albedo, &scene.environment_texels,
                            &scene.environment_cdf})
         destroyBuffer(device, *buffer);
+    destroyScenePaint(device, scene.paint);
     destroyBuffer(device, scene.blank.params_buffer);
     for (Instance& instance : scene.instances) destroyBuffer(device, instance.params_buffer);
     for (DeviceScan& file : scene.files) destroyScan(device, file);

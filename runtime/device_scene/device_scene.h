@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/device_scene/device_scan.h"
 #include "runtime/device_scene/environment.h"
 #include "runtime/device_scene/render_space.h"
+#include "runtime/device_scene/scene_paint.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/scene/scene_description.h"
@@ -32,7 +34,8 @@ struct DeviceScene {
     std::vector<DeviceScan> files; ///< each .pro once, however often it stands in the scene
     std::vector<Instance> instances;
     Instance blank; ///< stands for them in the bindings of scenes without any
-    Bounds bounds;  ///< of the instances; without any, of what shapes are bounded
+    ScenePaint paint;
+    Bounds bounds; ///< of the instances; without any, of what shapes are bounded
     std::vector<gpu::Light> light_rows;
     std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
     std::uint32_t shape_count = 0;
@@ -50,21 +53,32 @@ struct DeviceScene {
 /// lights follow with uploadSceneTables, for which the bounds must be known. Throws Error as loadScan does.
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
 
-/// Puts shapes, materials and lights of scene.description, as it is now, on the device, in place of those before. The
-/// sky image is read only where it is another one. Throws Error kBadInput where it cannot be read, and where an
-/// override asks for a material row that its file does not have; nothing is changed then.
+/// Puts shapes, materials, lights and painted splats of scene.description, as it is now, on the device, in place of
+/// those before. The sky image is read, and splats are painted, only where that is another. Throws Error kBadInput
+/// where the image cannot be read, and where an override asks for a material row that its file does not have, and as
+/// planPaint does; nothing is changed then.
 void uploadSceneTables(Device& device, DeviceScene& scene, const RenderSettings& settings);
 
 /// Furnishes scene for description in a few milliseconds by its rows (see makeSceneRows). It must name the files,
-/// places and sky image that are there, and its rows' features must be the scene's, for which its programs were built.
+/// places and sky image that are there and ask for the paint that is there (paintRequest), and its rows' features must
+/// be the scene's, for which its programs were built.
 void uploadSceneRows(Device& device, DeviceScene& scene, const SceneDescription& description,
                      const RenderSettings& settings, SceneRows rows);
+
+/// What is up by the first instance whose file knows, as that stands in the scene; unit length.
+std::optional<Vec3> knownUp(const DeviceScene& scene);
 
 /// Whether the same files stand at the same places.
 bool standsAlike(const SceneDescription& a, const SceneDescription& b);
 
 /// Whether anything throws caustics, and there are lights for it.
 bool castsCaustics(const DeviceScene& scene);
+
+/// The scans as they stand in description.
+std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description);
+
+/// The paged buffers of the instance with this number.
+PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
 /// The buffers of an instance, or of scene.blank, at their places in shaders/frame/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);

@@ -16,6 +16,7 @@ namespace {
 MaterialDescription materialOfRow(const float* row, const RenderSettings& settings) {
     MaterialDescription material;
     material.color = {row[PRO_MAT_BASE_COLOR], row[PRO_MAT_BASE_COLOR + 1], row[PRO_MAT_BASE_COLOR + 2]};
+    if (isColored(settings)) material.color = {1, 1, 1}; // the map's colours as they are
     material.splat_color = true;
     material.mirror_share = settings.reflectivity.value_or(row[PRO_MAT_REFLECTIVITY]);
     material.specular = row[PRO_MAT_SPECULAR];
@@ -102,15 +103,21 @@ private:
             else
                 add(materialOfRow(file.view.materials + std::size_t{row} * PRO_MATERIAL_FLOATS, settings_));
         }
+        const bool painted = isPainted(description, settings_);
+        if (painted)
+            for (const std::uint32_t material : paintedMaterials(description, file))
+                rows.materials.push_back(rows.materials.at(material));
         gpu::InstanceParams params = instance.params;
         params.materials.y = first;
         params.materials.z = 0;
-        for (const MaterialOverride& each : description.overrides) applyOverride(each, file, params);
+        for (const MaterialOverride& each : description.overrides) applyOverride(each, file, painted, params);
         params.materials.w = castsCaustics(first, params) ? 1 : 0;
         rows.instances.push_back(params);
     }
 
-    void applyOverride(const MaterialOverride& each, const DeviceScan& file, gpu::InstanceParams& params) {
+    /// painted: splats have their rows by all that is said of splats, not by that of rows alone.
+    void applyOverride(const MaterialOverride& each, const DeviceScan& file, bool painted,
+                       gpu::InstanceParams& params) {
         if (const auto* row = std::get_if<MaterialOverride::Row>(&each.splats)) {
             if (row->row >= file.info.material_count)
                 throw Error{ExitCode::kBadInput,
@@ -118,6 +125,7 @@ private:
             rows.materials[params.materials.y + row->row] = rows.materials.at(each.material);
             return;
         }
+        if (painted) return;
         const auto& range = std::get<MaterialOverride::ColorRange>(each.splats);
         params.color_range[params.materials.z++] = {packColor(range.low), packColor(range.high), each.material, 0};
     }

@@ -76,6 +76,11 @@ std::string settingInFilm(const Row& row, const RenderSettings& settings) {
     return value ? exactText(row.limits, *value) : "default";
 }
 
+template <typename Row>
+bool isTold(const Row& row, const RenderSettings& settings) {
+    return !row.film.where_said || settingOf(settings, row.member) != settingOf(RenderSettings{}, row.member);
+}
+
 /// Takes the next "name=value" off text.
 std::string_view takeEntry(std::string_view& text) {
     const std::size_t end = text.find(kSeparator);
@@ -94,7 +99,7 @@ std::string valueOf(std::string_view entry) {
 std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera) {
     std::map<int, std::string> entries = {{kCameraPlaceInFilm, "camera=" + cameraText(camera)}};
     forEachRenderSetting([&](const auto& row) {
-        if (row.film.place != 0)
+        if (row.film.place != 0 && isTold(row, settings))
             entries[row.film.place] = std::string(row.film.name) + "=" + settingInFilm(row, settings);
     });
     std::string signature = "renderer=" POINTRT_VERSION + std::string(kSeparator) + "scene=" + sceneHash(scene);

@@ -26,6 +26,21 @@ void requireFewPages(const char* what, std::uint64_t bytes, std::uint64_t page_b
                         " texel buffers of this device, the viewer reads " + std::to_string(MAX_PAGES)};
 }
 
+/// make(start, bytes) for each page.
+template <typename Make>
+PagedBuffer pagesOf(Device& device, const char* what, std::uint64_t bytes, VkFormat format, const Make& make) {
+    const std::uint64_t page_bytes = texelBytes(format) << device.page_bits;
+    requireFewPages(what, bytes, page_bytes);
+    PagedBuffer buffer;
+    const OnError undo([&] { destroyPagedBuffer(device, buffer); });
+    std::uint64_t start = 0;
+    do {
+        buffer.pages.push_back(make(start, std::min(page_bytes, bytes - start)));
+        start += page_bytes;
+    } while (start < bytes);
+    return buffer;
+}
+
 } // namespace
 
 Buffer createTexelBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format) {
@@ -38,17 +53,28 @@ Buffer createTexelBuffer(Device& device, const char* what, const void* data, std
 
 PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes,
                               VkFormat format) {
-    const std::uint64_t page_bytes = texelBytes(format) << device.page_bits;
-    requireFewPages(what, bytes, page_bytes);
-    PagedBuffer buffer;
-    const OnError undo([&] { destroyPagedBuffer(device, buffer); });
-    std::uint64_t start = 0;
-    do {
-        buffer.pages.push_back(createTexelBuffer(device, what, static_cast<const std::byte*>(data) + start,
-                                                 std::min(page_bytes, bytes - start), format));
-        start += page_bytes;
-    } while (start < bytes);
-    return buffer;
+    return pagesOf(device, what, bytes, format, [&](std::uint64_t start, std::uint64_t page_bytes) {
+        return createTexelBuffer(device, what, static_cast<const std::byte*>(data) + start, page_bytes, format);
+    });
+}
+
+PagedBuffer createEmptyPagedBuffer(Device& device, const char* what, std::uint64_t bytes, VkFormat format) {
+    return pagesOf(device, what, bytes, format, [&](std::uint64_t, std::uint64_t page_bytes) {
+        Buffer page = createBuffer(device, what, page_bytes, usageFor(format));
+        createTexelView(device, what, page, format);
+        return page;
+    });
+}
+
+void uploadPages(Device& device, PagedBuffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset) {
+    const auto* from = static_cast<const std::byte*>(data);
+    for (Buffer& page : buffer.pages) {
+        const std::uint64_t start = std::min(offset, page.bytes), there = std::min(bytes, page.bytes - start);
+        if (there > 0) uploadBuffer(device, page, from, there, start);
+        from += there;
+        bytes -= there;
+        offset -= start;
+    }
 }
 
 bool isImported(const PagedBuffer& buffer) {

@@ -29,6 +29,10 @@ struct PagedBuffer {
 
 /// createTexelBuffer for each page. Throws Error kCannotRun also where there are more than MAX_PAGES.
 PagedBuffer createPagedBuffer(Device& device, const char* what, const void* data, std::uint64_t bytes, VkFormat format);
+/// The same, of memory of the device's own, without anything in it yet.
+PagedBuffer createEmptyPagedBuffer(Device& device, const char* what, std::uint64_t bytes, VkFormat format);
+/// Copies bytes from data to the buffer's at offset, both multiples of a texel's; not of imported memory.
+void uploadPages(Device& device, PagedBuffer& buffer, const void* data, std::uint64_t bytes, std::uint64_t offset);
 void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
 /// Whether any of the memory is the caller's.
 bool isImported(const PagedBuffer& buffer);

@@ -3,6 +3,7 @@
 
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/upright.h"
 
 namespace pointrt {
 namespace {
@@ -17,8 +18,11 @@ Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
 }
 
 /// Puts up what stands around the scene, and all tables.
-void furnish(Device& device, LoadedScene& loaded, const CameraRequest& staging) {
+void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
+    CameraRequest staging = request.staging;
+    standUpright(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
+    loaded.described = scene.description;
     loaded.camera = framedCamera(loaded, loaded.settings.camera);
     const Camera stage = framedCamera(loaded, staging);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
@@ -48,11 +52,10 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     };
     auto loaded = std::make_unique<LoadedScene>(owner);
     begin("reading", kFilesShare);
-    loaded->described = request.scene;
     loaded->settings = request.settings;
     loaded->scene = openScene(worker, request.scene, request.verbose);
     begin("materials and lights", kRowsShare);
-    furnish(worker, *loaded, request.staging);
+    furnish(worker, *loaded, request);
     begin("programs", kProgramsShare);
     const TracerSize size = request.size.value_or(wholeFrames(worker, request.settings));
     createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels);

@@ -35,10 +35,11 @@ struct LoadedScene {
     LoadedScene& operator=(const LoadedScene&) = delete;
 
     Device& device;
-    SceneDescription described; ///< as its file has it; scene.description has what stands around it besides
-    RenderSettings settings;    ///< that its tables are made for
-    Camera camera;              ///< the first
-    Vec3 staged_for;            ///< the eye that its surroundings were put up for, world frame
+    SceneDescription
+        described; ///< as its file has it, standing upright; scene.description has what stands around it besides
+    RenderSettings settings; ///< that its tables are made for
+    Camera camera;           ///< the first
+    Vec3 staged_for;         ///< the eye that its surroundings were put up for, world frame
     DeviceScene scene;
     BandTracer tracer; ///< for ProgressiveRenderer
     ProgramKinds program_kinds;
@@ -48,8 +49,9 @@ struct LoadedScene {
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
-    CameraRequest staging;          ///< what surroundings are put up for: the settings' camera, were there no view
-    std::optional<TracerSize> size; ///< of the tracer; none: for whole frames of the settings' size
+    CameraRequest staging;           ///< what surroundings are put up for: the settings' camera, were there no view
+    std::optional<TracerSize> size;  ///< of the tracer; none: for whole frames of the settings' size
+    std::optional<Vec3> fallback_up; ///< where neither scene nor scans say it; none: what the camera has
     bool verbose = false;
 };
 

@@ -81,6 +81,12 @@ double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect) {
     return 2 * boundingRadius(bounds_min, bounds_max) / std::min(1.0, aspect);
 }
 
+Vec3 frontSide(Vec3 up) {
+    const Vec3 axis = normalize(withinRange(up));
+    const Vec3 front = std::abs(axis.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
+    return normalize(front - dot(front, axis) * axis);
+}
+
 double verticalHalfAngle(double fov_deg) { return fov_deg / 2 * std::numbers::pi / 180; }
 
 double horizontalHalfAngle(double fov_deg, double aspect) {
@@ -94,8 +100,9 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
     requireNear("--eye", request.eye, centre, radius);
     requireNear("--target", request.target, centre, radius);
     Vec3 target = request.target.value_or(centre);
-    Vec3 back{0, 0, framingDistance(radius, request.fov_deg, aspect)};
-    if (isParallelProjection(request)) back.z += std::max(0.0, centre.z - target.z);
+    double distance = framingDistance(radius, request.fov_deg, aspect);
+    if (isParallelProjection(request)) distance += std::max(0.0, dot(request.side, centre - target));
+    const Vec3 back = request.side * distance;
 
     const Vec3 eye = request.eye.value_or(target + back);
     if (!(length(target - eye) > 0)) target = eye - back;

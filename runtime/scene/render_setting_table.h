@@ -39,6 +39,7 @@ struct InFilm {
     int place; ///< 0: in no signature
     const char* name;
     const char* (*text)(const RenderSettings&) = nullptr; ///< else the value, or "default" for one that is not there
+    bool where_said = false; ///< no entry for the default: of settings that came after films without them
 };
 inline constexpr InFilm kNotInFilm{0, ""};
 /// Of the camera, which is no setting of this table.
@@ -144,6 +145,32 @@ inline constexpr std::tuple kRenderSettings{
             "Of every surface, 0 matte to 1 mirror (default: each material's own)"},
         InSceneFile{FileTable::kRender, 12, "reflectivity"},
         InFilm{12, "reflectivity"}},
+    RenderSetting{&RenderSettings::color_by, &RenderChoices::color_by,
+        AttributeWord{},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-by", "NAME",
+            "Colour scans by {limits} (default {default}: their own colours)"},
+        InSceneFile{FileTable::kRender, 13, "color_by"},
+        InFilm{13, "color_by", nullptr, true}},
+    RenderSetting{&RenderSettings::color_map, &RenderChoices::color_map,
+        OneOf{kColorMapNames},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-map", "NAME",
+            "{limits} (default viridis, classes for classes, scans for scans)"},
+        InSceneFile{FileTable::kRender, 14, "color_map"},
+        InFilm{14, "color_map", nullptr, true}},
+    RenderSetting{&RenderSettings::color_range, &RenderChoices::color_range,
+        RangeOfValues{},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--color-range", "LO,HI",
+            "Numbers at the ends of the map, {limits} (default: all of small whole numbers, else without the lowest "
+            "and the highest percent)"},
+        InSceneFile{FileTable::kRender, 15, "color_range"},
+        InFilm{15, "color_range", nullptr, true}},
+    RenderSetting{&RenderSettings::legend, &RenderChoices::legend,
+        OneOf{kSwitchNames},
+        OnCommandLine{HelpGroup::kLightAndSurfaces, "--legend", "on|off",
+            "What the colours of --color-by mean, in the corner of the picture (default: on in the window, off in "
+            "PNGs; never in EXRs)"},
+        InSceneFile{FileTable::kRender, 16, "legend"},
+        kNotInFilm},
 };
 // clang-format on
 

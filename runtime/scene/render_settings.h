@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
+#include "runtime/coloring/color_map.h"
 #include "runtime/scene/integrator.h"
 #include "runtime/util/names.h"
 #include "runtime/util/pixel_size.h"
@@ -28,6 +30,7 @@ struct CameraRequest {
     bool ortho = false;  ///< parallel projection, for which ortho_height asks as well
     /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
     std::optional<double> ortho_height;
+    Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, where no eye is given
     bool operator==(const CameraRequest&) const = default;
 };
 
@@ -43,6 +46,9 @@ struct Camera {
 /// The most samples a pixel can have: sums of them in 32-bit floats still gain by one more.
 constexpr std::uint32_t kMaxSpp = 65536;
 
+/// RenderSettings::color_by of scans that have the colours of their files.
+inline constexpr const char* kOwnColors = "rgb";
+
 /// What decides a picture besides its scene. render_setting_table.h has what each may be, and where users say it.
 struct RenderSettings {
     std::uint32_t width = 512, height = 512; ///< pixels
@@ -57,8 +63,12 @@ struct RenderSettings {
     bool caustics = true;              ///< light bundled by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
     std::optional<float> reflectivity; ///< overrules every material's
-    bool first_hits = false;           ///< also fill the Film's depth, normal and position
-    bool light_parts = true;           ///< also fill its direct, indirect and caustic: to go on later, or to keep
+    std::string color_by = kOwnColors; ///< what scans are coloured by: see color_words.h of device_scene
+    std::optional<ColorMap> color_map;
+    std::optional<ValueRange> color_range; ///< of the map's ends
+    std::optional<bool> legend;            ///< of the colours; where nothing is said in windows, not in files
+    bool first_hits = false;               ///< also fill the Film's depth, normal and position
+    bool light_parts = true;               ///< also fill its direct, indirect and caustic: to go on later, or to keep
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
 };
@@ -73,6 +83,10 @@ struct RenderChoices {
     std::optional<std::uint32_t> lights;
     std::optional<bool> shadows, caustics, blend;
     std::optional<float> reflectivity;
+    std::optional<std::string> color_by;
+    std::optional<ColorMap> color_map;
+    std::optional<ValueRange> color_range;
+    std::optional<bool> legend;
     std::optional<DenoiseChoice> denoise;
     std::optional<float> exposure;
     bool operator==(const RenderChoices&) const = default;

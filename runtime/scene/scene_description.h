@@ -13,6 +13,7 @@
 #include "runtime/light/light.h"
 #include "runtime/scene/material_kinds.h"
 #include "runtime/scene/render_settings.h"
+#include "runtime/scene/sun.h"
 #include "runtime/util/color.h"
 #include "runtime/util/vec.h"
 
@@ -34,7 +35,8 @@ struct MaterialDescription {
     bool operator==(const MaterialDescription&) const = default;
 };
 
-/// Splats whose material is not the file's: of a material row, or with each sRGB byte from low to high.
+/// Splats whose material is not the file's: of a material row, with each sRGB byte from low to high, or with a number
+/// in one of some ranges.
 struct MaterialOverride {
     struct Row {
         std::uint32_t row;
@@ -44,9 +46,14 @@ struct MaterialOverride {
         std::array<std::uint8_t, 3> low, high;
         bool operator==(const ColorRange&) const = default;
     };
-    std::variant<Row, ColorRange> splats;
+    struct Numbers {
+        std::string attribute; ///< in the words of RenderSettings::color_by, but for rgb and normal
+        std::vector<ValueRange> ranges;
+        bool operator==(const Numbers&) const = default;
+    };
+    std::variant<Row, ColorRange, Numbers> splats;
     std::uint32_t material = 0; ///< in SceneDescription::materials
-    std::string place;          ///< where it was said, to begin messages with: whether rows are there, only files tell
+    std::string place;          ///< where it was said, to begin messages with: what is there, only files tell
     bool operator==(const MaterialOverride&) const = default;
 };
 
@@ -97,6 +104,15 @@ struct NamedView {
     bool operator==(const NamedView&) const = default;
 };
 
+/// A sun whose place in the sky is known before anybody knows what is up.
+struct SunInTheSky {
+    std::uint32_t light = 0; ///< in SceneDescription::lights, a SunLight
+    SunPosition position;
+    std::optional<Vec3> north; ///< unit vector; none: defaultNorth
+    std::string place;         ///< where it was said, to begin messages with
+    bool operator==(const SunInTheSky&) const = default;
+};
+
 /// Everything that is in the picture. Where a scene file is silent, optionals are empty and the viewer's options rule.
 struct SceneDescription {
     std::string path; ///< of the file that this was read from, for messages
@@ -105,7 +121,8 @@ struct SceneDescription {
     std::vector<ShapeDescription> shapes;
     std::vector<LightDescription> lights;
     std::optional<SkyDescription> sky;
-    std::optional<Vec3> up; ///< unit vector, of the scene: rooms, sky and sun stand on it
+    std::optional<Vec3> up; ///< unit vector, of the scene: rooms, sky and sun stand on it; none: as its scans say
+    std::vector<SunInTheSky> suns; ///< where up is none: to be put up with it
     CameraRequest camera;
     std::vector<NamedView> views;
     RenderChoices render;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "runtime/coloring/value_range.h"
 #include "runtime/util/names.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/pixel_size.h"
@@ -29,6 +30,16 @@ struct SizeRange {
     std::uint32_t longest;
 };
 
+/// Words for what scans are coloured by: whether they mean anything, only the scans tell.
+struct AttributeWord {
+    using Value = std::string;
+};
+
+/// The lower number first.
+struct RangeOfValues {
+    using Value = ValueRange;
+};
+
 /// With kSwitchNames a switch, which scene files spell true and false.
 template <typename Named>
 struct OneOf {
@@ -42,6 +53,8 @@ OneOf(const std::array<Name<Named>, kCount>&) -> OneOf<Named>;
 std::string limitsText(CountRange range);
 std::string limitsText(RealRange range);
 std::string limitsText(SizeRange range);
+std::string limitsText(AttributeWord);
+std::string limitsText(RangeOfValues);
 template <typename Named>
 std::string limitsText(OneOf<Named> choices) {
     return joinedNames(choices.names, ", ");
@@ -51,6 +64,8 @@ std::string limitsText(OneOf<Named> choices) {
 std::string valueText(CountRange, std::uint32_t value);
 std::string valueText(RealRange, float value);
 std::string valueText(SizeRange, PixelSize value);
+std::string valueText(AttributeWord, const std::string& value);
+std::string valueText(RangeOfValues, ValueRange value);
 template <typename Named>
 std::string valueText(OneOf<Named> choices, Named value) {
     return nameOf(choices.names, value);
@@ -60,6 +75,8 @@ std::string valueText(OneOf<Named> choices, Named value) {
 std::uint32_t parseValue(CountRange range, const std::string& text);
 float parseValue(RealRange range, const std::string& text);
 PixelSize parseValue(SizeRange range, const std::string& text);
+std::string parseValue(AttributeWord, const std::string& text);
+ValueRange parseValue(RangeOfValues, const std::string& text);
 template <typename Named>
 Named parseValue(OneOf<Named> choices, const std::string& text) {
     return parseName(choices.names, text);

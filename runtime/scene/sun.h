@@ -10,6 +10,7 @@ namespace pointrt {
 struct SunPosition {
     double elevation_deg; ///< over the horizon, -90 to 90
     double azimuth_deg;   ///< from north by way of east, 0 to 360
+    bool operator==(const SunPosition&) const = default;
 };
 
 /// Without the bending of light in the air, by NOAA's Solar Calculator (https://gml.noaa.gov/grad/solcalc/), which is

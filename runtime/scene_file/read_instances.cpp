@@ -70,15 +70,49 @@ MaterialOverride::ColorRange colorRangeOf(const SceneValue& value) {
     return range;
 }
 
+constexpr std::size_t kMaxNumbers = 256; // as many as there are classes
+
+/// Each number as a range of its own.
+std::vector<ValueRange> numbersOf(const SceneValue& value) {
+    if (!value.node->is_array() || value.node->as_array()->empty()) refuse(value, "must be a list of numbers");
+    if (value.node->as_array()->size() > kMaxNumbers) refuse(value, "has at most 256 numbers");
+    std::vector<ValueRange> ranges;
+    for (const SceneValue& each : elementsOf(value)) {
+        const double number = numberOf(each, kNumbers);
+        ranges.push_back({number, number});
+    }
+    return ranges;
+}
+
+MaterialOverride::Numbers attributeNumbersOf(const SceneValue& table, const SceneValue& attribute) {
+    const std::string name = textOf(attribute);
+    if (hasFirst(table, "values", "range")) return {name, numbersOf(*find(table, "values"))};
+    return {name, {rangeOf(*find(table, "range"))}};
+}
+
+/// The one key that says which splats an override is of.
+SceneValue chosenKeyOf(const SceneValue& table) {
+    if (const auto attribute = find(table, "attribute")) {
+        forbid(table, {"row", "colors"}, "excludes \"attribute\"");
+        return *attribute;
+    }
+    forbid(table, {"values", "range"}, "says nothing without \"attribute\"");
+    if (!find(table, "row") && !find(table, "colors")) refuse(table, "\"row\", \"colors\" or \"attribute\" is missing");
+    return hasFirst(table, "row", "colors") ? *find(table, "row") : *find(table, "colors");
+}
+
 MaterialOverride overrideOf(const SceneValue& table, const SceneReading& reading) {
-    requireKnownKeys(table, "an override", {"row", "colors", "material"});
+    requireKnownKeys(table, "an override", {"row", "colors", "attribute", "values", "range", "material"});
     MaterialOverride over;
-    if (hasFirst(table, "row", "colors"))
-        over.splats = MaterialOverride::Row{wholeNumberOf(*find(table, "row"), 0, 255)}; // as many as a .pro can have
+    const SceneValue key = chosenKeyOf(table);
+    if (find(table, "row"))
+        over.splats = MaterialOverride::Row{wholeNumberOf(key, 0, 255)}; // as many as a .pro can have
+    else if (find(table, "colors"))
+        over.splats = colorRangeOf(key);
     else
-        over.splats = colorRangeOf(*find(table, "colors"));
+        over.splats = attributeNumbersOf(table, key);
     over.material = materialOf(require(table, "material"), reading);
-    over.place = placeOf(find(table, "row").value_or(table));
+    over.place = placeOf(key);
     return over;
 }
 

@@ -49,8 +49,8 @@ Vec3 northOf(const SceneValue& table, Vec3 up) {
     return north;
 }
 
-/// Towards the sun as it is seen at a place and time.
-Vec3 sunSeenFrom(const SceneValue& table, Vec3 up) {
+/// The sun as it is seen at a place and time.
+SunPosition sunSeenFrom(const SceneValue& table) {
     const SceneValue time = require(table, "time");
     const double latitude_deg = numberOf(require(table, "latitude"), {-90, 90});
     const double longitude_deg = numberOf(require(table, "longitude"), {-180, 180});
@@ -61,13 +61,24 @@ Vec3 sunSeenFrom(const SceneValue& table, Vec3 up) {
         std::snprintf(depth, sizeof depth, "%.1f", -sun.elevation_deg);
         refuse(time, std::string("the sun is ") + depth + " degrees below the horizon at that time and place");
     }
-    return sunDirection(sun, up, northOf(table, up));
+    return sun;
+}
+
+/// Where the scene's up is known, towards the sun; else it is put up later.
+Vec3 directionOfSun(const SceneValue& table, SceneReading& reading) {
+    const SunPosition sun = sunSeenFrom(table);
+    if (reading.scene.up) return sunDirection(sun, *reading.scene.up, northOf(table, *reading.scene.up));
+    const auto north = find(table, "north");
+    SunInTheSky later{static_cast<std::uint32_t>(reading.scene.lights.size()), sun, {}, placeOf(north.value_or(table))};
+    if (north) later.north = directionOf(*north);
+    reading.scene.suns.push_back(later);
+    return {0, 1, 0};
 }
 
 /// Reads each value of a light as what it is.
 struct FieldReader {
     const SceneValue& table;
-    Vec3 up; ///< of the scene
+    SceneReading& reading;
 
     void operator()(const PositionField& field) const { field.value = vectorOf(require(table, field.key)); }
 
@@ -85,7 +96,7 @@ struct FieldReader {
 
     void operator()(const SunwardField& field) const {
         if (!hasFirst(table, "towards", "time")) {
-            field.value = sunSeenFrom(table, up);
+            field.value = directionOfSun(table, reading);
             return;
         }
         forbid(table, {"latitude", "longitude", "north"}, "says nothing without \"time\"");
@@ -120,14 +131,14 @@ struct FieldReader {
 };
 
 template <typename L>
-LightDescription readKind(const SceneValue& table, const SceneReading& reading) {
+LightDescription readKind(const SceneValue& table, SceneReading& reading) {
     L light;
     FieldKeys keys{"type"};
     light.eachField([&](const auto& field) {
         for (const std::string_view key : field.keys()) keys.push_back(key);
     });
     requireKnownKeys(table, L::kNames.called, keys);
-    light.eachField(FieldReader{table, reading.scene.up.value_or(Vec3{0, 1, 0})});
+    light.eachField(FieldReader{table, reading});
     return light;
 }
 
@@ -137,7 +148,7 @@ std::size_t kindOf(const SceneValue& type) {
     return choiceOf(type, types);
 }
 
-LightDescription lightOf(const SceneValue& table, const SceneReading& reading) {
+LightDescription lightOf(const SceneValue& table, SceneReading& reading) {
     const std::size_t kind = kindOf(require(table, "type"));
     if (hasSurface(kind)) requireRoomForShape(table, reading);
     LightDescription light;

@@ -19,6 +19,10 @@ PixelSize readValue(const SceneValue& value, SizeRange range) {
     return {wholeNumberOf(sides[0], 1, range.longest), wholeNumberOf(sides[1], 1, range.longest)};
 }
 
+std::string readValue(const SceneValue& value, AttributeWord) { return textOf(value); }
+
+ValueRange readValue(const SceneValue& value, RangeOfValues) { return rangeOf(value); }
+
 bool readValue(const SceneValue& value, OneOf<bool>) { return flagOf(value); }
 
 template <typename Named>

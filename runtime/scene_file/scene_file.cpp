@@ -10,6 +10,8 @@
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/upright.h"
 #include "runtime/scene_file/read_parts.h"
 
 namespace pointrt {
@@ -36,9 +38,10 @@ void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& 
 }
 
 /// [camera] or a [[view]]. Without an up of its own it stands as the scene does.
-CameraRequest cameraOf(const SceneValue& table, const std::optional<Vec3>& scene_up) {
+CameraRequest cameraOf(const SceneValue& table, const SceneDescription& scene) {
     CameraRequest camera;
-    camera.up = scene_up;
+    camera.up = scene.up;
+    camera.side = scene.camera.side;
     if (const auto eye = find(table, "eye")) camera.eye = vectorOf(*eye);
     if (const auto target = find(table, "target")) camera.target = vectorOf(*target);
     if (const auto up = find(table, "up")) camera.up = directionOf(*up);
@@ -55,7 +58,7 @@ void readCamera(const SceneValue& file, SceneDescription& scene) {
     const auto table = findTable(file, "camera");
     if (!table) return;
     requireKnownKeys(*table, "a camera", {"eye", "target", "up", "fov", "ortho"});
-    scene.camera = cameraOf(*table, scene.up);
+    scene.camera = cameraOf(*table, scene);
 }
 
 void readViews(const SceneValue& file, SceneDescription& scene) {
@@ -64,8 +67,23 @@ void readViews(const SceneValue& file, SceneDescription& scene) {
         requireKnownKeys(table, "a view", {"name", "eye", "target", "up", "fov", "ortho"});
         const SceneValue name = require(table, "name");
         if (!names.insert(textOf(name)).second) refuse(name, "is the name of another view already");
-        scene.views.push_back({textOf(name), cameraOf(table, scene.up)});
+        scene.views.push_back({textOf(name), cameraOf(table, scene)});
     }
+}
+
+/// A direction; or an axis, whose front cameras look at; or "auto": as the scans say.
+void readUp(const SceneValue& value, SceneDescription& scene) {
+    if (!value.node->is_string()) {
+        scene.up = directionOf(value);
+        return;
+    }
+    const std::string word = textOf(value);
+    const auto axis = axisNamed(word);
+    if (!axis && word != "auto")
+        refuse(value,
+               "\"" + printable(word) + "\" is no direction such as [0, 0, 1], and none of auto, x, y, z, -x, -y, -z");
+    scene.up = axis;
+    if (axis) scene.camera.side = frontSide(*axis);
 }
 
 void readWhole(const SceneValue& file, SceneDescription& scene) {
@@ -75,7 +93,7 @@ void readWhole(const SceneValue& file, SceneDescription& scene) {
                 {"staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
     requireKnownKeys(file, "a scene", keys);
     readSettings(file, FileTable::kScene, scene.render);
-    if (const auto up = find(file, "up")) scene.up = directionOf(*up);
+    if (const auto up = find(file, "up")) readUp(*up, scene);
     if (const auto eye = find(file, "staged_for")) scene.staged_for = vectorOf(*eye);
     readCamera(file, scene);
     readViews(file, scene);

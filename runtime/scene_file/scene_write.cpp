@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/scene_file/scene_write.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 
 #include "format/base/error.h"
+#include "runtime/scene/upright.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/scene_file/write_parts.h"
 #include "runtime/util/output_file.h"
@@ -26,6 +28,20 @@ void putCamera(SceneWriting& writing, const CameraRequest& camera) {
         put(writing, "fov", tomlOf(camera.fov_deg));
     else
         put(writing, "ortho", camera.ortho_height ? tomlOf(*camera.ortho_height) : "\"fit\"");
+}
+
+/// A word where it says from where cameras look.
+void putUp(SceneWriting& writing) {
+    const SceneDescription& scene = writing.scene;
+    const auto looks_by_word = [](const CameraRequest& camera) { return camera.side != CameraRequest{}.side; };
+    const bool by_word =
+        looks_by_word(scene.camera) || std::any_of(scene.views.begin(), scene.views.end(),
+                                                   [&](const NamedView& view) { return looks_by_word(view.camera); });
+    const std::string word = by_word && scene.up ? axisName(*scene.up) : "";
+    if (word.empty())
+        putOptional(writing, "up", scene.up);
+    else
+        put(writing, "up", tomlOf(word));
 }
 
 void writeViews(SceneWriting& writing) {
@@ -67,7 +83,7 @@ std::string pathFrom(const std::string& folder, const std::string& path) {
 
 std::string sceneText(const SceneDescription& scene, const std::string& scene_dir) {
     SceneWriting writing{scene, scene_dir, materialNames(scene), "# Written by pointrt-view.\n"};
-    putOptional(writing, "up", scene.up);
+    putUp(writing);
     writeSettings(writing, FileTable::kScene);
     putOptional(writing, "staged_for", scene.staged_for);
     begin(writing, "[camera]");

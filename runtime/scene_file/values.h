@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ constexpr Range kCoordinates{-kLargest, kLargest};
 constexpr Range kLengths{kSmallest, kLargest};
 constexpr Range kLight{0, kLargest};
 constexpr Range kShare{0, 1};
+/// What scans say of points: any finite number.
+constexpr Range kNumbers{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
 /// "FILE:LINE: key "NAME": "
 std::string placeOf(const SceneValue& value);
@@ -83,6 +86,9 @@ Vec3 vectorOf(const SceneValue& value, Range range = kCoordinates);
 /// True where a and b, about 1 or less, are the same but for the rounding of a few operations. What a program has made
 /// unit length or a right angle is kept to the bit, so that a scene that is written and read again is the same.
 constexpr bool isNear(double a, double b) { return a - b < 1e-14 && b - a < 1e-14; }
+
+/// [low, high] with low below high.
+ValueRange rangeOf(const SceneValue& value);
 
 /// A vector made one long; zero is refused.
 Vec3 directionOf(const SceneValue& value);

@@ -68,6 +68,12 @@ Vec3 vectorOf(const SceneValue& value, Range range) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
+ValueRange rangeOf(const SceneValue& value) {
+    const std::vector<double> ends = numbersOf(value, 2, kNumbers);
+    if (!(ends[0] < ends[1])) refuse(value, "must be two numbers, the lower first");
+    return {ends[0], ends[1]};
+}
+
 Vec3 directionOf(const SceneValue& value) {
     const Vec3 vector = vectorOf(value);
     const double size = length(vector);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "runtime/scene_file/scene_file.h"
 #include "runtime/session/settings.h"
 
 namespace pointrt {
@@ -14,6 +15,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     without_view.view.clear();
     request.staging = resolveSettings(without_view, scene).camera;
     request.scene = std::move(scene);
+    if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's, which may be tilted
     request.verbose = options.verbose;
     return request;
 }

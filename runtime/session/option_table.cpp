@@ -2,7 +2,9 @@
 #include "runtime/session/option_table.h"
 
 #include "format/base/error.h"
+#include "runtime/scene/camera.h"
 #include "runtime/scene/turntable.h"
+#include "runtime/scene/upright.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -19,9 +21,27 @@ std::string imageFile(const std::string& path) {
     throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
 }
 
+Vec3 parseUp(const std::string& text) {
+    try {
+        return parseVector(text);
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("\"" + text +
+                                    "\" is none of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
+    }
+}
+
 void setOrtho(CameraRequest& camera, const std::string& text) {
     camera.ortho = true;
     if (text != "fit") camera.ortho_height = parseRealAbove(text, 0, kMaxHeight);
+}
+
+void setUp(Options& options, const std::string& text) {
+    options.up_axis = axisNamed(text);
+    options.camera.up.reset();
+    options.camera.side = CameraRequest{}.side;
+    if (text == "auto") return;
+    options.camera.up = options.up_axis ? *options.up_axis : parseUp(text);
+    if (options.up_axis) options.camera.side = frontSide(*options.up_axis);
 }
 
 void setDevice(Options& options, const std::string& text) {
@@ -72,8 +92,10 @@ OptionGroup cameraOptions() {
               [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
              {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
               [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},
-             {"--up", "X,Y,Z", "What is up in the image (default 0,1,0)",
-              [](Options& o, const std::string& text) { o.camera.up = parseVector(text); }},
+             {"--up", "auto|AXIS|X,Y,Z",
+              "What is up: x, y, z, -x, -y or -z stands the scene on it and looks at its front; a vector turns the "
+              "image (default auto: as the scan says, else y)",
+              setUp},
              {"--fov", "DEG",
               "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
               [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},

@@ -108,8 +108,10 @@ void requireTask(const Options& options) {
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return;
     requireOutput(options.resume, options.output.ends_with(".exr"), "--resume", ".exr");
-    if (!opensWindow(options))
+    if (!opensWindow(options)) {
         requireOutput(options.choices.exposure.has_value(), writesPng(options), "--exposure", ".png");
+        requireOutput(options.choices.legend.value_or(false), writesPng(options), "--legend", ".png");
+    }
     requireOwnStream(options);
     if (options.resume && options.bench_frames != 0)
         throw Error{ExitCode::kBadUsage, "--resume and --bench exclude each other"};

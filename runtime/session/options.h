@@ -19,6 +19,7 @@ struct Options {
     std::string stats;     ///< file for the report, "-" for standard output, empty for none
     RenderChoices choices; ///< the rows of render_setting_table.h
     CameraRequest camera;  ///< but for its fov_deg
+    std::optional<Vec3> up_axis;   ///< of the scene too, where that does not say; camera has it as well
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
     std::string view;               ///< name of a view in the scene file, empty: its camera

@@ -26,7 +26,10 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
     CameraRequest camera = options.camera;
     if (!camera.eye) camera.eye = filed.eye;
     if (!camera.target) camera.target = filed.target;
-    if (!camera.up) camera.up = filed.up;
+    if (!camera.up) {
+        camera.up = filed.up;
+        camera.side = filed.side;
+    }
     camera.fov_deg = options.fov_deg.value_or(filed.fov_deg);
     if (!camera.ortho && !camera.ortho_height && !options.fov_deg) {
         camera.ortho = filed.ortho;
@@ -47,11 +50,12 @@ SceneDescription describeScene(const Options& options) {
     SceneDescription scene;
     if (isSceneFile(options.scene)) {
         scene = readSceneFile(options.scene);
-        if (!scene.up) scene.up = Vec3{0, 1, 0}; // not the camera's, which may be tilted
+        if (!scene.up) scene.up = options.up_axis;
         return scene;
     }
     scene.path = options.scene;
     scene.instances.push_back({options.scene, {}, {}, {}});
+    scene.up = options.up_axis;
     return scene;
 }
 

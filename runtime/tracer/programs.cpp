@@ -156,7 +156,8 @@ DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Program
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);
     if (!isPaged(file.pages)) return common;
     const Program& tracing = programsFor(programs, scene, instance).trace_primary;
-    return {common, createDescriptorSet(device, pool, tracing, pageBindings(pagedBuffers(file)), SET_PAGES)};
+    return {common,
+            createDescriptorSet(device, pool, tracing, pageBindings(instancePages(scene, instance)), SET_PAGES)};
 }
 
 } // namespace pointrt

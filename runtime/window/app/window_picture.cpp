@@ -69,6 +69,7 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
     options.scene = path;
     if (loaded_) { // what the command line says of the camera is of its scene
         options.camera = {};
+        options.up_axis.reset();
         options.view.clear();
         options.fov_deg.reset();
     }
@@ -85,9 +86,15 @@ void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     loaded_ = std::move(loaded);
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
     editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
+    showColors();
     view_.stop();
     view_.home = work_.camera;
     image_.open(host_.device(), loaded_->tracer);
+}
+
+void Window::showColors() {
+    work_.color_words = colorWords(placedScans(loaded_->scene, loaded_->scene.description));
+    work_.legend = loaded_->scene.paint.legend;
 }
 
 /// Brings the scene on the device to what the panels say.
@@ -107,7 +114,10 @@ void Window::editScene(bool dragging) {
     jobs_.start(JobKind::kRelight, [&] {
         return startedJob<RefurnishJob>(
             std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
-            [this](const Job&) { image_.restart(); });
+            [this](const Job&) {
+                showColors();
+                image_.restart();
+            });
     });
 }
 
@@ -150,7 +160,8 @@ void Window::saveFilm() {
     SavedFilm saved{image_.takeFilm(), samples, work_.settings.seed,
                     filmSignature(loaded_->scene, view.settings, view.camera)};
     const std::string name = freeName(work_.scene.path, {".png", ".exr"});
-    const SaveLook look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight};
+    SaveLook look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight, {}};
+    if (view.settings.legend.value_or(false)) look.legend = work_.legend;
     jobs_.start(JobKind::kSave, [&] {
         return startedJob<SaveJob>(
             std::make_unique<SaveJob>(host_.device(), name, std::move(saved), look),

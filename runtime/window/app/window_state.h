@@ -48,6 +48,7 @@ private:
     // window_picture.cpp
     StartedJob startLoad(const std::string& path, bool first);
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
+    void showColors();
     void editScene(bool dragging);
     void updatePicture();
     void refineUndrawn();

@@ -10,6 +10,7 @@ Rework reworkFor(const DeviceScene& scene, Integrator integrator, const SceneDes
     if (!standsAlike(scene.description, description)) return {ReworkKind::kReload, {}};
     const std::string sky_image = description.sky ? description.sky->image : std::string();
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {ReworkKind::kPrograms, {}};
+    if (paintRequest(description, settings) != scene.paint.request) return {ReworkKind::kPrograms, {}};
     SceneRows rows = makeSceneRows(scene, description, settings);
     if (rows.features != scene.features) return {ReworkKind::kPrograms, {}};
     return {ReworkKind::kTables, std::move(rows)};

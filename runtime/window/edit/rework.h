@@ -13,7 +13,7 @@ namespace pointrt {
 enum class ReworkKind : std::uint8_t {
     kNothing,
     kTables,   ///< rows of materials, shapes and lights: a few milliseconds
-    kPrograms, ///< other programs or another picture of the sky as well: a job's
+    kPrograms, ///< other programs, another picture of the sky or splats painted anew as well: a job's
     kReload    ///< other scans, or other places: nothing that is there will do
 };
 

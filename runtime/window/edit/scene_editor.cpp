@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/session/settings.h"
 
@@ -101,9 +102,8 @@ void SceneEditor::putUp() {
 
 void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     const Vec3 centre = 0.5 * (work_.scene_min + work_.scene_max);
-    const Vec3 front = std::abs(up.z) > 0.5 ? Vec3{0, -1, 0} : Vec3{0, 0, 1};
     CameraRequest request = requestOf(home);
-    request.eye = centre + length(home.eye - centre) * front;
+    request.eye = centre + length(home.eye - centre) * frontSide(up);
     request.target = centre;
     request.up = up;
     home = framedView(request, work_.scene_min, work_.scene_max, up, aspect);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/coloring/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 #include "runtime/window/live/display_pipeline.h"
@@ -79,7 +80,9 @@ struct Workspace {
     bool paused = false;
     bool show_panel = true, show_cheat_sheet = false, show_hud = true;
     bool keeps_measurement = false;
-    std::vector<PickedPoint> picks; ///< the last two, oldest first
+    std::vector<PickedPoint> picks;       ///< the last two, oldest first
+    std::vector<std::string> color_words; ///< for settings.color_by
+    std::optional<Legend> legend;         ///< of the colours on the device
     HudFigures hud;
     std::optional<JobFigures> job;
     std::vector<Notice> notices;

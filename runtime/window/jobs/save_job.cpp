@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "runtime/coloring/legend_picture.h"
 #include "runtime/film/picture_filter.h"
 #include "runtime/image/image_png.h"
 #include "runtime/image/tonemap.h"
@@ -13,13 +14,18 @@ namespace {
 /// Of the time that it takes, packing the EXR is the most.
 constexpr double kExrShare = 0.7;
 
-void save(Device& device, const std::string& name, SavedFilm& saved, SaveLook look, JobControl& control) {
+Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
+    if (legend) layOn(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
+    return picture;
+}
+
+void save(Device& device, const std::string& name, SavedFilm& saved, const SaveLook& look, JobControl& control) {
     control.say(name + ".exr");
     writeSavedFilm(name + ".exr", saved);
     control.setShare(kExrShare);
     control.say(name + ".png");
     if (look.denoise) denoisePicture(device, saved.film);
-    writePng(name + ".png", tonemapFilm(saved.film, look.exposure));
+    writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.exposure), look.legend));
 }
 
 } // namespace

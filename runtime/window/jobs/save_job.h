@@ -4,6 +4,10 @@
 
 #include <string>
 
+#include <optional>
+#include <string>
+
+#include "runtime/coloring/legend.h"
 #include "runtime/film/film_file.h"
 #include "runtime/window/jobs/job.h"
 #include "runtime/window/jobs/load_job.h"
@@ -14,6 +18,7 @@ namespace pointrt {
 struct SaveLook {
     float exposure = 0; ///< stops
     bool denoise = false;
+    std::optional<Legend> legend; ///< to lie on it
 };
 
 class SaveJob {

@@ -25,6 +25,7 @@ void drawMaterials(Workspace& w);
 void drawRoom(Workspace& w);
 void drawRender(Workspace& w);
 void drawPicture(Workspace& w);
+void drawColors(Workspace& w);
 void drawCamera(Workspace& w);
 void drawViews(Workspace& w);
 void drawMeasure(Workspace& w);
@@ -49,6 +50,8 @@ void drawPickMarks(const Workspace& w);
 void drawHud(const Workspace& w, FreeArea area);
 /// Rows about the last of w.picks, which must be there.
 void drawLastPick(const Workspace& w);
+/// What the scans' colours mean, where they are coloured; lower left corner.
+void drawLegendBox(const Workspace& w, FreeArea area);
 void drawCheatSheet(Workspace& w, FreeArea area);
 /// The work under way, above it what there is to say; middle of the lower edge.
 void drawJobAndNotices(Workspace& w, FreeArea area);

@@ -2,6 +2,8 @@
 // What stands around the scan.
 #include <imgui.h>
 
+#include <iterator>
+
 #include "runtime/scene/default_lighting.h"
 #include "runtime/window/ui/panel_parts.h"
 #include "runtime/window/widgets/panel_edit.h"
@@ -25,13 +27,15 @@ void drawUp(Workspace& w) {
     const struct {
         const char* name;
         Vec3 axis;
-    } sides[] = {{"Y up", {0, 1, 0}}, {"Z up", {0, 0, 1}}, {"-Y up", {0, -1, 0}}, {"-Z up", {0, 0, -1}}};
+    } sides[] = {{"X up", {1, 0, 0}},   {"Y up", {0, 1, 0}},   {"Z up", {0, 0, 1}},
+                 {"-X up", {-1, 0, 0}}, {"-Y up", {0, -1, 0}}, {"-Z up", {0, 0, -1}}};
     bool first = true;
     for (const auto& side : sides) {
         if (!first) ImGui::SameLine();
         first = false;
         const bool stands = length(w.scene_up - side.axis) < 1e-6;
-        if (shareButton(side.name, 4, stands, "the side that the scan stands on")) w.requests.up = side.axis;
+        if (shareButton(side.name, static_cast<int>(std::size(sides)), stands, "the side that the scan stands on"))
+            w.requests.up = side.axis;
     }
 }
 

@@ -25,10 +25,10 @@ struct Section {
     bool open;
 };
 constexpr Section kSections[] = {
-    {"Light", drawLights, true},   {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
-    {"Room", drawRoom, true},      {"Render", drawRender, false}, {"Picture", drawPicture, true},
-    {"Camera", drawCamera, false}, {"Views", drawViews, false},   {"Measure", drawMeasure, false},
-    {"Output", drawOutput, false}, {"About", drawAbout, false},
+    {"Light", drawLights, true},     {"Sky", drawSky, false},       {"Materials", drawMaterials, false},
+    {"Room", drawRoom, true},        {"Render", drawRender, false}, {"Picture", drawPicture, true},
+    {"Colours", drawColors, false},  {"Camera", drawCamera, false}, {"Views", drawViews, false},
+    {"Measure", drawMeasure, false}, {"Output", drawOutput, false}, {"About", drawAbout, false},
 };
 
 float panelWidth() { return std::min(kPanelWidth * uiScale(), kMaxWindowShare * ImGui::GetIO().DisplaySize.x); }
@@ -71,6 +71,7 @@ void drawUi(Workspace& w) {
     const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? panelWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
     if (w.show_hud) drawHud(w, area);
+    drawLegendBox(w, area);
     drawEmptyState(w, area);
     if (w.show_panel) drawPanel(w);
     drawJobAndNotices(w, area);

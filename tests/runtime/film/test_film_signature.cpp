@@ -51,6 +51,17 @@ TEST(FilmSignature, OfEverySettingIsTheTextThatItWas) {
               "reflectivity=0.10000000149011612");
 }
 
+TEST(FilmSignature, TellsColoursAfterAllThatWasThereBefore) {
+    RenderSettings settings;
+    settings.color_by = "gps_time";
+    settings.color_map = ColorMap::kTurbo;
+    settings.color_range = {{0.1, 3e9}};
+    settings.legend = true;
+    const std::string before = settingsPart({}, testCamera());
+    EXPECT_EQ(settingsPart(settings, testCamera()),
+              before + "; color_by=gps_time; color_map=turbo; color_range=0.1,3e+09");
+}
+
 std::uint32_t anotherValue(CountRange range, const std::optional<std::uint32_t>& value) {
     return value == range.low ? range.high : range.low;
 }
@@ -58,6 +69,8 @@ float anotherValue(RealRange range, const std::optional<float>& value) {
     return static_cast<float>(value == static_cast<float>(range.low) ? range.high : range.low);
 }
 PixelSize anotherValue(SizeRange range, const std::optional<PixelSize>&) { return {1, range.longest}; }
+std::string anotherValue(AttributeWord, const std::optional<std::string>&) { return "height"; }
+ValueRange anotherValue(RangeOfValues, const std::optional<ValueRange>&) { return {2, 3}; }
 template <typename Named>
 Named anotherValue(OneOf<Named> choices, const std::optional<Named>& value) {
     return value == choices.names[0].value ? choices.names[1].value : choices.names[0].value;

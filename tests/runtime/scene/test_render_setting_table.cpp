@@ -114,6 +114,8 @@ std::vector<std::string> extremes(RealRange range) { return {plainText(range.low
 std::vector<std::string> extremes(SizeRange range) {
     return {"1x" + std::to_string(range.longest), std::to_string(range.longest) + "x1"};
 }
+std::vector<std::string> extremes(AttributeWord) { return {"height", "größe \"a\"", "rgb16.2"}; }
+std::vector<std::string> extremes(RangeOfValues) { return {"-1,2.5", "1e-300,1e+300", "0.1,0.30000000000000004"}; }
 template <typename Named>
 std::vector<std::string> extremes(OneOf<Named> choices) {
     return limitWords(choices);
@@ -124,6 +126,8 @@ std::vector<std::string> beyond(CountRange range) {
 }
 std::vector<std::string> beyond(RealRange range) { return {plainText(range.low - 0.1), plainText(range.high + 0.1)}; }
 std::vector<std::string> beyond(SizeRange range) { return {"0x1", "1x" + std::to_string(range.longest + 1)}; }
+std::vector<std::string> beyond(AttributeWord) { return {""}; }
+std::vector<std::string> beyond(RangeOfValues) { return {"1,1", "2,1", "nan,1"}; }
 template <typename Named>
 std::vector<std::string> beyond(OneOf<Named>) {
     return {"nonsense", ""};
@@ -153,6 +157,8 @@ std::string inFile(const Limits&, const std::string& text) {
 std::string inFile(SizeRange, const std::string& text) {
     return "[" + text.substr(0, text.find('x')) + ", " + text.substr(text.find('x') + 1) + "]";
 }
+std::string inFile(AttributeWord, const std::string& text) { return "\"" + text + "\""; }
+std::string inFile(RangeOfValues, const std::string& text) { return "[" + text + "]"; }
 template <typename Named>
 std::string inFile(OneOf<Named>, const std::string& text) {
     return "\"" + text + "\"";

@@ -120,6 +120,38 @@ TEST_F(SceneFile, OverridesMaterials) {
     EXPECT_EQ(scene.materials[instance.overrides[1].material].name, "b");
 }
 
+TEST_F(SceneFile, OverridesByWhatScansSayOfPoints) {
+    const SceneDescription scene =
+        parse("[material.a]\n[[instance]]\nfile = 'statue.pro'\n"
+              "[[instance.override]]\nattribute = 'class'\nvalues = [6, -2.5]\nmaterial = 'a'\n"
+              "[[instance.override]]\nattribute = 'rgb16.1'\nrange = [1, 1e300]\nmaterial = 'a'\n");
+    const auto numbers = [&](std::size_t i) {
+        return std::get<MaterialOverride::Numbers>(scene.instances[0].overrides.at(i).splats);
+    };
+    EXPECT_EQ(numbers(0), (MaterialOverride::Numbers{"class", {{6, 6}, {-2.5, -2.5}}}));
+    EXPECT_EQ(numbers(1), (MaterialOverride::Numbers{"rgb16.1", {{1, 1e300}}}));
+}
+
+TEST_F(SceneFile, StandsOnAxesToo) {
+    EXPECT_FALSE(parseMore("up = 'auto'").up);
+    const SceneDescription plain = parseMore("up = [0, 0, 2]"),
+                           scene = parseMore("up = 'z'\n[camera]\nfov = 30\n[[view]]\nname = 'a'");
+    EXPECT_EQ(plain.up, (Vec3{0, 0, 1}));
+    EXPECT_EQ(scene.up, plain.up);
+    EXPECT_EQ(plain.camera.side, (Vec3{0, 0, 1})) << "as ever";
+    EXPECT_EQ(scene.camera.side, (Vec3{0, -1, 0})) << "its front";
+    EXPECT_EQ(scene.views[0].camera.side, (Vec3{0, -1, 0}));
+}
+
+TEST_F(SceneFile, ColoursByAttributes) {
+    const RenderChoices said =
+        parseMore("[render]\ncolor_by = 'class'\ncolor_map = 'turbo'\ncolor_range = [-1, 2.5]\nlegend = true").render;
+    EXPECT_EQ(said.color_by, "class");
+    EXPECT_EQ(said.color_map, ColorMap::kTurbo);
+    EXPECT_EQ(said.color_range, (ValueRange{-1, 2.5}));
+    EXPECT_EQ(said.legend, true);
+}
+
 TEST_F(SceneFile, ReadsMaterials) {
     const SceneDescription scene =
         parseMore("[material.m]\ncolor = [0.1, 0.2, 0.3]\nmirror_share = 0.4\nspecular = 0.5\nshininess = 60\nemission "
@@ -289,10 +321,14 @@ TEST_F(SceneFile, PutsTheSunWhereItIs) {
     const std::string when = "[[light]]\ntype = 'sun'\ntime = 2003-10-17T12:30:30-07:00\n" + place;
     // NREL/TP-560-34302, table A5.1: 39.87 over the horizon, 0.02 more as seen, azimuth 194.34
     const Vec3 expected = sunDirection({39.89, 194.34}, {0, 1, 0}, {0, 0, -1});
-    const auto sun = std::get<SunLight>(parseMore(when).lights[0]);
+    const auto sun = std::get<SunLight>(parseMore("up = [0, 1, 0]\n" + when).lights[0]);
     EXPECT_NEAR(length(sun.towards - expected), 0, 0.001);
     EXPECT_EQ(sun.radius_deg, 0.2665);
     expectColor(sun.irradiance, 2, 2, 2);
+    const SceneDescription waiting = parseMore("[[light]]\ntype='point'\nposition=[0,0,0]\nintensity=1\n" + when);
+    ASSERT_EQ(waiting.suns.size(), 1u) << "the scan may know what is up";
+    EXPECT_EQ(waiting.suns[0].light, 1u);
+    EXPECT_NEAR(waiting.suns[0].position.azimuth_deg, 194.34, 0.01);
     const auto standing = std::get<SunLight>(parseMore("up = [0, 0, 1]\n" + when + "north = [1, 0, 5]").lights[0]);
     EXPECT_NEAR(length(standing.towards - sunDirection({39.89, 194.34}, {0, 0, 1}, {1, 0, 0})), 0, 0.001);
     const auto plain = std::get<SunLight>(

@@ -23,9 +23,11 @@ TEST_F(SceneFile, RefusesUnknownKeysByTheNearestOne) {
     EXPECT_EQ(refusal("[material.a]\nkind = 'metal'\nindex = 2"),
               "scene.toml:3: key \"material.a.index\": unknown key \"index\"; a material of kind \"metal\" has kind, "
               "color, splat_color, emission, roughness");
-    EXPECT_EQ(refusal("[render]\nroom = 'none'"),
-              "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size, "
-              "seed, denoise, exposure, lights, shadows, caustics, blend, reflectivity");
+    EXPECT_EQ(
+        refusal("[render]\nroom = 'none'"),
+        "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size, "
+        "seed, denoise, exposure, lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, "
+        "legend");
     EXPECT_EQ(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
               "scene.toml:4: key \"instance[0].material\": there is no [material.godl], did you mean \"gold\"?");
 }
@@ -126,13 +128,34 @@ TEST_F(SceneFile, RefusesMaterialsThatMakeNoSense) {
         "none");
     const std::string instance =
         "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
-    EXPECT_EQ(refusal(instance), "scene.toml:4: key \"instance[0].override[0]\": \"row\" or \"colors\" is missing");
+    EXPECT_EQ(refusal(instance),
+              "scene.toml:4: key \"instance[0].override[0]\": \"row\", \"colors\" or \"attribute\" is missing");
     EXPECT_EQ(refusal(instance + "row = 1\ncolors = []"),
               "scene.toml:7: key \"instance[0].override[0].colors\": excludes \"row\"");
     EXPECT_EQ(
         refusal(instance + "colors = ['#000001', '#ffff00']"),
         "scene.toml:6: key \"instance[0].override[0].colors\": no colour is in it: the first must not be above the "
         "second in red, green or blue");
+}
+
+TEST_F(SceneFile, RefusesNumbersThatMakeNoSense) {
+    const std::string over = "[material.a]\n[[instance]]\nfile = 'statue.pro'\n[[instance.override]]\nmaterial = 'a'\n";
+    const std::string place = "scene.toml:6: key \"instance[0].override[0].", by_class = over + "attribute = 'class'\n";
+    EXPECT_EQ(refusal(over + "values = [1]"), place + "values\": says nothing without \"attribute\"");
+    EXPECT_EQ(refusal(over + "row = 1\nattribute = 'class'"), place + "row\": excludes \"attribute\"");
+    EXPECT_EQ(refusal(by_class), "scene.toml:4: key \"instance[0].override[0]\": \"values\" or \"range\" is missing");
+    const std::string next = "scene.toml:7: key \"instance[0].override[0].";
+    EXPECT_EQ(refusal(by_class + "values = []"), next + "values\": must be a list of numbers");
+    EXPECT_EQ(refusal(by_class + "values = ['a']"), next + "values[0]\": must be a number");
+    EXPECT_EQ(refusal(by_class + "range = [2, 2]"), next + "range\": must be two numbers, the lower first");
+    EXPECT_EQ(refusal(by_class + "range = [1, 2, 3]"), next + "range\": must be a list of 2 numbers");
+    EXPECT_EQ(refusal("up = 'Z'"),
+              "scene.toml:1: key \"up\": \"Z\" is no direction such as [0, 0, 1], and none of auto, x, "
+              "y, z, -x, -y, -z");
+    EXPECT_EQ(
+        refusal("[render]\ncolor_map = 'jet'"),
+        "scene.toml:2: key \"render.color_map\": \"jet\" is none of viridis, magma, inferno, plasma, cividis, turbo, "
+        "grey, classes, scans");
 }
 
 TEST_F(SceneFile, RefusesLightsThatMakeNoSense) {
@@ -156,8 +179,8 @@ TEST_F(SceneFile, RefusesLightsThatMakeNoSense) {
     // Midnight on the equator at the solstice: 90 less the ecliptic's 23.44 degrees.
     EXPECT_EQ(refusal(zero + "time = 2024-06-21T00:00:00Z"),
               "scene.toml:6: key \"light[0].time\": the sun is 66.6 degrees below the horizon at that time and place");
-    EXPECT_EQ(refusal(zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
-              "scene.toml:7: key \"light[0].north\": must not be along the scene's \"up\"");
+    EXPECT_EQ(refusal("up = [0, 1, 0]\n" + zero + "time = 2024-03-20T12:00:00Z\nnorth = [0, 1, 0]"),
+              "scene.toml:8: key \"light[0].north\": must not be along the scene's \"up\"");
 }
 
 TEST_F(SceneFile, RefusesMissingFiles) {

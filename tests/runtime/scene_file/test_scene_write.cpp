@@ -85,6 +85,11 @@ private:
         maybe(said.reflectivity, single(1));
         maybe(said.exposure, single(40) - 20);
         maybe(said.denoise, DenoiseChoice{static_cast<int>(below(3))});
+        maybe(said.color_by, std::string(chance() ? "height" : "gr\xc3\xb6\xc3\x9f\" e"));
+        maybe(said.color_map, ColorMap{static_cast<int>(below(9))});
+        const double low = point().x;
+        maybe(said.color_range, ValueRange{low, low + 1e6});
+        maybe(said.legend, chance());
     }
 
     MaterialDescription material(const std::string& name) {
@@ -123,6 +128,17 @@ private:
         return {x, y, z};
     }
 
+    MaterialOverride::Numbers numbers() {
+        MaterialOverride::Numbers numbers{chance() ? "class" : "a \"name\"", {}};
+        const double at = point().x;
+        if (chance()) return {numbers.attribute, {{at, at + length()}}};
+        for (std::uint32_t n = below(3); n < 3; ++n) {
+            const double value = point().y;
+            numbers.ranges.push_back({value, value});
+        }
+        return numbers;
+    }
+
     InstanceDescription instance() {
         InstanceDescription instance{folder_ + (chance() ? "/statue.pro" : "/dragon.pro"), {}, {}, {}};
         if (chance()) instance.placement = {rotation(), length(), point()};
@@ -131,6 +147,8 @@ private:
         for (std::uint32_t o = below(4); o > 0; --o)
             if (chance())
                 instance.overrides.push_back({MaterialOverride::Row{below(256)}, below(named_), ""});
+            else if (chance())
+                instance.overrides.push_back({numbers(), below(named_), ""});
             else
                 instance.overrides.push_back(
                     {MaterialOverride::ColorRange{{byte(), byte(), byte()}, {200, 255, 128}}, below(named_), ""});

@@ -137,6 +137,34 @@ TEST(Options, TakesNegativeCoordinates) {
     EXPECT_EQ(options.camera.up->z, 1);
 }
 
+TEST(Options, TakesAnAxisForUp) {
+    const Options axis = parse({"a.pro", "-o", "a.png", "--up", "-z"});
+    EXPECT_EQ(axis.up_axis, (Vec3{0, 0, -1}));
+    EXPECT_EQ(axis.camera.up, axis.up_axis);
+    EXPECT_EQ(axis.camera.side, (Vec3{0, -1, 0}));
+    const Options vector = parse({"a.pro", "-o", "a.png", "--up", "z", "--up", "0,0,1"});
+    EXPECT_FALSE(vector.up_axis);
+    EXPECT_EQ(vector.camera.up, (Vec3{0, 0, 1}));
+    EXPECT_EQ(vector.camera.side, (Vec3{0, 0, 1}));
+    EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--up", "z", "--up", "auto"}).camera, CameraRequest{});
+    EXPECT_EQ(refusal({"--up", "upwards"}),
+              "--up: \"upwards\" is none of auto, x, y, z, -x, -y, -z, and not X,Y,Z with three finite numbers");
+}
+
+TEST(Options, TakesColours) {
+    const Options options = parse({"a.pro", "-o", "a.png", "--color-by", "gps_time", "--color-map", "magma",
+                                   "--color-range", "-1,2", "--legend", "on"});
+    EXPECT_EQ(options.choices.color_by, "gps_time");
+    EXPECT_EQ(options.choices.color_map, ColorMap::kMagma);
+    EXPECT_EQ(options.choices.color_range, (ValueRange{-1, 2}));
+    EXPECT_EQ(options.choices.legend, true);
+    EXPECT_EQ(refusal({"--color-range", "3,2"}),
+              "--color-range: \"3,2\" is not LO,HI with two finite numbers, the lower first");
+    EXPECT_EQ(refusal({"--color-by", "a\nb"}),
+              "--color-by: \"a\\nb\" is no word for what to colour by, as height or intensity");
+    EXPECT_EQ(refusal({"-o", "a.exr", "--legend", "on"}), "--legend: goes with -o FILE.png");
+}
+
 TEST(Options, TakesTheLastOfARepeatedOption) {
     EXPECT_EQ(parse({"a.pro", "-o", "a.png", "--spp", "2", "--spp", "8"}).choices.spp, 8u);
 }

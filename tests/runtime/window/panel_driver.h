@@ -56,8 +56,8 @@ public:
     }
     void openAll(Workspace& w) {
         frame(w);
-        for (const char* name : {"Light", "Sky", "Materials", "Room", "Render", "Picture", "Camera", "Views", "Measure",
-                                 "Output", "About"})
+        for (const char* name : {"Light", "Sky", "Materials", "Room", "Render", "Picture", "Colours", "Camera", "Views",
+                                 "Measure", "Output", "About"})
             open(name);
     }
 

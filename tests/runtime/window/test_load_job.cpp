@@ -10,7 +10,7 @@
 #include "runtime/scene/camera.h"
 #include "runtime/window/edit/rework.h"
 #include "runtime/window/live/viewport_renderer.h"
-#include "tests/format/tiny_scene.h"
+#include "tests/format/tiny_attributes.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/validated_device.h"
 
@@ -188,6 +188,59 @@ TEST_F(LoadJobTest, AsManyLightsAsTheUserLikes) {
     }
     const auto fewer = loadText(kScan + lamp("[14, 22, 35]"));
     EXPECT_EQ(change(*fewer), picture(*fewer));
+}
+
+/// The tiny scan with all that it says, its up along Z.
+constexpr const char* kSaid = "[[instance]]\nfile = 'said.pro'\n";
+
+void writeSaid(const std::string& path) {
+    test::Scene tiny = test::tinyScene();
+    const test::Said said;
+    const pro_view view = tiny.view();
+    const pro_content content{&tiny.info,
+                              &view,
+                              nullptr,
+                              &said.world,
+                              said.attributes.data(),
+                              static_cast<std::uint32_t>(said.attributes.size())};
+    EXPECT_EQ(pro_write_content(path.c_str(), &content, 1, nullptr), PRO_OK);
+}
+
+TEST_F(LoadJobTest, OtherColoursTakeAJob) {
+    writeSaid(folder.file("said.pro"));
+    const std::string plain = kSaid + lamp("[10, 24, 36]");
+    const auto loaded = loadText(plain);
+    const std::vector<float> before = picture(*loaded);
+    const std::uint64_t bytes = loaded->scene.device_bytes;
+    const auto classes = loadText("[render]\ncolor_by = 'class'\n" + plain);
+    const auto intensity = loadText("[render]\ncolor_by = 'intensity'\n" + plain);
+    EXPECT_NE(picture(*classes), before);
+    EXPECT_NE(picture(*intensity), picture(*classes));
+    for (const LoadedScene* like : {classes.get(), intensity.get()}) {
+        EXPECT_FALSE(furnishNow(*loaded, like->scene.description, like->settings));
+        relight(*loaded, *like);
+        EXPECT_EQ(picture(*loaded), picture(const_cast<LoadedScene&>(*like)));
+        EXPECT_TRUE(loaded->scene.paint.legend);
+        EXPECT_EQ(loaded->scene.device_bytes, bytes + 5 * 16);
+    }
+    const auto again = loadText(plain);
+    relight(*loaded, *again);
+    EXPECT_EQ(picture(*loaded), before);
+    EXPECT_EQ(loaded->scene.device_bytes, bytes);
+    EXPECT_FALSE(loaded->scene.paint.legend);
+}
+
+TEST_F(LoadJobTest, ScansThatKnowStandUpright) {
+    writeSaid(folder.file("said.pro"));
+    const auto alone = load(folder.file("said.pro"));
+    EXPECT_EQ(alone->scene.description.up, (Vec3{0, 0, 1}));
+    EXPECT_EQ(alone->described.up, (Vec3{0, 0, 1}));
+    EXPECT_LT(length(alone->camera.forward - Vec3{0, 1, 0}), 1e-12);
+    const auto turned = loadText("[[instance]]\nfile = 'tiny.pro'\n[[instance]]\nfile = 'said.pro'\n"
+                                 "rotate = { axis = [1, 0, 0], degrees = -90 }\n");
+    EXPECT_LT(length(turned->scene.description.up.value() - Vec3{0, 1, 0}), 1e-12) << "as it stands there";
+    EXPECT_FALSE(load(folder.file("tiny.pro"))->scene.description.up);
+    EXPECT_EQ(loadText(kScan)->scene.description.up, (Vec3{0, 1, 0}));
 }
 
 TEST_F(LoadJobTest, OtherProgramsTakeAJob) {

@@ -47,6 +47,9 @@ Workspace busyScan() {
     w.job = JobFigures{"Baking bust.ply", "normals", 0.3, 75.0, true};
     w.notices = {{"saved", false, 10}, {"broken", true, 0.1}, {"gone", false, -5}};
     w.scene.views = {{"front", {}}, {"front", {}}, {"", {}}};
+    w.color_words = {"rgb", "height", "classification"};
+    w.settings.color_by = "height";
+    w.legend = barLegend("height", ColorMap::kViridis, {0, 10});
     return w;
 }
 
@@ -207,6 +210,53 @@ TEST(Panels, PutTheSunWhereItStood) {
     sun.elevation_deg += refraction(sun.elevation_deg);
     const Vec3 expected = sunDirection(sun, {0, 1, 0}, {0, 0, -1});
     EXPECT_LT(length(std::get<SunLight>(w.scene.lights[0]).towards - expected), 1e-6);
+}
+
+TEST(Panels, ColourByWhatThereIs) {
+    Workspace w = litScan();
+    w.color_words = {"rgb", "height", "classification"};
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Colours", "Colour by", "##value"}));
+    driver.click(w);
+    ASSERT_TRUE(driver.find(w, "##Combo_00", {"classification"}));
+    EXPECT_TRUE(driver.click(w).settings_changed);
+    EXPECT_EQ(w.settings.color_by, "classification");
+    EXPECT_FALSE(driver.find(w, "Panel", {"Colours", "From", "##value"})) << "classes have no range";
+}
+
+TEST(Panels, DragTheRangeOfColours) {
+    Workspace w = busyScan();
+    w.show_cheat_sheet = false;
+    PanelDriver driver;
+    driver.openAll(w);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Colours", "To", "##value"}));
+    driver.press(w);
+    const Requests moved = driver.move(w, 20);
+    EXPECT_TRUE(moved.settings_changed && moved.dragging);
+    ASSERT_TRUE(w.settings.color_range);
+    EXPECT_EQ(w.settings.color_range->low, 0);
+    EXPECT_GT(w.settings.color_range->high, 10);
+    EXPECT_TRUE(driver.release(w).settings_changed);
+    ASSERT_TRUE(driver.find(w, "Panel", {"Colours", "Range of the numbers"}));
+    driver.click(w);
+    EXPECT_FALSE(w.settings.color_range);
+}
+
+TEST(Panels, ShowALegendOfColoursThatAreThere) {
+    Workspace w = litScan();
+    w.legend = listLegend("classification", ColorMap::kClasses, std::vector<double>{2, 6});
+    PanelDriver driver(1280, 720);
+    const auto shown = [&] {
+        driver.frame(w);
+        const ImGuiWindow* box = ImGui::FindWindowByName("Legend");
+        return box && box->Active;
+    };
+    EXPECT_FALSE(shown()) << "their own colours";
+    w.settings.color_by = "classification";
+    EXPECT_TRUE(shown());
+    w.settings.legend = false;
+    EXPECT_FALSE(shown());
 }
 
 TEST(Panels, CancelTheJob) {

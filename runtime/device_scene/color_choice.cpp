@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/color_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "format/base/error.h"
+#include "format/base/near_name.h"
+#include "format/base/printable.h"
+
+namespace pointrt {
+namespace {
+
+/// Of which a range without the extremes is found; percentiles of so many are within a tenth of a percent.
+constexpr std::size_t kSampled = std::size_t{1} << 18;
+/// Share of the numbers that each end of that range leaves out.
+constexpr double kExtremes = 0.01;
+/// Whole numbers of so few values are all shown.
+constexpr double kSmallWhole = 255;
+
+using ScanNumbers = std::vector<std::optional<SplatNumbers>>;
+
+/// visit(number) for numbers of every step-th block of splats.
+template <typename Visit>
+void visitNumbers(const PlacedScan& scan, const SplatNumbers& source, std::size_t step, const Visit& visit) {
+    constexpr std::size_t kBlock = 64; // of neighbours, who are alike: few of them, many blocks
+    double numbers[kBlock];
+    const std::size_t count = scan.file->info.splat_count;
+    for (std::size_t first = 0; first < count; first += kBlock * step) {
+        const auto block = std::span(numbers).first(std::min(kBlock, count - first));
+        readNumbers(source, first, block);
+        for (const double number : block)
+            if (std::isfinite(number)) visit(number);
+    }
+}
+
+std::size_t stepThrough(const std::vector<PlacedScan>& scans) {
+    std::size_t count = 0;
+    for (const PlacedScan& scan : scans) count += scan.file->info.splat_count;
+    return std::max<std::size_t>(1, count / kSampled);
+}
+
+ValueRange rangeWithoutExtremes(const std::vector<PlacedScan>& scans, const ScanNumbers& sources) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < scans.size(); ++i)
+        if (sources[i])
+            visitNumbers(scans[i], *sources[i], stepThrough(scans), [&](double number) { numbers.push_back(number); });
+    if (numbers.empty()) return {};
+    const auto at = [&](double share) {
+        const auto place =
+            numbers.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(numbers.size() - 1));
+        std::nth_element(numbers.begin(), place, numbers.end());
+        return *place;
+    };
+    const ValueRange inner{at(kExtremes), at(1 - kExtremes)};
+    if (inner.low < inner.high) return inner;
+    const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+    return {*low, *high};
+}
+
+/// All that there is of whole numbers, where that is little.
+std::optional<ValueRange> smallWholeRange(const ScanNumbers& sources) {
+    std::optional<ValueRange> all;
+    for (const std::optional<SplatNumbers>& source : sources) {
+        if (!source) continue;
+        const pro_attribute& attribute = source->attribute;
+        if (!attribute.values || attribute.type == PRO_TYPE_F32 || attribute.type == PRO_TYPE_F64) return std::nullopt;
+        if (attribute.components > 1) return std::nullopt; // low and high are of all of them
+        if (!all) all = {attribute.low, attribute.high};
+        all = {std::min(all->low, attribute.low), std::max(all->high, attribute.high)};
+    }
+    return all && all->high - all->low <= kSmallWhole ? all : std::nullopt;
+}
+
+/// So few have a tick each.
+constexpr double kFewWhole = 6;
+
+std::vector<LegendTick> wholeTicks(ValueRange range) {
+    std::vector<LegendTick> ticks;
+    const double width = range.high - range.low;
+    for (double number = std::ceil(range.low); number <= range.high; ++number)
+        ticks.push_back({width > 0 ? (number - range.low) / width : 0.5, std::to_string(std::lround(number))});
+    return ticks;
+}
+
+/// The whole numbers that a categorical map gives colours to.
+std::vector<double> categoriesOf(const std::vector<PlacedScan>& scans, const ScanNumbers& sources) {
+    constexpr std::size_t kMost = 4096; // numbers of other things are no categories
+    std::set<double> found;
+    double last = std::nan("");
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        if (!sources[i]) continue;
+        visitNumbers(scans[i], *sources[i], 1, [&](double number) {
+            if (number == last || found.size() == kMost) return;
+            last = number;
+            if (std::round(number) >= 0) found.insert(std::round(number));
+        });
+    }
+    return {found.begin(), found.end()};
+}
+
+ColorMap mapFor(const PaintRequest& request) {
+    if (request.color_map) return *request.color_map;
+    const std::string name = attributeWord(request.color_by);
+    return name == "classification" ? ColorMap::kClasses : name == "scan" ? ColorMap::kScans : ColorMap::kViridis;
+}
+
+/// " (m)" of heights in units that are known.
+std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
+    if (request.color_by != kHeight || scans.empty() || scans[0].instance->placement.scale != 1) return "";
+    pro_world world;
+    pro_get_world(scans[0].file->file, &world);
+    const auto is = [&](double metres) { return std::abs(world.metres_per_unit - metres) < 1e-9; };
+    if (is(1)) return " (m)";
+    if (is(0.3048)) return " (ft)";
+    return is(1200.0 / 3937) ? " (US ft)" : ""; // the survey foot
+}
+
+ScanNumbers findNumbers(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
+    ScanNumbers sources;
+    bool any = scans.empty();
+    for (const PlacedScan& scan : scans) {
+        sources.push_back(request.color_by == kHeight
+                              ? heightNumbers(scan.file->file, scan.instance->placement, request.up)
+                              : attributeNumbers(scan.file->file, request.color_by));
+        any |= sources.back().has_value();
+    }
+    if (!any)
+        throw Error{ExitCode::kBadUsage,
+                    "--color-by: " + lackText(scans, request.color_by, {kOwnColors, kHeight, kNormal})};
+    return sources;
+}
+
+ColorChoice normalColors(const std::vector<PlacedScan>& scans) {
+    ColorChoice choice;
+    for (const PlacedScan& scan : scans) choice.colors.emplace_back(NormalColors{scan.instance->placement.rotation});
+    return choice;
+}
+
+/// "a.pro", or "the scans" of several.
+std::string namesOf(const std::vector<PlacedScan>& scans) {
+    const auto is_first = [&](const PlacedScan& scan) { return scan.file == scans[0].file; };
+    return std::all_of(scans.begin(), scans.end(), is_first) ? scans[0].file->path + " has" : "the scans have";
+}
+
+std::vector<std::string> wordsOf(const std::vector<PlacedScan>& scans, std::vector<std::string> words) {
+    for (const PlacedScan& scan : scans)
+        for (const std::string& word : numberWords(scan.file->file))
+            if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    return words;
+}
+
+} // namespace
+
+std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
+                     const std::vector<std::string>& besides) {
+    const std::vector<std::string> words = wordsOf(scans, besides);
+    const std::vector<std::string_view> names(words.begin(), words.end());
+    const std::string_view near = nearestName(word, names);
+    std::string text = namesOf(scans) + " no attribute \"" + printable(word) + "\"";
+    if (!near.empty()) text += ", did you mean \"" + printable(near) + "\"?";
+    std::string list;
+    for (const std::string& each : words) list += (list.empty() ? "" : ", ") + printable(each);
+    return text + (near.empty() ? "; there is " : " There is ") + list;
+}
+
+ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
+    if (request.color_by == kNormal) return normalColors(scans);
+    const ScanNumbers sources = findNumbers(scans, request);
+    const ColorMap map = mapFor(request);
+    const std::string title = attributeWord(request.color_by) + unitOf(scans, request);
+    ColorChoice choice;
+    ValueRange range;
+    if (isCategorical(map)) {
+        choice.legend = listLegend(title, map, categoriesOf(scans, sources));
+    } else {
+        const auto whole = smallWholeRange(sources);
+        range = request.color_range ? *request.color_range : whole ? *whole : rangeWithoutExtremes(scans, sources);
+        choice.legend = barLegend(title, map, range);
+        if (whole && range.high - range.low < kFewWhole) choice.legend->ticks = wholeTicks(range);
+    }
+    for (const std::optional<SplatNumbers>& source : sources)
+        choice.colors.emplace_back(NumberColors{source, ColorScale(map, range)});
+    return choice;
+}
+
+std::vector<std::string> colorWords(const std::vector<PlacedScan>& scans) {
+    return wordsOf(scans, {kOwnColors, kHeight, kNormal});
+}
+
+} // namespace pointrt

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a word for a colouring means in a scene: which numbers, which map, from where to where.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "runtime/coloring/legend.h"
+#include "runtime/device_scene/scene_paint.h"
+
+namespace pointrt {
+
+/// Words for what scans have without attributes: how high points lie, and where their surface looks.
+inline constexpr const char* kHeight = "height";
+inline constexpr const char* kNormal = "normal";
+
+struct ColorChoice {
+    std::vector<std::variant<std::monostate, NumberColors, NormalColors>> colors; ///< of each scan
+    std::optional<Legend> legend;
+};
+
+/// For a request that is not for the scans' own colours; one range for all of them. Throws as planPaint does.
+ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request);
+
+/// "NAMES have no "WORD", did you mean ...; there are ..." of attributes and the words besides.
+std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
+                     const std::vector<std::string>& besides);
+
+} // namespace pointrt

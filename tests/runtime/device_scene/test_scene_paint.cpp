@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Splats painted by what their scan says of them; no device is needed.
+#include "runtime/device_scene/scene_paint.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "format/base/error.h"
+#include "tests/support/temporary_folder.h"
+#include "tiny_attributes.h"
+
+namespace pointrt {
+namespace {
+
+constexpr Vec3 kZ{0, 0, 1};
+
+/// The tiny scene with all that it says, opened as the viewer opens files.
+class ScenePaintTest : public testing::Test {
+protected:
+    ScenePaintTest() {
+        scan.path = folder.file("tiny.pro");
+        test::Scene tiny = test::tinyScene();
+        EXPECT_EQ(test::Said().write(tiny, scan.path), PRO_OK);
+        EXPECT_EQ(pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, nullptr), PRO_OK);
+        pro_get_info(scan.file, &scan.info);
+        pro_get_view(scan.file, &scan.view);
+        scene.instances.push_back({scan.path, {}, {}, {}});
+    }
+    ~ScenePaintTest() override { pro_close(scan.file); }
+
+    std::vector<PlacedScan> scans() const {
+        std::vector<PlacedScan> placed;
+        for (const InstanceDescription& instance : scene.instances) placed.push_back({&scan, &instance});
+        return placed;
+    }
+    PaintPlan plan() const { return planPaint(scans(), paintRequest(scene, settings)); }
+
+    std::vector<std::uint32_t> painted() const {
+        std::vector<std::uint32_t> words(5 * PRO_SPLAT_WORDS);
+        paintSplats(plan().paints.at(0).value(), scan.view.splats, 0, words);
+        return words;
+    }
+    std::vector<Srgb8> colors() const {
+        std::vector<Srgb8> colors;
+        const std::vector<std::uint32_t> words = painted();
+        for (std::size_t i = 0; i < 5; ++i) {
+            const std::uint32_t word = words[4 * i + 3];
+            colors.push_back({static_cast<std::uint8_t>(word), static_cast<std::uint8_t>(word >> 8),
+                              static_cast<std::uint8_t>(word >> 16)});
+        }
+        return colors;
+    }
+    std::vector<int> rows() const {
+        std::vector<int> rows;
+        const std::vector<std::uint32_t> words = painted();
+        for (std::size_t i = 0; i < 5; ++i) rows.push_back(static_cast<int>(words[4 * i + 2] >> PRO_MATERIAL_SHIFT));
+        return rows;
+    }
+    /// Grey values of the splats.
+    std::vector<int> greys() const {
+        std::vector<int> greys;
+        for (const Srgb8 color : colors()) {
+            EXPECT_TRUE(color[0] == color[1] && color[1] == color[2]);
+            greys.push_back(color[0]);
+        }
+        return greys;
+    }
+    void colorBy(const std::string& word, std::optional<ColorMap> map = {}, std::optional<ValueRange> range = {}) {
+        settings.color_by = word;
+        settings.color_map = map;
+        settings.color_range = range;
+    }
+    void put(decltype(MaterialOverride::splats) splats, std::uint32_t material) {
+        scene.instances[0].overrides.push_back({std::move(splats), material, "scene.toml:9: "});
+    }
+    std::string refusal(ExitCode code) const {
+        try {
+            plan();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, code);
+            return error.what();
+        }
+        return "";
+    }
+
+    const test::TemporaryFolder folder;
+    DeviceScan scan;
+    SceneDescription scene;
+    RenderSettings settings;
+};
+
+using Ints = std::vector<int>;
+
+TEST_F(ScenePaintTest, IsNotAskedForByItself) {
+    EXPECT_FALSE(plan().paints.at(0));
+    EXPECT_FALSE(plan().legend);
+    put(MaterialOverride::Row{0}, 0);
+    put(MaterialOverride::ColorRange{{0, 0, 0}, {9, 9, 9}}, 0);
+    EXPECT_FALSE(plan().paints.at(0)) << "shaders do these";
+}
+
+TEST_F(ScenePaintTest, ColoursByAnAttributeAndNothingElseChanges) {
+    colorBy("intensity", ColorMap::kGrey, ValueRange{0, 100});
+    EXPECT_EQ(greys(), (Ints{0, 255, 17, 255, 30})); // 7 and 12 of 100 in 256 steps
+    const std::vector<std::uint32_t> words = painted();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::uint32_t kept = i % 4 == 3 ? ~PRO_COLOR_MASK : ~0u;
+        EXPECT_EQ(words[i] & kept, scan.view.splats[i] & kept) << i;
+    }
+}
+
+TEST_F(ScenePaintTest, PaintsPartsAlike) {
+    colorBy("classification");
+    const std::vector<std::uint32_t> whole = painted();
+    std::vector<std::uint32_t> part(2 * PRO_SPLAT_WORDS);
+    paintSplats(plan().paints.at(0).value(), scan.view.splats, 3, part);
+    EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.begin() + 3 * PRO_SPLAT_WORDS));
+}
+
+TEST_F(ScenePaintTest, ClassesHaveTheirColours) {
+    colorBy("class");
+    const ColorScale classes(ColorMap::kClasses, {});
+    EXPECT_EQ(colors(), (std::vector{classes(2), classes(2), classes(6), classes(5), classes(2)}));
+    const Legend legend = plan().legend.value();
+    ASSERT_EQ(legend.entries.size(), 3u);
+    EXPECT_EQ(legend.title, "classification");
+    EXPECT_EQ(legend.entries[1].text, "5 high vegetation");
+}
+
+TEST_F(ScenePaintTest, WhatHasNoNumberIsGrey) {
+    colorBy("gps_time", ColorMap::kMagma, ValueRange{0, 10});
+    EXPECT_EQ(colors()[1], kMissingColor);
+    EXPECT_NE(colors()[2], kMissingColor);
+}
+
+TEST_F(ScenePaintTest, ComponentsHaveNumbers) {
+    colorBy("rgb16.1", ColorMap::kGrey, ValueRange{2, 14});
+    EXPECT_EQ(greys(), (Ints{0, 64, 128, 192, 255}));
+    colorBy("größe in einer Einheit, 31 By", ColorMap::kGrey, ValueRange{0, 2});
+    EXPECT_EQ(greys(), (Ints{0, 0, 128, 255, 0}));
+}
+
+TEST_F(ScenePaintTest, HeightsAreThoseOfTheWorld) {
+    scene.up = kZ;
+    colorBy("height", ColorMap::kGrey, ValueRange{30, 32}); // z of the splats: 30 + 2 * 0.25, 0.1, 0.1, 0.45, 0.75
+    EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
+    EXPECT_EQ(plan().legend->title, "height (ft)");
+    scene.instances[0].placement.translation = {0, 0, 1};
+    EXPECT_EQ(greys(), (Ints{192, 153, 153, 243, 255}));
+    scene.instances[0].placement.translation = {};
+    scene.up = Vec3{1, 0, 0};
+    settings.color_range = {{10, 12}};
+    EXPECT_EQ(greys()[2], 204);                                                            // x = 10 + 2 * 0.8
+    scene.instances[0].placement.rotation = {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}; // its z becomes x
+    settings.color_range = {{30, 32}};
+    EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
+}
+
+TEST_F(ScenePaintTest, NormalsAreColours) {
+    colorBy("normal");
+    const std::vector<Srgb8> seen = colors();
+    const Srgb8 expected[2] = {{128, 128, 255}, {128, 0, 128}}; // of splats 0 and 2: z and -y
+    for (std::size_t i = 0; i < 2; ++i)                         // files have normals in steps
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(seen[2 * i][c], expected[i][c], 1) << i << " " << c;
+    EXPECT_FALSE(plan().legend);
+}
+
+TEST_F(ScenePaintTest, RangesFitTheNumbers) {
+    colorBy("classification", ColorMap::kGrey);
+    EXPECT_EQ(plan().legend->range, (ValueRange{2, 6})) << "all of small whole numbers";
+    ASSERT_EQ(plan().legend->ticks.size(), 5u);
+    EXPECT_EQ(plan().legend->ticks[1].text, "3");
+    colorBy("intensity");
+    EXPECT_EQ(plan().legend->range, (ValueRange{0, 300})) << "without the highest";
+    EXPECT_EQ(plan().legend->bar.size(), 256u);
+    settings.color_range = {{5, 6}};
+    EXPECT_EQ(plan().legend->range, (ValueRange{5, 6}));
+}
+
+TEST_F(ScenePaintTest, OverridesAreDecidedInOrder) {
+    using Numbers = MaterialOverride::Numbers;
+    scene.materials.resize(4);
+    put(Numbers{"class", {{2, 2}}}, 3); // splats 0, 1 and 4; file rows are 0 1 0 0 1
+    EXPECT_EQ(rows(), (Ints{2, 2, 0, 0, 2}));
+    put(Numbers{"intensity", {{7, 300}}}, 1); // 2, 3 and 4
+    EXPECT_EQ(rows(), (Ints{2, 2, 3, 3, 3}));
+    EXPECT_EQ(paintedMaterials(scene.instances[0], scan), (std::vector<std::uint32_t>{3, 1}));
+    put(Numbers{"gps_time", {{-4.5, -4.5}, {3, 3}}}, 3); // 2 and 3, and not the one that is no number
+    EXPECT_EQ(rows(), (Ints{2, 2, 2, 2, 3})) << "one row for each material";
+    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 1); // 2, which is blue
+    EXPECT_EQ(rows(), (Ints{2, 2, 3, 2, 3}));
+    put(MaterialOverride::Row{1}, 0); // 1 and 4
+    EXPECT_EQ(rows(), (Ints{2, 1, 3, 2, 1}));
+}
+
+TEST_F(ScenePaintTest, ColouredScansKeepTheirOverrides) {
+    scene.materials.resize(1);
+    put(MaterialOverride::ColorRange{{0, 0, 250}, {10, 10, 255}}, 0); // by the colours of the file
+    colorBy("intensity");
+    EXPECT_EQ(rows(), (Ints{0, 1, 2, 0, 1}));
+}
+
+TEST_F(ScenePaintTest, NamesWhatThereIs) {
+    colorBy("intensty");
+    EXPECT_EQ(
+        refusal(ExitCode::kBadUsage),
+        "--color-by: " + scan.path +
+            " has no attribute \"intensty\", did you mean \"intensity\"? There is rgb, height, normal, intensity, "
+            "classification, gps_time, rgb16.0, rgb16.1, rgb16.2, größe in einer Einheit, 31 By");
+    for (const char* word : {"rgb16", "rgb16.3", "rgb16.", ".0", "scan"}) {
+        colorBy(word);
+        EXPECT_NE(refusal(ExitCode::kBadUsage), "") << word;
+    }
+    colorBy(kOwnColors);
+    scene.materials.resize(1);
+    put(MaterialOverride::Numbers{"normal", {{0, 1}}}, 0);
+    EXPECT_TRUE(
+        refusal(ExitCode::kBadInput).starts_with("scene.toml:9: " + scan.path + " has no attribute \"normal\""));
+}
+
+TEST_F(ScenePaintTest, SplatsNameNoMoreThan256Materials) {
+    scene.materials.resize(255);
+    for (std::uint32_t m = 0; m < 254; ++m) put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, m);
+    EXPECT_EQ(refusal(ExitCode::kBadInput), "");
+    put(MaterialOverride::Numbers{"intensity", {{0, 0}}}, 254);
+    EXPECT_EQ(refusal(ExitCode::kBadInput),
+              "scene.toml:9: " + scan.path + " has more than 256 materials with those of overrides");
+}
+
+TEST_F(ScenePaintTest, RequestsTellWhatIsPaintedAnew) {
+    const PaintRequest plain = paintRequest(scene, settings);
+    settings.color_range = {{0, 1}};
+    settings.legend = true;
+    scene.up = kZ;
+    EXPECT_EQ(paintRequest(scene, settings), plain) << "nothing of it is seen";
+    settings.color_by = "intensity";
+    const PaintRequest intensity = paintRequest(scene, settings);
+    EXPECT_NE(intensity, plain);
+    scene.up = Vec3{0, 1, 0};
+    EXPECT_EQ(paintRequest(scene, settings), intensity) << "no height";
+    settings.color_by = "height";
+    const PaintRequest height = paintRequest(scene, settings);
+    scene.up = kZ;
+    EXPECT_NE(paintRequest(scene, settings), height);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which way is up where nobody says otherwise.
+#include "runtime/scene/upright.h"
+
+#include <gtest/gtest.h>
+
+#include "format/base/error.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/default_lighting.h"
+
+namespace pointrt {
+namespace {
+
+constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+
+void expectNear(Vec3 a, Vec3 b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+
+/// The camera that it comes to in a scene of this content, and the scene.
+struct Stood {
+    SceneDescription scene;
+    CameraRequest camera, staging;
+    Camera framed() const { return frameCamera(camera, {-1, -2, -3}, {1, 2, 3}, 1); }
+};
+
+Stood stand(SceneDescription scene, CameraRequest camera, const UprightRequest& request) {
+    Stood stood{std::move(scene), camera, camera};
+    standUpright(stood.scene, stood.camera, stood.staging, request);
+    return stood;
+}
+
+TEST(Upright, AxesHaveNames) {
+    EXPECT_EQ(axisNamed("z"), kZ);
+    EXPECT_EQ(axisNamed("-x"), -1.0 * kX);
+    for (const char* word : {"auto", "Z", "", "0,0,1"}) EXPECT_FALSE(axisNamed(word)) << word;
+    EXPECT_EQ(axisName({0, -1, 0}), "-y");
+    EXPECT_EQ(axisName({0, 0.5, 0.5}), "");
+}
+
+TEST(Upright, AScanThatSaysNothingIsAsItWas) {
+    for (const auto& fallback : {std::optional<Vec3>(), std::optional(kY)}) {
+        const Stood stood = stand({}, {}, {{}, fallback});
+        EXPECT_EQ(stood.scene.up, fallback);
+        EXPECT_EQ(stood.camera, CameraRequest{});
+        EXPECT_EQ(stood.framed(), frameCamera({}, {-1, -2, -3}, {1, 2, 3}, 1));
+        EXPECT_EQ(sceneUp(stood.scene, {}), kY);
+    }
+}
+
+TEST(Upright, AScanWithItsUpAlongZIsSeenFromItsFront) {
+    const Stood stood = stand({}, {}, {kZ, {}});
+    EXPECT_EQ(stood.scene.up, kZ);
+    EXPECT_EQ(stood.staging.up, kZ);
+    const Camera camera = stood.framed();
+    expectNear(camera.forward, kY);
+    expectNear(camera.up, kZ);
+    expectNear(camera.right, kX);
+}
+
+TEST(Upright, AScanWithItsUpAlongYIsSeenAsAnyOther) {
+    const Stood stood = stand({}, {}, {kY, {}});
+    EXPECT_EQ(stood.framed(), frameCamera({}, {-1, -2, -3}, {1, 2, 3}, 1));
+}
+
+TEST(Upright, WhatIsSaidCounts) {
+    SceneDescription said;
+    said.up = kX;
+    EXPECT_EQ(stand(said, {}, {kZ, kY}).scene.up, kX);
+    CameraRequest camera;
+    camera.up = Vec3{0, 0.1, 1};
+    const Stood alone = stand({}, camera, {kY, {}}); // a .pro with --up X,Y,Z
+    EXPECT_FALSE(alone.scene.up);
+    EXPECT_EQ(alone.camera, camera);
+    const Stood filed = stand({}, camera, {kX, kY}); // a scene file, whose camera may be tilted
+    EXPECT_EQ(filed.scene.up, kX);
+    EXPECT_EQ(filed.camera, camera);
+}
+
+TEST(Upright, ViewsWithoutAnUpStandAsTheSceneDoes) {
+    SceneDescription scene;
+    scene.views = {{"plain", {}}, {"tilted", {}}};
+    scene.views[1].camera.up = kX;
+    const Stood stood = stand(scene, {}, {kZ, kY});
+    EXPECT_EQ(stood.scene.views[0].camera.up, kZ);
+    expectNear(stood.scene.views[0].camera.side, {0, -1, 0});
+    EXPECT_EQ(stood.scene.views[1].camera, scene.views[1].camera);
+}
+
+TEST(Upright, TheSunFollows) {
+    SceneDescription scene;
+    scene.lights = {PointLight{}, SunLight{}};
+    scene.suns = {{1, {30, 90}, {}, "scene.toml:3: "}}; // in the east
+    const Stood by_z = stand(scene, {}, {kZ, kY});
+    const double half_root = std::sqrt(0.75);
+    expectNear(std::get<SunLight>(by_z.scene.lights[1]).towards, {half_root, 0, 0.5});
+    EXPECT_TRUE(by_z.scene.suns.empty());
+    expectNear(std::get<SunLight>(stand(scene, {}, {{}, kY}).scene.lights[1]).towards, {half_root, 0.5, 0});
+    scene.suns[0].north = kX;
+    expectNear(std::get<SunLight>(stand(scene, {}, {kZ, kY}).scene.lights[1]).towards, {0, -half_root, 0.5});
+    scene.suns[0].north = kZ;
+    try {
+        stand(scene, {}, {kZ, kY});
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "scene.toml:3: must not be along the scene's \"up\"");
+    }
+}
+
+TEST(Upright, FrontsAreLevel) {
+    expectNear(frontSide(kY), kZ);
+    expectNear(frontSide(2 * kX), kZ);
+    expectNear(frontSide(-3.0 * kZ), {0, -1, 0});
+    for (const Vec3 up : {Vec3{1, 2, 3}, Vec3{0, 1e-9, 1e-9}, Vec3{0, 1, 1e300}, Vec3{0.6, 0.64, 0.48}}) {
+        const Vec3 front = frontSide(up);
+        EXPECT_NEAR(length(front), 1, 1e-12);
+        EXPECT_NEAR(dot(front, up * (1 / std::max({std::abs(up.x), std::abs(up.y), std::abs(up.z)}))), 0, 1e-12);
+    }
+}
+
+} // namespace
+} // namespace pointrt
