@@ -18,12 +18,12 @@ def summary(array):
             "size": float(np.abs(finite).sum())}
 
 
-def with_extents(reader, positions, step, attributes):
+def with_extents(reader, positions, attributes):
     """positions: three columns of doubles, of which only whole finite rows count."""
     good = np.isfinite(positions).all(axis=1)
     positions = positions[good]
     extents = [(float(column.min()), float(column.max())) for column in positions.T] if len(positions) else []
-    return {"reader": reader, "points": int(good.sum()), "extents": extents, "step": step,
+    return {"reader": reader, "points": int(good.sum()), "extents": extents,
             "attributes": {name: summary(array[good]) for name, array in attributes.items()}}
 
 
@@ -34,7 +34,7 @@ def read_las(path):
     if "red" in las.point_format.dimension_names:
         attributes["rgb16"] = np.stack([np.asarray(las[name]) for name in ("red", "green", "blue")], axis=1)
     positions = np.stack([np.asarray(las.x), np.asarray(las.y), np.asarray(las.z)], axis=1)
-    return with_extents("laspy", positions, 0, attributes)
+    return with_extents("laspy", positions, attributes)
 
 
 E57_NAMES = {"intensity": "intensity", "rowIndex": "row", "columnIndex": "column", "returnIndex": "return_number",
@@ -57,6 +57,20 @@ def e57_positions(raw):
     return positions
 
 
+def e57_columns(file, scan):
+    """All columns of a scan as doubles. read_scan_raw of pye57 does not know all, and takes colours for bytes."""
+    from pye57 import libe57
+    points = file.get_header(scan).points
+    prototype = libe57.StructureNode(points.prototype())
+    names = [prototype.get(i).elementName() for i in range(prototype.childCount())]
+    arrays, buffers = {}, libe57.VectorSourceDestBuffer()
+    for name in names:
+        arrays[name] = np.empty(points.childCount(), np.float64)
+        buffers.append(libe57.SourceDestBuffer(file.image_file, name, arrays[name], len(arrays[name]), True, True))
+    points.reader(buffers).read()
+    return arrays
+
+
 def read_e57(path):
     import pye57
     file = pye57.E57(path)
@@ -65,17 +79,22 @@ def read_e57(path):
         header = file.get_header(scan)
         if header.point_count == 0:
             continue
-        raw = file.read_scan_raw(scan, ignore_unsupported_fields=True)
+        raw = e57_columns(file, scan)
         local = e57_positions(raw)
         if header.has_pose():
             local = local @ header.rotation_matrix.T + header.translation
         positions.append(local)
         for name, attribute in E57_NAMES.items():
             if name in raw:
-                attributes.setdefault(attribute, []).append(raw[name] + (name == "returnIndex"))
-    whole = {name: np.concatenate(parts) for name, parts in attributes.items()}
+                # returns are counted from 0, or from 1 where one is as large as their count, and from 1 by us
+                counts = raw.get("returnCount", np.full(1, np.inf))
+                from_0 = name == "returnIndex" and not ((counts > 0) & (raw[name] >= counts)).any()
+                attributes.setdefault(attribute, []).append(raw[name] + from_0)
     positions = np.concatenate(positions)
-    return with_extents("pye57", positions, 0, {name: array for name, array in whole.items() if len(array) == len(positions)})
+    whole = {name: np.concatenate(parts) for name, parts in attributes.items()}
+    # what only some scans have is 0 or NaN in the others
+    return with_extents("pye57", positions, {name: array for name, array in whole.items()
+                                             if len(array) == len(positions)})
 
 
 PLY_ROLES = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"}
@@ -100,9 +119,10 @@ def read_ply(path):
     attributes = {} if gaussians else {
         ply_name(name, KNOWN_NAMES): np.asarray(vertex[name]) for name in names
         if name not in PLY_ROLES and np.asarray(vertex[name]).dtype != object}
-    theirs = with_extents("plyfile", positions, 0, attributes)
+    theirs = with_extents("plyfile", positions, attributes)
     if gaussians:
         theirs["points"] = None  # those that are nearly transparent are left out
+    theirs["zero_normals"] = "nx" in names and not any(np.any(np.asarray(vertex[name])) for name in ("nx", "ny", "nz"))
     return theirs
 
 

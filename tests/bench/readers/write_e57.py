@@ -113,7 +113,7 @@ class Writer:
         self.most = np.maximum(self.most, positions[valid].max(axis=0))
 
     def write(self, points, values):
-        kinds = {"f": "d", "i": "l", "u": "l"}
+        kinds = {"f": "d", "i": "q", "u": "q"}  # "l", which is the same to numpy, is 32 bits to pye57
         values = {name: np.ascontiguousarray(array, dtype=kinds[array.dtype.kind]) for name, array in values.items()}
         count = len(next(iter(values.values())))
         size = min(count, CHUNK)
@@ -139,7 +139,7 @@ class Writer:
 
 def real(writer, array, precision):
     kind = libe57.E57_DOUBLE if precision == "double" else libe57.E57_SINGLE
-    return libe57.FloatNode(writer.file, 0.0, kind, float(array.min()), float(array.max())), array
+    return libe57.FloatNode(writer.file, float(array.min()), kind, float(array.min()), float(array.max())), array
 
 
 def whole(writer, array, most, least=0):

@@ -176,12 +176,13 @@ TEST_F(E57Test, SphericalCoordinatesAreTurnedAround) {
 
 TEST_F(E57Test, InvalidPointsAreLeftOutAndCounted) {
     const E57TestColumn state = e57Whole("cartesianInvalidState", 0, 2, {0, 1, 2, 0});
-    const Cloud cartesian = readScans({{at({1, 2, 3, 4}, {0, 0, 0, 0}, {0, 0, 0, 0}, {state})}});
+    const Cloud cartesian = readScans({{at({1, 2, 3, 4, 5}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0},
+                                           {e57Whole("cartesianInvalidState", 0, 2, {0, 1, 2, 0, 2})})}});
     expectWorld(cartesian, {{1, 0, 0}, {4, 0, 0}});
-    EXPECT_EQ(cartesian.points_read, 4u);
-    EXPECT_EQ(cartesian.points_non_finite, 2u);
+    EXPECT_EQ(cartesian.points_read, 5u);
+    EXPECT_EQ(cartesian.points_non_finite, 3u);
     ASSERT_EQ(cartesian.notes.size(), 1u);
-    EXPECT_HAS(cartesian.notes[0].text, "2 of its 4 points are marked invalid, 1 of them as directions alone");
+    EXPECT_HAS(cartesian.notes[0].text, "3 of its 5 points are marked invalid, 1 of them as directions alone");
     // where both kinds are there, the other one serves
     const Cloud both = readScans({{at(
         {1, 2, 3, 4}, {0, 0, 0, 0}, {0, 0, 0, 0},
@@ -231,7 +232,7 @@ TEST_F(E57Test, PointsWithoutColourAreGrey) {
 TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
     const std::vector<E57TestColumn> columns{
         e57Whole("intensity", 0, 4000, {7, 4000}),        e57Whole("isIntensityInvalid", 0, 1, {0, 0}),
-        e57Whole("returnIndex", 0, 255, {0, 255}),        e57Whole("returnCount", 1, 5, {1, 5}),
+        e57Whole("returnIndex", 0, 255, {0, 255}),        e57Whole("returnCount", 1, 300, {1, 300}),
         e57Doubles("timeStamp", {0.125, 1e-9}),           e57Whole("isTimeStampInvalid", 0, 1, {0, 1}),
         e57Whole("las:pointSourceId", 0, 65535, {1, 2}),  e57Floats("las:weather", {0.1f, 7}),
         e57Scaled("las:range", 0, 1000, 0.1, 0, {3, 30}), e57Scaled("las:halves", 0, 9, 0.5, 0, {3, 4})};
@@ -240,8 +241,8 @@ TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
     EXPECT_EQ(valuesOf(cloud, "intensity"), (std::vector<double>{7, 4000}));
     EXPECT_EQ(find(cloud, "return_number")->type, Scalar::kU16);
     EXPECT_EQ(valuesOf(cloud, "return_number"), (std::vector<double>{1, 256}));
-    EXPECT_EQ(find(cloud, "number_of_returns")->type, Scalar::kU8);
-    EXPECT_EQ(valuesOf(cloud, "number_of_returns"), (std::vector<double>{1, 5}));
+    EXPECT_EQ(find(cloud, "number_of_returns")->type, Scalar::kU16);
+    EXPECT_EQ(valuesOf(cloud, "number_of_returns"), (std::vector<double>{1, 300}));
     EXPECT_EQ(valuesOf(cloud, "time_stamp")[0], 0.125);
     EXPECT_TRUE(std::isnan(valuesOf(cloud, "time_stamp")[1]));
     EXPECT_EQ(valuesOf(cloud, "point_source_id"), (std::vector<double>{1, 2}));
@@ -251,6 +252,16 @@ TEST_F(E57Test, AttributesKeepTheirValuesAndTypes) {
     EXPECT_EQ(find(cloud, "halves")->type, Scalar::kF32);
     EXPECT_EQ(cloud.attributes.size(), 8u);
     EXPECT_HAS(cloud.notes.at(0).text, "1 of its intensities or times are marked invalid");
+}
+
+TEST_F(E57Test, ReturnsStartWithOneWhereTheFileSaysSoOrNot) {
+    const auto read_returns = [&](std::int64_t first, std::int64_t second) {
+        return valuesOf(
+            readScans({{two({e57Whole("returnIndex", 0, 9, {first, second}), e57Whole("returnCount", 0, 9, {1, 3})})}}),
+            "return_number");
+    };
+    EXPECT_EQ(read_returns(0, 2), (std::vector<double>{1, 3}));
+    EXPECT_EQ(read_returns(1, 2), (std::vector<double>{1, 2})); // 1 of 1, as LAS has it
 }
 
 TEST_F(E57Test, NormalsOfTheExtensionAreTurnedWithTheScan) {

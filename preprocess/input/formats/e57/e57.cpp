@@ -185,15 +185,51 @@ std::string titleOf(const E57File& file, std::size_t number) {
     return name.empty() ? fmt::format("scan {}", number + 1) : quoted(name);
 }
 
-void readScan(const Source& source, const E57File& file, std::size_t number, Sink& sink, Counts& counts) {
+/// Converters of LAS keep its numbers of returns, which start with 1: some are then as large as their count. It takes
+/// one reading of these two columns to know.
+bool countsReturnsFromOne(const E57File& file, std::size_t number) {
+    const std::vector<E57Column>& columns = file.scans[number].columns;
+    std::array<std::int64_t, kBatch> indices, counts;
+    std::vector<void*> wanted;
+    for (const E57Column& column : columns) {
+        const bool whole = column.kind == E57Kind::kWhole;
+        wanted.push_back(whole && column.name == kE57ReturnIndex   ? indices.data()
+                         : whole && column.name == kE57ReturnCount ? counts.data()
+                                                                   : nullptr);
+    }
+    if (std::count(wanted.begin(), wanted.end(), nullptr) + 2 != std::ssize(wanted)) return false;
+    E57Points points = e57Points(file, number);
+    while (const std::size_t count = readE57Points(points, kBatch, wanted.data()))
+        for (std::size_t i = 0; i < count; ++i)
+            if (counts[i] > 0 && indices[i] >= counts[i]) return true;
+    return false;
+}
+
+/// Arrays that grow scan by scan leave holes behind them, and are copied over and over.
+void makeRoomForAll(Sink& sink, std::size_t points) {
+    Cloud& cloud = sink.cloud;
+    cloud.positions.reserve(points);
+    if (sink.traits.normals) cloud.normals.reserve(points);
+    if (sink.traits.colors) cloud.colors.reserve(points);
+    if (sink.sensor) cloud.sensor_of_point.reserve(points);
+    for (const Columns::Column& column : sink.columns.wanted) {
+        Attribute& attribute = cloud.attributes[column.attribute];
+        attribute.values.reserve(points * attribute.bytesEach());
+    }
+}
+
+/// @param room of all points that the cloud will have after the file, 0 where that is not known
+void readScan(const Source& source, const E57File& file, std::size_t number, std::size_t room, Sink& sink,
+              Counts& counts) {
     const E57Scan& scan = file.scans[number];
     const std::string title = titleOf(file, number);
-    const E57Plan plan = naming(source, title, [&] { return planE57(scan); });
+    const E57Plan plan = naming(source, title, [&] { return planE57(scan, countsReturnsFromOne(file, number)); });
     const Pose pose = poseOf(source, scan, title);
     E57Points points = naming(source, title, [&] { return e57Points(file, number); });
     sink.world_from_scan = pose;
     beginScan(sink, source, plan.traits);
     if (isScannerFrame(scan, plan, pose)) sink.sensor = Vec3d::Zero();
+    makeRoomForAll(sink, room);
     Batch batch(scan, plan);
     Reader reader(batch, counts);
     const auto next = [&] { return readE57Points(points, kBatch, batch.columns.data()); };
@@ -209,14 +245,17 @@ void readScan(const Source& source, const E57File& file, std::size_t number, Sin
 }
 
 void readScans(const Source& source, const E57File& file, Sink& sink, Counts& counts) {
-    double all = 0, before = 0; // points
-    for (const E57Scan& scan : file.scans) all += static_cast<double>(scan.points);
+    std::uint64_t all = 0, before = 0; // points
+    for (const E57Scan& scan : file.scans) all += scan.points;
+    const std::size_t room = sink.filter.drops() ? 0 : sink.cloud.positions.size() + all;
+    const auto share_of = [&](std::uint64_t points) {
+        return static_cast<double>(points) / static_cast<double>(std::max<std::uint64_t>(all, 1));
+    };
     const auto progress = sink.progress;
     for (std::size_t i = 0; i < file.scans.size(); ++i) {
-        const auto points = static_cast<double>(file.scans[i].points);
-        if (progress) sink.progress = [&](double share) { progress((before + share * points) / std::max(all, 1.0)); };
-        readScan(source, file, i, sink, counts);
-        before += points;
+        const double first = share_of(before), last = share_of(before += file.scans[i].points);
+        if (progress) sink.progress = [&](double share) { progress(first + share * (last - first)); };
+        readScan(source, file, i, room, sink, counts);
     }
     sink.progress = progress;
 }

@@ -21,14 +21,12 @@ struct KnownName {
     bool loose = false;            ///< indices: their limits are those of the grid
 };
 
-constexpr std::string_view kReturnIndex = "returnIndex";
-
 constexpr KnownName kKnown[] = {
     {"intensity", "intensity", "isIntensityInvalid"},
     {"rowIndex", "row", "", true},
     {"columnIndex", "column", "", true},
-    {kReturnIndex, "return_number"},
-    {"returnCount", "number_of_returns"},
+    {kE57ReturnIndex, "return_number"},
+    {kE57ReturnCount, "number_of_returns"},
     {"timeStamp", "time_stamp", "isTimeStampInvalid"},
 };
 
@@ -144,17 +142,13 @@ bool hasNoLimits(const E57Column& column) {
            column.most == std::numeric_limits<std::int64_t>::max();
 }
 
-/// Returns are counted from 0 in E57 and from 1 in LAS, and in E57 files of some programs, which never have a 0.
-std::int64_t addedTo(const E57Column& column) {
-    return column.name == kReturnIndex && column.kind == E57Kind::kWhole && column.least <= 0 ? 1 : 0;
-}
-
-void addAttribute(E57Plan& plan, const E57Scan& scan, std::size_t number, const KnownName& known) {
+void addAttribute(E57Plan& plan, const E57Scan& scan, std::size_t number, const KnownName& known,
+                  bool returns_from_one) {
     const E57Column& column = scan.columns[number];
     const auto taken = [&](const ColumnTraits& each) { return each.name == known.attribute; };
     if (std::any_of(plan.traits.columns.begin(), plan.traits.columns.end(), taken))
         throw Error(ExitCode::kBadInput, fmt::format("has two columns '{}'", known.attribute));
-    const std::int64_t add = addedTo(column);
+    const std::int64_t add = column.name == kE57ReturnIndex && !returns_from_one ? 1 : 0;
     const Scalar type = typeFor(column, add);
     const bool loose = known.loose || hasNoLimits(column) || column.kind == E57Kind::kScaled;
     plan.traits.columns.push_back({std::string(known.attribute), type, 1, loose});
@@ -204,9 +198,9 @@ void planColors(E57Plan& plan, const E57Scan& scan) {
     plan.value_bytes += 3 * scalarSize(Scalar::kU16);
 }
 
-void planAttributes(E57Plan& plan, const E57Scan& scan) {
+void planAttributes(E57Plan& plan, const E57Scan& scan, bool returns_from_one) {
     for (const KnownName& known : kKnown)
-        if (const auto column = find(scan, known.column)) addAttribute(plan, scan, *column, known);
+        if (const auto column = find(scan, known.column)) addAttribute(plan, scan, *column, known, returns_from_one);
     for (std::size_t i = 0; i < scan.columns.size(); ++i) {
         const std::string& name = scan.columns[i].name;
         const auto is_known = [&](const KnownName& known) { return known.column == name; };
@@ -214,7 +208,7 @@ void planAttributes(E57Plan& plan, const E57Scan& scan) {
         if (is_normal || holds(kNoAttributes, name) || std::any_of(std::begin(kKnown), std::end(kKnown), is_known))
             continue;
         const std::string attribute = nameOfExtension(name);
-        addAttribute(plan, scan, i, {name, attribute});
+        addAttribute(plan, scan, i, {name, attribute}, returns_from_one);
     }
 }
 
@@ -245,7 +239,7 @@ void checkColumns(const E57Scan& scan) {
 
 } // namespace
 
-E57Plan planE57(const E57Scan& scan) {
+E57Plan planE57(const E57Scan& scan, bool returns_from_one) {
     checkColumns(scan);
     E57Plan plan;
     plan.traits.vertices = scan.points;
@@ -254,7 +248,7 @@ E57Plan planE57(const E57Scan& scan) {
     plan.normals = findThree(scan, findExtension, "normalX", "normalY", "normalZ");
     plan.traits.normals = plan.normals.has_value();
     planColors(plan, scan);
-    planAttributes(plan, scan);
+    planAttributes(plan, scan, returns_from_one);
     markWanted(plan, scan.columns.size());
     return plan;
 }

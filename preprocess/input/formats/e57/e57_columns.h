@@ -5,12 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "format/scanfile/e57.h"
 #include "preprocess/input/source/sink.h"
 
 namespace pointrt {
+
+/// Names of the standard. Returns are counted from 0.
+inline constexpr std::string_view kE57ReturnIndex = "returnIndex", kE57ReturnCount = "returnCount";
 
 /// Three columns that belong together, by their numbers.
 using E57Triple = std::array<std::size_t, 3>;
@@ -41,6 +45,7 @@ struct E57Plan {
 /// doubles, or less where that holds all of them. Colours of more than 8 bits, by their limits, are kept as rgb16,
 /// which is the share of 65535. Throws Error (kBadInput, a reason without the file's name) for a scan without
 /// coordinates and for two columns of one name.
-E57Plan planE57(const E57Scan& scan);
+/// @param returns_from_one the scan counts its returns as LAS does
+E57Plan planE57(const E57Scan& scan, bool returns_from_one);
 
 } // namespace pointrt
