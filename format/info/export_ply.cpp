@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
-#include <numeric>
 #include <vector>
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/info/input_order.h"
 
 namespace pointrt {
 
@@ -54,17 +54,6 @@ std::string header(const ProFile& file) {
     if (info.flags & PRO_FLAG_COLOR)
         for (const char* name : {"red", "green", "blue"}) text += std::string("property uchar ") + name + "\n";
     return text + attributeLines(file) + "end_header\n";
-}
-
-/// Splat numbers in the order of their input points.
-std::vector<std::uint32_t> inputOrder(const ProFile& file) {
-    std::vector<std::uint32_t> splats(file.info().splat_count);
-    std::iota(splats.begin(), splats.end(), 0u);
-    const auto order = file.order();
-    if (!order.empty())
-        std::sort(splats.begin(), splats.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return order[a] != order[b] ? order[a] < order[b] : a < b; });
-    return splats;
 }
 
 template <typename T>

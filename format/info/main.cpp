@@ -7,6 +7,7 @@
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "format/base/same_file.h"
+#include "format/info/export_las.h"
 #include "format/info/export_ply.h"
 #include "format/info/metadata.h"
 #include "format/info/print.h"
@@ -24,7 +25,8 @@ struct Options {
 constexpr const char* kExamples = "  pointrt-info scan.pro\n"
                                   "  pointrt-info scan.pro --verify && echo good\n"
                                   "  pointrt-info scan.pro --json | jq .splats\n"
-                                  "  pointrt-info scan.pro --export splats.ply\n";
+                                  "  pointrt-info scan.pro --export splats.ply\n"
+                                  "  pointrt-info scan.pro --export points.laz\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
@@ -34,12 +36,16 @@ void addOptions(CLI::App& app, Options& options) {
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
     app.add_option("--export", options.export_path,
-                   "Write the splats in input order as PLY; - is standard output; one that is there is kept without -f")
-        ->type_name("FILE.ply");
+                   "Write the splats in input order as PLY, LAS or LAZ, by its suffix; - is PLY to standard output; "
+                   "one that is "
+                   "there is kept without -f")
+        ->type_name("FILE");
     app.add_flag("-f,--force", options.force, "Let --export overwrite a file");
     app.add_flag("-q,--quiet", options.quiet, "No reports, only errors and what is asked for: --verify lists findings");
     addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
 }
+
+bool isLas(const std::string& path) { return path.ends_with(".las") || path.ends_with(".laz"); }
 
 void checkOptions(const Options& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
@@ -52,7 +58,8 @@ void checkOptions(const Options& options) {
     if (path == "-" && isatty(STDOUT_FILENO) == 1)
         usage("--export -: standard output is a terminal; let a file or a pipe take the splats");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
-    if (path != "-" && !path.ends_with(".ply")) usage(path + ": --export writes PLY, so its name must end in .ply");
+    if (path != "-" && !path.ends_with(".ply") && !isLas(path))
+        usage(path + ": --export writes PLY, LAS and LAZ, so its name must end in .ply, .las or .laz");
 }
 
 struct FindingList {
@@ -91,7 +98,10 @@ int verify(const Options& options) {
 
 int exportSplats(const Options& options) {
     const ProFile file(options.input);
-    exportPly(file, options.export_path, options.force);
+    if (isLas(options.export_path))
+        exportLas(file, options.export_path, options.force);
+    else
+        exportPly(file, options.export_path, options.force);
     return 0;
 }
 
@@ -120,7 +130,9 @@ int main(int argc, char** argv) {
         CLI::App app("Tells what is in a .pro file.", "pointrt-info");
         Options options;
         addOptions(app, options);
-        if (const auto done = parseCommandLine(app, argc, argv, {{".ply", "--export"}})) return *done;
+        if (const auto done =
+                parseCommandLine(app, argc, argv, {{".ply", "--export"}, {".las", "--export"}, {".laz", "--export"}}))
+            return *done;
         return runOptions(options);
     });
 }

@@ -181,6 +181,7 @@ void addExtraFields(LasFile& file, std::vector<LasField>& fields) {
         const std::size_t bytes = field.components * numberBytes(field.raw_type);
         if (bytes > end - at) break;
         settleName(field.name, fields);
+        field.descriptor = rest.substr(0, kDescriptorBytes);
         fields.push_back(field);
         at += bytes;
     }

@@ -22,6 +22,7 @@ struct LasField {
     std::uint32_t raw_type = 0; ///< in the record
     /// Of extra bytes with a scale: value = add + multiply * raw number, as a double.
     bool scaled = false;
+    std::string descriptor; ///< of described extra bytes, as in the file: 192 bytes
     double multiply[3] = {1, 1, 1}, add[3] = {0, 0, 0};
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <new>
 
 #include "format/scanfile/bytes.h"
 #include "format/scanfile/scanfile_abi.h"
@@ -96,6 +97,25 @@ bool takeTable(const LasFile& file, const Table& table, bool variable, LazLayout
     return left == 0;
 }
 
+bool append(void* text, const std::uint8_t* data, std::size_t bytes) {
+    try {
+        static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), bytes);
+        return true;
+    } catch (const std::bad_alloc&) { // must not go through Rust
+        return false;
+    }
+}
+
+/// What work writes by the function and the argument that it is given. Records of our own are never wrong: what fails
+/// is this machine.
+template <typename Work>
+std::string written(const Work& work) {
+    std::string text;
+    scan_error error{};
+    if (!work(append, &text, &error)) throw Error(ExitCode::kCannotRun, fmt::format("LAZ: {}", error.text));
+    return text;
+}
+
 } // namespace
 
 LazLayout lazLayout(const LasFile& file) {
@@ -159,6 +179,27 @@ void LazStream::read(char* records, std::size_t count) {
         count -= now;
         left_in_chunk_ -= now;
     }
+}
+
+std::string lazRecord(std::uint8_t point_format, std::uint16_t extra_bytes, std::uint32_t chunk_points) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_describe(point_format, extra_bytes, chunk_points, write, user, error);
+    });
+}
+
+std::string packChunk(std::string_view laz_record, std::string_view records) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_pack(bytesAt(laz_record), laz_record.size(), bytesAt(records), records.size(), write, user,
+                             error);
+    });
+}
+
+std::string packTable(std::string_view laz_record, const std::vector<std::uint64_t>& chunk_points,
+                      const std::vector<std::uint64_t>& chunk_bytes) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_pack_table(bytesAt(laz_record), laz_record.size(), chunk_points.data(), chunk_bytes.data(),
+                                   chunk_bytes.size(), write, user, error);
+    });
 }
 
 } // namespace pointrt

@@ -61,4 +61,12 @@ private:
     std::uint64_t left_in_chunk_ = 0;
 };
 
+/// Payload of the LASzip VLR of a file in chunks of so many points.
+std::string lazRecord(std::uint8_t point_format, std::uint16_t extra_bytes, std::uint32_t chunk_points);
+/// One chunk, from its points' records.
+std::string packChunk(std::string_view laz_record, std::string_view records);
+/// The table of all, from points and bytes of each.
+std::string packTable(std::string_view laz_record, const std::vector<std::uint64_t>& chunk_points,
+                      const std::vector<std::uint64_t>& chunk_bytes);
+
 } // namespace pointrt

@@ -51,9 +51,9 @@ bool scan_laz_describe(uint8_t point_format, uint16_t extra_bytes, uint32_t chun
 /* Packs one chunk. */
 bool scan_laz_pack(const uint8_t* vlr, size_t vlr_bytes, const uint8_t* records, size_t bytes, scan_write write,
                    void* user, scan_error* error);
-/* The chunk table, from the bytes of each chunk. */
-bool scan_laz_pack_table(const uint8_t* vlr, size_t vlr_bytes, const uint64_t* sizes, size_t chunks, scan_write write,
-                         void* user, scan_error* error);
+/* The chunk table, from points (written where they vary) and bytes of each chunk. */
+bool scan_laz_pack_table(const uint8_t* vlr, size_t vlr_bytes, const uint64_t* counts, const uint64_t* sizes,
+                         size_t chunks, scan_write write, void* user, scan_error* error);
 
 /* ---- E57 ---- */
 

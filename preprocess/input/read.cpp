@@ -91,6 +91,7 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     sink.level = options.level;
     readFiles(paths, options, progress, files, sink);
     narrowAttributes(cloud, sink.columns);
+    dropMinorAttributes(cloud, sink.columns);
     numberScans(cloud, sink.columns, sink.scans, options.attributes);
     requireOffered(sink.columns, options.attributes);
     checkSampling(options, sink);

@@ -240,6 +240,7 @@ pub unsafe extern "C" fn scan_laz_pack(
 pub unsafe extern "C" fn scan_laz_pack_table(
     vlr: *const u8,
     vlr_bytes: usize,
+    counts: *const u64,
     sizes: *const u64,
     chunks: usize,
     write: Write,
@@ -247,11 +248,11 @@ pub unsafe extern "C" fn scan_laz_pack_table(
     error: &mut ScanError,
 ) -> bool {
     let vlr = bytes_of(vlr, vlr_bytes);
-    let sizes: &[u64] = if chunks == 0 { &[] } else { slice::from_raw_parts(sizes, chunks) };
+    let entries = (0..chunks).map(|i| ChunkTableEntry { point_count: *counts.add(i), byte_count: *sizes.add(i) });
     guarded(error, || {
         let mut table = ChunkTable::with_capacity(chunks);
-        for &byte_count in sizes {
-            table.push(ChunkTableEntry { point_count: 0, byte_count });
+        for entry in entries {
+            table.push(entry);
         }
         let mut bytes = Vec::new();
         table.write_to(&mut bytes, &vlr_from(vlr)?).map_err(reason)?;

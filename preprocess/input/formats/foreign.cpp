@@ -25,10 +25,13 @@ struct Foreign {
 
 /// Scans and models in formats that are not read.
 constexpr Foreign kUnreadStarts[] = {
-    {"LASF", "is a LAS or LAZ scan", kConvertScan}, {"[Expe/PointSet", "is an Expe point set", kConvertScan},
-    {"\x89HDF", "is an HDF5 file", kConvertScan},   {"# vtk DataFile", "is a VTK file", kConvertMesh},
-    {"glTF", "is a glTF model", kConvertMesh},      {"Kaydara FBX", "is an FBX model", kConvertMesh},
-    {"BLENDER", "is a Blender file", kConvertMesh}, {"NGSP", "is an SPZ file of Gaussian splats", kConvertSplats},
+    {"[Expe/PointSet", "is an Expe point set", kConvertScan},
+    {"\x89HDF", "is an HDF5 file", kConvertScan},
+    {"# vtk DataFile", "is a VTK file", kConvertMesh},
+    {"glTF", "is a glTF model", kConvertMesh},
+    {"Kaydara FBX", "is an FBX model", kConvertMesh},
+    {"BLENDER", "is a Blender file", kConvertMesh},
+    {"NGSP", "is an SPZ file of Gaussian splats", kConvertSplats},
 };
 /// The same, of text or of bytes without a mark.
 constexpr Foreign kUnreadSuffixes[] = {

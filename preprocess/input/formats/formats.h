@@ -34,6 +34,7 @@ struct FormatReader {
 #define POINTRT_INPUT_FORMATS(FORMAT)                                                                                  \
     FORMAT(kPly, "ply", "PLY", "ply", kAny)                                                                            \
     FORMAT(kPcd, "pcd", "PCD", "pcd", kAny)                                                                            \
+    FORMAT(kLas, "las", "LAS/LAZ", "las laz", kAny)                                                                    \
     FORMAT(kE57, "e57", "E57", "e57", kAny)                                                                            \
     FORMAT(kXyz, "xyz", "XYZ/PTS/ASC/TXT/CSV", "xyz pts asc txt csv", kColumns)                                        \
     FORMAT(kObj, "obj", "OBJ", "obj", kText)                                                                           \

@@ -81,6 +81,46 @@ std::size_t attributeFor(Cloud& cloud, Columns& columns, const ColumnTraits& col
     return static_cast<std::size_t>(found - all.begin());
 }
 
+void forget(std::vector<std::string>& names, const std::string& name) {
+    names.erase(std::remove(names.begin(), names.end(), name), names.end());
+}
+
+/// A name stays minor as long as no column of it is anything else.
+void settleMinor(Columns& columns, const ColumnTraits& column, bool is_new, bool all_wanted) {
+    if (!column.minor || !all_wanted) return forget(columns.minor, column.name);
+    if (is_new) columns.minor.push_back(column.name);
+}
+
+/// Appends the numbers of vertices kept, each of kSize bytes.
+template <std::size_t kSize>
+void gather(const char* from, std::span<const std::uint32_t> kept, char* to) {
+    for (std::size_t i = 0; i < kept.size(); ++i) std::memcpy(to + i * kSize, from + kept[i] * kSize, kSize);
+}
+
+void gather(const char* from, std::size_t size, std::span<const std::uint32_t> kept, char* to) {
+    switch (size) { // of frequent sizes, which the compiler unrolls
+    case 1:
+        return gather<1>(from, kept, to);
+    case 2:
+        return gather<2>(from, kept, to);
+    case 4:
+        return gather<4>(from, kept, to);
+    case 8:
+        return gather<8>(from, kept, to);
+    default:
+        for (std::size_t i = 0; i < kept.size(); ++i) std::memcpy(to + i * size, from + kept[i] * size, size);
+    }
+}
+
+void gatherConverted(const char* from, Scalar type, std::span<const std::uint32_t> kept, Attribute& attribute,
+                     char* to) {
+    for (const std::uint32_t vertex : kept)
+        for (std::uint32_t c = 0; c < attribute.components; ++c) {
+            convert(from + (vertex * attribute.components + c) * scalarSize(type), type, to, attribute.type);
+            to += scalarSize(attribute.type);
+        }
+}
+
 /// Whether a type holds all of the values exactly.
 template <typename Value>
 bool holdsAll(const Attribute& attribute) {
@@ -118,11 +158,15 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
                   const AttributeChoice& choice, std::size_t room) {
     columns.wanted.clear();
     std::size_t offset = 0;
-    for (const ColumnTraits& column : traits) {
+    for (std::size_t trait = 0; trait < traits.size(); ++trait) {
+        const ColumnTraits& column = traits[trait];
         if (std::find(columns.offered.begin(), columns.offered.end(), column.name) == columns.offered.end())
             columns.offered.push_back(column.name);
-        if (choice.wants(column.name))
-            columns.wanted.push_back({offset, column.type, attributeFor(cloud, columns, column)});
+        if (choice.wants(column.name)) {
+            const std::size_t before = cloud.attributes.size();
+            columns.wanted.push_back({offset, trait, column.type, attributeFor(cloud, columns, column)});
+            settleMinor(columns, column, cloud.attributes.size() > before, choice.all);
+        }
         offset += scalarSize(column.type) * column.components;
     }
     fillAttributes(cloud);
@@ -150,6 +194,24 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values) {
     }
 }
 
+void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
+                std::span<const std::uint32_t> kept, std::size_t count) {
+    for (const Columns::Column& column : columns.wanted) {
+        Attribute& attribute = cloud.attributes[column.attribute];
+        const char* const from = arrays[column.trait];
+        const std::size_t size = attribute.bytesEach(), at = attribute.values.size();
+        if (attribute.type == column.type && kept.size() == count) {
+            attribute.values.insert(attribute.values.end(), from, from + count * size);
+            continue;
+        }
+        attribute.values.resize(at + kept.size() * size);
+        if (attribute.type == column.type)
+            gather(from, size, kept, attribute.values.data() + at);
+        else
+            gatherConverted(from, column.type, kept, attribute, attribute.values.data() + at);
+    }
+}
+
 void fillAttributes(Cloud& cloud) {
     for (Attribute& attribute : cloud.attributes)
         if (countOf(attribute) < cloud.positions.size()) fillTo(attribute, cloud.positions.size());
@@ -173,6 +235,14 @@ void narrowAttributes(Cloud& cloud, const Columns& columns) {
     for (Attribute& attribute : cloud.attributes)
         if (std::find(columns.loose.begin(), columns.loose.end(), attribute.name) != columns.loose.end())
             changeType(attribute, smallestType(attribute));
+}
+
+void dropMinorAttributes(Cloud& cloud, const Columns& columns) {
+    std::erase_if(cloud.attributes, [&](const Attribute& attribute) {
+        const auto& minor = columns.minor;
+        return std::find(minor.begin(), minor.end(), attribute.name) != minor.end() &&
+               std::all_of(attribute.values.begin(), attribute.values.end(), [](char byte) { return byte == 0; });
+    });
 }
 
 } // namespace pointrt

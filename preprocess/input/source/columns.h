@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,12 +29,15 @@ struct ColumnTraits {
     /// The type is but the reader's: once everything is read, values move to the smallest that holds all of them
     /// exactly (narrowAttributes).
     bool loose = false;
+    /// Left out where all values of all files are 0 and attributes were not asked for by name (dropMinorAttributes).
+    bool minor = false;
 };
 
 /// The columns of the file that is being read.
 struct Columns {
     struct Column {
         std::size_t offset;    ///< in a vertex's packed values
+        std::size_t trait;     ///< its number
         Scalar type;           ///< there
         std::size_t attribute; ///< of the cloud
     };
@@ -42,6 +46,8 @@ struct Columns {
     std::vector<std::string> loose;
     /// All names that files had, asked for or not, each once.
     std::vector<std::string> offered;
+    /// Names of attributes that every file before thought minor.
+    std::vector<std::string> minor;
 };
 
 /// Makes the cloud's attributes ready for a file's vertices: new ones get their fill for the points before, a type
@@ -53,6 +59,11 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
 /// Appends one vertex's values, packed in the order and types of the traits, to the cloud.
 void addValues(const Columns& columns, Cloud& cloud, const char* values);
 
+/// The same of many vertices: array k of the values has those of trait k. kept: numbers of the vertices whose values
+/// are wanted, in this order, of so many.
+void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
+                std::span<const std::uint32_t> kept, std::size_t count);
+
 /// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals.
 void fillAttributes(Cloud& cloud);
 
@@ -61,5 +72,8 @@ void requireOffered(const Columns& columns, const AttributeChoice& choice);
 
 /// Gives attributes that only loose columns went into the smallest type that holds their values exactly.
 void narrowAttributes(Cloud& cloud, const Columns& columns);
+
+/// Drops attributes that only minor columns went into, none of whose values is anything but 0.
+void dropMinorAttributes(Cloud& cloud, const Columns& columns);
 
 } // namespace pointrt

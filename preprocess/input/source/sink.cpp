@@ -127,6 +127,13 @@ void addColor(Sink& sink, const Row& row, const char* values) {
     }
 }
 
+void addColors16(Sink& sink, const char* column, std::span<const std::uint32_t> kept) {
+    const std::size_t before = sink.rgb16.size();
+    sink.rgb16.resize(before + kept.size());
+    auto* to = sink.rgb16.data() + before;
+    for (const std::uint32_t vertex : kept) std::memcpy(to++, column + vertex * sizeof *to, sizeof *to);
+}
+
 /// Of 16 bits the upper 8, as a shift would give them.
 std::uint8_t upperByte(float value) { return toByte(std::floor(value / 256.0)); }
 
@@ -143,7 +150,7 @@ void scaleWideColors(Sink& sink) {
     sink.wide_colors = {};
 }
 
-void scale16BitColors(Sink& sink) {
+void scale16BitColors(Sink& sink, const Source& source) {
     if (sink.traits.color_scale != ColorScale::k16Bit) return;
     using Rgb16 = std::array<std::uint16_t, 3>;
     const char* const first = sink.rgb16_attribute ? sink.cloud.attributes[*sink.rgb16_attribute].values.data() +
@@ -159,6 +166,11 @@ void scale16BitColors(Sink& sink) {
     for (std::size_t i = 0; i < count; ++i) {
         const Rgb16 color = colorAt(i);
         largest = std::max({largest, color[0], color[1], color[2]});
+    }
+    if (largest == 0 && count > 0) {
+        addNote(sink.cloud, source.name, "has room for colours, but all are black: it is read as one without");
+        sink.rgb16 = {};
+        return; // grey, where other files have colours
     }
     const int shift = largest > 255 ? 8 : 0;
     const auto scaled = [shift](std::uint16_t value) { return static_cast<std::uint8_t>(value >> shift); };
@@ -193,6 +205,12 @@ void settleTriangles(Sink& sink, const Source& source) {
     triangles.resize(kept);
 }
 
+std::optional<std::size_t> columnOf(const ScanTraits& traits, std::string_view name) {
+    for (std::size_t i = 0; i < traits.columns.size(); ++i)
+        if (traits.columns[i].name == name) return i;
+    return std::nullopt;
+}
+
 /// Where a column's value lies in a vertex's packed values.
 std::optional<std::size_t> offsetOf(const ScanTraits& traits, std::string_view name) {
     std::size_t offset = 0;
@@ -206,6 +224,8 @@ std::optional<std::size_t> offsetOf(const ScanTraits& traits, std::string_view n
 void beginAttributes(Sink& sink, const Source& source, const ScanTraits& traits, std::size_t room) {
     sink.rgb16_offset = offsetOf(traits, kRgb16);
     sink.class_offset = offsetOf(traits, kClassification);
+    sink.rgb16_column = columnOf(traits, kRgb16);
+    sink.class_column = columnOf(traits, kClassification);
     for (const ColumnTraits& column : traits.columns)
         if (column.name == kClassification) sink.class_type = column.type;
     if (sink.filter.choosesClasses() && !sink.class_offset) refuse(source, "has no classes to choose from");
@@ -235,10 +255,13 @@ void placeScan(Sink& sink) {
 }
 
 /// The class of a vertex; 0, never classified, where it is none of the 256 that there are.
-std::uint8_t classOf(const Sink& sink, const char* values) {
-    if (!sink.class_offset) return 0;
-    const double number = loadScalar(values + *sink.class_offset, sink.class_type, false);
+std::uint8_t classAt(const char* value, Scalar type) {
+    const double number = loadScalar(value, type, false);
     return number >= 0 && number <= 255 ? static_cast<std::uint8_t>(number) : std::uint8_t{0};
+}
+
+std::uint8_t classOf(const Sink& sink, const char* values) {
+    return sink.class_offset ? classAt(values + *sink.class_offset, sink.class_type) : std::uint8_t{0};
 }
 
 /// A vertex that does not stay; faces have to know which.
@@ -307,6 +330,31 @@ void addVertex(Sink& sink, const Row& row, const char* values) {
     if (!sink.columns.wanted.empty()) addValues(sink.columns, sink.cloud, values);
 }
 
+void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const char* const> columns) {
+    const std::size_t size = scalarSize(sink.class_type);
+    std::vector<std::uint32_t> kept;
+    kept.reserve(positions.size());
+    const bool filters = sink.filter.drops();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Vec3d position = sink.world_from_vertex * positions[i];
+        const std::uint8_t point_class = filters && sink.class_column
+                                             ? classAt(columns[*sink.class_column] + i * size, sink.class_type)
+                                             : std::uint8_t{0};
+        if (filters && position.allFinite() && !sink.filter.keeps(position, point_class)) continue;
+        if (addPosition(sink, position))
+            kept.push_back(static_cast<std::uint32_t>(i));
+        else
+            ++sink.non_finite;
+    }
+    if (sink.traits.colors && !sink.rgb16_attribute) addColors16(sink, columns[*sink.rgb16_column], kept);
+    addColumns(sink.columns, sink.cloud, columns, kept, positions.size());
+    sink.vertices += positions.size();
+    if (sink.vertices > kMaxPoints)
+        throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
+    if (sink.progress && sink.traits.vertices > 0)
+        sink.progress(std::min(1.0, static_cast<double>(sink.vertices) / static_cast<double>(sink.traits.vertices)));
+}
+
 void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
     for (std::size_t i = 2; i < corners.size(); ++i)
         sink.cloud.triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -319,7 +367,7 @@ void finishScan(Sink& sink, const Source& source, const std::string& title, Empt
     if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     if (!sink.origin_settled && kept > 0) settleOrigin(sink);
     scaleWideColors(sink);
-    scale16BitColors(sink);
+    scale16BitColors(sink, source);
     settleTriangles(sink, source);
     fillMissing(cloud);
     cloud.points_read += sink.vertices;

@@ -83,7 +83,7 @@ TEST(Formats, NamesDifferAndEachIsComplete) {
 }
 
 TEST(Formats, MessagesNameAll) {
-    EXPECT_EQ(readableFormats(), "PLY, PCD, E57, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf");
+    EXPECT_EQ(readableFormats(), "PLY, PCD, LAS/LAZ, E57, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf");
 }
 
 } // namespace

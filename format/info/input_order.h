@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pointrt/pro.hpp"
+
+namespace pointrt {
+
+/// Splat numbers in the order of their input points; in file order where the file does not know it.
+std::vector<std::uint32_t> inputOrder(const ProFile& file);
+
+} // namespace pointrt
