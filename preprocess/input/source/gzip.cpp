@@ -74,6 +74,7 @@ void unpackGzip(Source& source) {
     }
     source.bytes = *unpacked;
     source.owner = std::move(unpacked);
+    source.mapped = false;
 }
 
 } // namespace pointrt

@@ -35,6 +35,7 @@ bool mapFile(int descriptor, std::size_t size, Source& source) {
     source.owner =
         std::shared_ptr<const void>(address, [size](const void* at) { ::munmap(const_cast<void*>(at), size); });
     source.bytes = {static_cast<const char*>(address), size};
+    source.mapped = true;
     return true;
 }
 
@@ -83,6 +84,13 @@ Source openSource(const std::string& path, NamedBy named_by) {
     if (isGzip(source.bytes)) unpackGzip(source);
     if (source.bytes.empty()) refuse(source, "the file is empty");
     return source;
+}
+
+void letGo(const Source& source, std::uint64_t bytes) {
+    if (!source.mapped) return;
+    const auto page = static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    const std::uint64_t whole_pages = std::min<std::uint64_t>(bytes, source.bytes.size()) / page * page;
+    if (whole_pages > 0) ::madvise(const_cast<char*>(source.bytes.data()), whole_pages, MADV_DONTNEED);
 }
 
 void refuse(const Source& source, const std::string& reason) {

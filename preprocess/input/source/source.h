@@ -16,6 +16,7 @@ struct Source {
     std::string name;       ///< as in messages: the path, or "standard input"
     std::string_view bytes; ///< unpacked when the file was gzip-compressed
     std::shared_ptr<const void> owner;
+    bool mapped = false; ///< the bytes are those of the file, not a copy
 
     const char* begin() const { return bytes.data(); }
     const char* end() const { return bytes.data() + bytes.size(); }
@@ -28,6 +29,10 @@ enum class NamedBy { kUser, kFile };
 /// Maps or reads path ("-" is standard input) and unpacks gzip.
 /// Throws Error: no such file, a directory, a device, no permission, empty, broken gzip or too much of it (unpackGzip).
 Source openSource(const std::string& path, NamedBy named_by = NamedBy::kUser);
+
+/// Takes the first bytes, so many of them, out of this process's memory, where they are in a file: they come back when
+/// they are touched.
+void letGo(const Source& source, std::uint64_t bytes);
 
 /// Throws Error{kBadInput, "name: reason"}.
 [[noreturn]] void refuse(const Source& source, const std::string& reason);

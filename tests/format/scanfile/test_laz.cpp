@@ -46,9 +46,14 @@ std::string unpacked(const std::string& bytes) {
     const LazLayout layout = lazLayout(file);
     std::string all;
     for (const LazChunk& chunk : layout.chunks) {
-        std::string records(chunk.points * file.header.record_bytes, '\0');
-        LazStream(layout, bytes, chunk).read(records.data(), chunk.points);
-        all += records;
+        LazStream stream(layout, bytes, chunk);
+        constexpr std::uint64_t kAtOnce = 4096;
+        for (std::uint64_t done = 0; done < chunk.points; done += kAtOnce) {
+            const std::uint64_t now = std::min(kAtOnce, chunk.points - done);
+            std::string records(now * file.header.record_bytes, '\0');
+            stream.read(records.data(), now);
+            all += records;
+        }
     }
     return all;
 }
@@ -176,7 +181,7 @@ TEST_F(LazTest, LayersThatPromiseGigabytes) {
 
 TEST_F(LazTest, EveryPrefixAndEveryByteIsReadOrRefused) {
     for (const std::uint8_t format : {3, 7}) {
-        const std::string good = writeLas(format, wanderingPoints(lasRecordBytes(format), 60), true);
+        const std::string good = writeLas(format, wanderingPoints(lasRecordBytes(format), 12), true);
         for (std::size_t size = 0; size < good.size(); ++size) reasonOf(good.substr(0, size));
         for (std::size_t at = 0; at < good.size(); ++at)
             for (const char byte : {'\0', '\1', '\xff'}) {

@@ -75,10 +75,11 @@ void tellFrame(const LasFile& file, const Source& source, std::size_t first, Sin
         addNote(sink.cloud, source.name, "is in degrees: x and y are not as long as z");
 }
 
-void addBlock(Sink& sink, const LasBlock& block) {
+void addBlock(const Source& source, const LasBlock& block, Sink& sink) {
     std::vector<const char*> columns;
     for (const std::vector<char>& values : block.values) columns.push_back(values.data());
     addVertices(sink, block.positions, columns);
+    letGo(source, block.done_bytes);
 }
 
 /// Reads the points with all of their attributes, and what header and records say of the frame. Of a COPC file only
@@ -95,7 +96,8 @@ void readLas(const Source& source, Sink& sink) {
     beginScan(sink, source, traitsOf(file, fields, points));
     // what addVertices throws names no file either
     named(source, [&] {
-        forLasBlocks({file, fields, std::move(layout), chunks}, [&](const LasBlock& block) { addBlock(sink, block); });
+        forLasBlocks({file, fields, std::move(layout), chunks},
+                     [&](const LasBlock& block) { addBlock(source, block, sink); });
     });
     finishScan(sink, source);
 

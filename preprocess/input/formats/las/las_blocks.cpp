@@ -50,7 +50,7 @@ public:
         const std::uint64_t most = std::min<std::uint64_t>(kBlockPoints, kMostRecordBytes / record_bytes_);
         job->points = whole ? chunk.points : std::min(most, chunk.points - done_);
         if (whole)
-            job->chunk = chunk;
+            takeChunk(chunk, *job);
         else
             takePiece(chunk, *job);
         done_ += job->points;
@@ -58,9 +58,16 @@ public:
     }
 
 private:
+    static void takeChunk(const LazChunk& chunk, Job& job) {
+        job.chunk = chunk;
+        job.block.done_bytes = chunk.at + chunk.bytes;
+    }
+
     void takePiece(const LazChunk& chunk, Job& job) {
         if (!plan_.file.header.packed) {
-            job.records = plan_.file.bytes.data() + chunk.at + done_ * record_bytes_;
+            const std::uint64_t at = chunk.at + done_ * record_bytes_;
+            job.records = plan_.file.bytes.data() + at;
+            job.block.done_bytes = at + job.points * record_bytes_;
             return;
         }
         try {

@@ -15,6 +15,7 @@ namespace pointrt {
 struct LasBlock {
     std::vector<Vec3d> positions;
     std::vector<std::vector<char>> values; ///< of each field, in the fields' order
+    std::uint64_t done_bytes = 0;          ///< of the file, so many are not needed any more
 };
 
 /// What is to be read of a file.
