@@ -25,6 +25,7 @@ struct ExportLas : testing::Test {
     std::string bytes, records;
     LasFile file;
     std::vector<LasField> fields;
+    std::vector<std::uint32_t> order; ///< input index of each splat; none: they stand in input order
 
     static int run(const std::string& arguments) {
         const int status = std::system((std::string(POINTRT_INFO) + " " + arguments).c_str());
@@ -35,6 +36,7 @@ struct ExportLas : testing::Test {
     void exportWith(test::Said& said, const std::string& metadata, const std::string& path) {
         test::Scene scene = test::tinyScene();
         scene.metadata = metadata;
+        scene.order = order;
         ASSERT_EQ(said.write(scene, pro), PRO_OK);
         ASSERT_EQ(run(pro + " --force --export " + path), 0);
         const test::Bytes read = test::readBytes(path);
@@ -82,6 +84,14 @@ TEST_F(ExportLas, AttributesComeOutToTheBit) {
         EXPECT_EQ(valuesOf("größe in einer Einheit, 31 By"), bytesOf(said.wide));
         EXPECT_EQ(valuesOf("return_number"), std::string(5, '\1'));
     }
+}
+
+TEST_F(ExportLas, PointsComeInInputOrder) {
+    test::Said said;
+    order = {3, 0, 7, 1, 2};
+    exportWith(said, "{}", las);
+    const std::array<std::uint8_t, 5> wanted{2, 5, 2, 2, 6};
+    EXPECT_EQ(valuesOf("classification"), bytesOf(wanted));
 }
 
 TEST_F(ExportLas, PositionsAreWithinTheScansSteps) {

@@ -50,7 +50,7 @@ TEST_F(SourceTest, ContentTellsTheFormatBeforeTheSuffixDoes) {
 }
 
 TEST_F(SourceTest, ForeignFormatsAreNamed) {
-    EXPECT_HAS(reasonOfText("a.las", "LASF\1\2"), "is a LAS or LAZ scan; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.gltf", "glTF\1\2"), "is a glTF model; this build reads PLY");
     EXPECT_HAS(reasonOfText("a.ply", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"),
                "Git LFS pointer");
     EXPECT_HAS(reasonOfText("a.zip", "PK\3\4rest"), "zip archive");
