@@ -122,9 +122,7 @@ ScanNumbers findNumbers(const std::vector<PlacedScan>& scans, const PaintRequest
     ScanNumbers sources;
     bool any = scans.empty();
     for (const PlacedScan& scan : scans) {
-        sources.push_back(request.color_by == kHeight
-                              ? heightNumbers(scan.file->file, scan.instance->placement, request.up)
-                              : attributeNumbers(scan.file->file, request.color_by));
+        sources.push_back(numbersFor(scan, request.color_by, request.up));
         any |= sources.back().has_value();
     }
     if (!any)
@@ -153,6 +151,11 @@ std::vector<std::string> wordsOf(const std::vector<PlacedScan>& scans, std::vect
 }
 
 } // namespace
+
+std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up) {
+    if (word == kHeight) return heightNumbers(scan.file->file, scan.instance->placement, up);
+    return attributeNumbers(scan.file->file, word);
+}
 
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
                      const std::vector<std::string>& besides) {

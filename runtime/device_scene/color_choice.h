@@ -24,6 +24,9 @@ struct ColorChoice {
 /// For a request that is not for the scans' own colours; one range for all of them. Throws as planPaint does.
 ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request);
 
+/// What color_by's word means in a scan; nothing where it has none, and for words that mean no number. up: unit vector.
+std::optional<SplatNumbers> numbersFor(const PlacedScan& scan, const std::string& word, Vec3 up);
+
 /// "NAMES have no "WORD", did you mean ...; there are ..." of attributes and the words besides.
 std::string lackText(const std::vector<PlacedScan>& scans, const std::string& word,
                      const std::vector<std::string>& besides);

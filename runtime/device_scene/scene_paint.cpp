@@ -38,9 +38,7 @@ bool asksForHeights(const PaintRequest& request) {
 
 SplatOverride::OfNumbers numbersOf(const MaterialOverride& over, const MaterialOverride::Numbers& wanted,
                                    const PlacedScan& scan, Vec3 up) {
-    if (wanted.attribute == kHeight)
-        return {heightNumbers(scan.file->file, scan.instance->placement, up), wanted.ranges};
-    const auto numbers = attributeNumbers(scan.file->file, wanted.attribute);
+    const auto numbers = numbersFor(scan, wanted.attribute, up);
     if (!numbers) throw Error{ExitCode::kBadInput, over.place + lackText({scan}, wanted.attribute, {kHeight})};
     return {*numbers, wanted.ranges};
 }

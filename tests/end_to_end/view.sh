@@ -18,7 +18,7 @@ case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
     for option in -o --output --size --spp --seed --turntable --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
-        --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats -q -v; do
+        --color-by --color-map --color-range --legend --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
 }
@@ -37,12 +37,114 @@ case_wrong_usage() {
     expectError 2 "--ortho: must be from" pointrt-view scene.pro -o out/a.png --ortho 1e9
     expectError 2 "exclude each other" pointrt-view scene.pro -o out/a.png --ortho 2 --fov 40
     expectError 2 "" pointrt-view scene.pro -o out/a.png --eye 1,2
+    expectError 2 "none of auto, x, y, z" pointrt-view scene.pro -o out/a.png --up upwards
     expectError 2 "" pointrt-view scene.pro -o out/a.png --room cellar
     expectError 2 "--time-limit" pointrt-view scene.pro -o out/a.png --time-limit 0
     expectError 2 "--noise" pointrt-view scene.pro -o out/a.png --noise -0.1
     expectError 2 "--denoise" pointrt-view scene.pro -o out/a.png --denoise perhaps
     expectError 2 "--resume" pointrt-view scene.pro -o out/a.png --resume
     expectError 2 "--exposure" pointrt-view scene.pro -o out/a.exr --exposure 1
+}
+
+# bakeHill: a hill with a roof over it, z upwards.
+bakeHill() {
+    awk 'BEGIN {
+        n = 80
+        printf "ply\nformat ascii 1.0\nelement vertex %d\n", n * n
+        print "property float x\nproperty float y\nproperty float z\nend_header"
+        for (i = 0; i < n; i++) for (k = 0; k < n; k++) {
+            x = 2 * i / (n - 1) - 1; y = 2 * k / (n - 1) - 1
+            house = x > -0.4 && x < 0.4 && y > -0.4 && y < 0.4
+            printf "%.5f %.5f %.5f\n", x, y, 0.3 * (1 - x * x) + 0.2 * house
+        }
+    }' >hill.ply
+    pointrt-bake -q hill.ply -o hill.pro --up z --outliers keep --orient none
+}
+
+case_colours_and_legends() {
+    bakeHill
+    local by
+    for by in rgb height normal; do
+        expectDone pointrt-view -q hill.pro -o "out/$by.png" --size 96x64 --color-by "$by"
+        [ "$by" = rgb ] || ! cmp -s out/rgb.png "out/$by.png" || fail "$by: as without it"
+    done
+    expectDone pointrt-view -q hill.pro -o out/plain.png --size 96x64
+    cmp out/rgb.png out/plain.png || fail "rgb is not what there is by itself"
+    expectDone pointrt-view -q hill.pro -o out/legend.png --size 96x64 --color-by height --legend on
+    ! cmp -s out/legend.png out/height.png || fail "no legend"
+    expectDone pointrt-view -q hill.pro -o out/map.png --size 96x64 --color-by height --color-map magma --color-range 0,0.2
+    ! cmp -s out/map.png out/height.png || fail "map and range make no difference"
+    rm out/*
+    expectError 2 "hill.pro has no attribute \"hight\", did you mean \"height\"" \
+        pointrt-view hill.pro -o out/a.png --color-by hight
+    expectError 2 "is none of viridis, magma" pointrt-view hill.pro -o out/a.png --color-by height --color-map jet
+    expectError 2 "the lower first" pointrt-view hill.pro -o out/a.png --color-by height --color-range 2,1
+    expectError 2 "--legend: goes with -o FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
+}
+
+case_films_differ_by_colours() {
+    bakeHill
+    expectDone pointrt-view -q hill.pro -o film.exr --size 32x24 --spp 2 --color-by normal
+    expectError 1 "color_by was normal and is height" \
+        pointrt-view -q hill.pro -o film.exr --resume --size 32x24 --spp 4 --color-by height
+}
+
+# In a scene file: a roof that shines, seen by a camera that looks down.
+case_overrides_by_numbers() {
+    bakeHill
+    cat >scene.toml <<'EOF'
+up = "z"
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+[render]
+size = [32, 32]
+spp = 1
+lights = 0
+[material.roof]
+color = [0, 0, 0]
+emission = [1, 1, 1]
+[[instance]]
+file = "hill.pro"
+[[instance.override]]
+attribute = "height"
+range = [0.4, 1]
+material = "roof"
+EOF
+    expectDone pointrt-view -q scene.toml -o out/a.exr --integrator path
+    sed -i 's/0.4, 1/0.6, 1/' scene.toml
+    expectDone pointrt-view -q scene.toml -o out/b.exr --integrator path
+    ! cmp -s out/a.exr out/b.exr || fail "the override makes no difference"
+    rm out/*
+    sed -i 's/"height"/"class"/' scene.toml
+    expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro has no attribute \"class\"" \
+        pointrt-view scene.toml -o out/a.png
+}
+
+# A file that knows its up is seen as with that option; one that does not as ever.
+case_stands_upright() {
+    bakeHill
+    pointrt-bake -q hill.ply -o flat.pro --up y --outliers keep --orient none
+    pointrt-bake -q hill.ply -o silent.pro --outliers keep --orient none
+    local picture="--size 48x32 --spp 1"
+    # shellcheck disable=SC2086
+    {
+        expectDone pointrt-view -q hill.pro -o out/known.png $picture
+        expectDone pointrt-view -q silent.pro -o out/told.png $picture --up z
+        expectDone pointrt-view -q silent.pro -o out/silent.png $picture
+        expectDone pointrt-view -q flat.pro -o out/flat.png $picture
+        expectDone pointrt-view -q hill.pro -o out/again.png $picture --up y
+        printf '[[instance]]\nfile = "hill.pro"\n' >scene.toml
+        expectDone pointrt-view -q scene.toml -o out/scene.png $picture
+        printf 'up = "z"\n[[instance]]\nfile = "silent.pro"\n' >word.toml
+        expectDone pointrt-view -q word.toml -o out/word.png $picture
+        printf 'up = "auto"\n[[instance]]\nfile = "silent.pro"\n' >auto.toml
+        expectDone pointrt-view -q auto.toml -o out/auto.png $picture
+    }
+    local same
+    for same in told scene word; do cmp out/known.png "out/$same.png" || fail "$same: not upright"; done
+    for same in flat again auto; do cmp out/silent.png "out/$same.png" || fail "$same: not as ever"; done
+    ! cmp -s out/known.png out/silent.png || fail "up makes no difference"
 }
 
 # expectSamePictures CLOUD: of the bake with a tracing index, which is used, and of the one without, which builds it.

@@ -42,6 +42,26 @@ case_picture_is_that_of_files() {
     done
 }
 
+# With the legend, which is on both where it was asked for.
+case_colours_are_those_of_files() {
+    bakeHalf
+    replay "0 wait 4
+5 key down F12
+5 key up F12
+6 key down Control
+6 key down S
+7 key up S
+7 key up Control
+12 quit" --spp 4 --color-by height --color-map turbo --legend on
+    grep -q '^color_by = "height"' half-1.toml || fail "the scene does not keep what it is coloured by"
+    expectDone pointrt-view half-1.toml -o file.png
+    cmp half-1.png file.png || fail "the window's picture is not the file's"
+    expectDone pointrt-view half-1.toml -o plain.png --color-by rgb
+    ! cmp -s plain.png file.png || fail "no colours"
+    expectDone pointrt-view half-1.toml -o bare.png --legend off
+    ! cmp -s bare.png file.png || fail "no legend"
+}
+
 case_studio_follows_the_scene_not_the_camera() {
     bakeHalf
     replay "$orbit

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/pick_details.h"
 
+#include <cstdio>
 #include <filesystem>
 
+#include "runtime/coloring/point_classes.h"
+#include "runtime/device_scene/color_choice.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -11,6 +14,30 @@ namespace {
 /// The inverse of a rotation with orthonormal rows.
 Vec3 unrotated(const Placement& placement, Vec3 v) {
     return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
+}
+
+/// With the digits that the file has, if need be.
+std::string shortText(double number, const pro_attribute& attribute) {
+    constexpr int kFloatDigits = 7, kDoubleDigits = 15, kHeightDigits = 9; // a height is known to 21 bits
+    const int digits = !attribute.values                ? kHeightDigits
+                       : attribute.type == PRO_TYPE_F32 ? kFloatDigits
+                                                        : kDoubleDigits;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return text;
+}
+
+/// "classification 6, building" of what the splat is coloured by.
+std::string numberText(const DeviceScene& scene, const Pick& pick) {
+    const std::string& word = scene.paint.request.color_by;
+    const auto numbers = numbersFor(placedScans(scene, scene.description).at(pick.owner), word, scene.paint.request.up);
+    if (!numbers) return "";
+    double number = 0;
+    readNumbers(*numbers, pick.splat, {&number, 1});
+    const std::string name = attributeWord(word);
+    const bool is_class = name == "classification" && number >= 0 && number < 256;
+    return name + " " + shortText(number, numbers->attribute) +
+           (is_class ? ", " + className(static_cast<std::uint8_t>(number)) : "");
 }
 
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
@@ -24,6 +51,7 @@ void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& poin
     point.position = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
     point.normal = unrotated(placement, pick.normal);
     point.radius = double{splat.radius} * file.info.scale;
+    point.number = numberText(scene, pick);
     if (file.info.flags & PRO_FLAG_COLOR) point.color = {splat.color[0], splat.color[1], splat.color[2]};
 }
 

@@ -25,6 +25,7 @@ struct PickedPoint {
     double distance = 0;                              ///< from the eye
     double radius = 0;                                ///< of the splat; 0 on shapes
     std::optional<std::array<std::uint8_t, 3>> color; ///< sRGB, where the file has colours
+    std::string number;                               ///< that it is coloured by, in words; empty: by none
 };
 
 /// What the window says of itself.

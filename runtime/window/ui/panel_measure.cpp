@@ -49,13 +49,14 @@ void drawPick(const Workspace& w, const PickedPoint& pick) {
     valueRow("Position", pointText(pick.position, size).c_str());
     valueRow("Normal", normalText(pick.normal).c_str());
     colorRowOf(pick);
+    if (!pick.number.empty()) valueRow("Coloured by", pick.number.c_str());
     if (pick.radius > 0) valueRow("Radius", lengthText(pick.radius, size).c_str());
     valueRow("Distance", (lengthText(pick.distance, size) + " from the eye").c_str());
 }
 
 std::string pickLine(const PickedPoint& pick, double size) {
     return ownerOf(pick) + "\tposition " + pointText(pick.position, size) + "\tnormal " + normalText(pick.normal) +
-           "\tcolour " + colorText(pick) + "\n";
+           "\tcolour " + colorText(pick) + (pick.number.empty() ? "" : "\t" + pick.number) + "\n";
 }
 
 /// Between the last two, of which both must be there.

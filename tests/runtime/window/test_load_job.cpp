@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "runtime/scene/camera.h"
+#include "runtime/window/edit/pick_details.h"
 #include "runtime/window/edit/rework.h"
 #include "runtime/window/live/viewport_renderer.h"
 #include "tests/format/tiny_attributes.h"
@@ -228,6 +229,21 @@ TEST_F(LoadJobTest, OtherColoursTakeAJob) {
     EXPECT_EQ(picture(*loaded), before);
     EXPECT_EQ(loaded->scene.device_bytes, bytes);
     EXPECT_FALSE(loaded->scene.paint.legend);
+}
+
+TEST_F(LoadJobTest, PicksTellTheNumberOfTheirColour) {
+    writeSaid(folder.file("said.pro"));
+    const auto told = [&](const char* word, std::uint32_t splat) {
+        const auto loaded = loadText("[render]\ncolor_by = '" + std::string(word) + "'\n" + kSaid);
+        Pick pick;
+        pick.splat = splat;
+        return describePick(loaded->scene, pick).number;
+    };
+    EXPECT_EQ(told("class", 2), "classification 6, building");
+    EXPECT_EQ(told("gps_time", 0), "gps_time 1000000000.25");
+    EXPECT_EQ(told("height", 0), "height 30.5000005"); // the middle of a step of 2^-20 above 30.5
+    EXPECT_EQ(told("rgb", 2), "");
+    EXPECT_EQ(told("normal", 2), "");
 }
 
 TEST_F(LoadJobTest, ScansThatKnowStandUpright) {
