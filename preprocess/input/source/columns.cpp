@@ -145,7 +145,8 @@ Scalar smallestType(const Attribute& attribute) {
     if (holdsAll<std::int16_t>(attribute)) return Scalar::kI16;
     if (holdsAll<std::uint32_t>(attribute)) return Scalar::kU32;
     if (holdsAll<std::int32_t>(attribute)) return Scalar::kI32;
-    return holdsAll<float>(attribute) ? Scalar::kF32 : attribute.type;
+    // doubles, which they are compared as, do not tell large whole numbers apart
+    return isReal(attribute.type) && holdsAll<float>(attribute) ? Scalar::kF32 : attribute.type;
 }
 
 } // namespace

@@ -5,10 +5,11 @@
   rates.py BIN_DIR FILE... [--runs N] [--cores 1,2] [--json OUT.json]
 
 Each reader reads each file N times (5), the readers in turn, each time in a process of its own that is held to so many
-cores; medians are printed, in millions of points a second. read_scan of BIN_DIR goes from the file to the points and
-attributes that a bake starts with. The others are timed as far as they unpack the file into arrays, in which
-coordinates are whole numbers still (laspy) or not yet turned by the pose (pye57); loading Python does not count.
-"over" is the most memory that read_scan had beyond the points kept and the file, which is mapped.
+cores; medians are printed, in millions of points a second, and a second of a core, which other work on the machine
+hardly changes. read_scan of BIN_DIR goes from the file to the points and attributes that a bake starts with. The others
+are timed as far as they unpack the file into arrays, in which coordinates are whole numbers still (laspy) or not yet
+turned by the pose (pye57); loading Python does not count. "over" is the most memory that read_scan had beyond the
+points kept, the program itself and the part of the mapped file that was in memory included.
 Needs numpy, laspy, lazrs and pye57 (PyPI), and taskset.
 """
 import argparse
@@ -20,24 +21,35 @@ import sys
 import time
 
 
+class Clock:
+    """From now on, on the wall and of the processor."""
+
+    def __init__(self):
+        self.wall, self.cpu = time.perf_counter(), time.process_time()
+
+    def since(self, points):
+        return {"points": points, "seconds": time.perf_counter() - self.wall,
+                "cpu_seconds": time.process_time() - self.cpu}
+
+
 def time_laspy(path):
     import laspy
     import lazrs  # noqa: F401, loaded before the clock starts
-    start = time.perf_counter()
+    start = Clock()
     las = laspy.read(path)
-    return len(las.points), time.perf_counter() - start
+    return start.since(len(las.points))
 
 
 def time_pye57(path):
     import others
     import pye57
-    start = time.perf_counter()
+    start = Clock()
     file = pye57.E57(path)
     points = 0
     for scan in range(file.scan_count):
         arrays = others.e57_columns(file, scan)
         points += len(next(iter(arrays.values())))
-    return points, time.perf_counter() - start
+    return start.since(points)
 
 
 OTHERS = {".las": ("laspy", time_laspy), ".laz": ("laspy", time_laspy), ".e57": ("pye57", time_pye57)}
@@ -65,13 +77,17 @@ def measure(bin_dir, path, cores, runs):
         if other:
             yours.append(theirs(path, cores))
     figures = {"file": path, "cores": cores, "points": mine[0]["points"], "file_bytes": mine[0]["file_bytes"],
-               "seconds": [each["seconds"] for each in mine],
-               "over_bytes": max(each["peak_bytes"] - each["cloud_bytes"] - each["file_bytes"] for each in mine)}
+               "runs": mine, "over_bytes": max(each["peak_bytes"] - each["cloud_bytes"] for each in mine)}
     if other:
-        figures["other"], figures["other_seconds"] = other[0], [each["seconds"] for each in yours]
+        figures["other"], figures["other_runs"] = other[0], yours
         if yours[0]["points"] != figures["points"]:
             sys.exit("%s: %d points, %s has %d" % (path, figures["points"], other[0], yours[0]["points"]))
     return figures
+
+
+def rate(figures, runs, which):
+    """Million points a second, by the median run."""
+    return figures["points"] / 1e6 / statistics.median(run[which] for run in figures[runs])
 
 
 def processor():
@@ -83,28 +99,29 @@ def processor():
 
 
 def print_table(all_figures):
-    print("%s, %d cores, medians of %d runs\n" %
-          (processor(), os.cpu_count(), len(all_figures[0]["seconds"])))
-    print("| file | million points | MB | cores | ours, M points/s | MB/s | other | other, M points/s | times | over, MB |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("%s, %d cores, medians of %d runs\n" % (processor(), os.cpu_count(), len(all_figures[0]["runs"])))
+    head = ["file", "million points", "MB", "cores", "ours", "a core-second", "MB/s", "other", "other's",
+            "a core-second", "times", "over, MB"]
+    print("| " + " | ".join(head) + " |\n" + "|---" * len(head) + "|")
     for figures in all_figures:
-        seconds, points = statistics.median(figures["seconds"]), figures["points"]
-        row = [os.path.basename(figures["file"]), "%.2f" % (points / 1e6), "%.0f" % (figures["file_bytes"] / 1e6),
-               str(figures["cores"]), "%.2f" % (points / 1e6 / seconds),
-               "%.0f" % (figures["file_bytes"] / 1e6 / seconds)]
+        mine = rate(figures, "runs", "seconds")
+        row = [os.path.basename(figures["file"]), "%.2f" % (figures["points"] / 1e6),
+               "%.0f" % (figures["file_bytes"] / 1e6), str(figures["cores"]), "%.2f" % mine,
+               "%.2f" % rate(figures, "runs", "cpu_seconds"),
+               "%.0f" % (figures["file_bytes"] / figures["points"] * mine)]
         if "other" in figures:
-            theirs_median = statistics.median(figures["other_seconds"])
-            row += [figures["other"], "%.2f" % (points / 1e6 / theirs_median), "%.2f" % (theirs_median / seconds)]
+            yours = rate(figures, "other_runs", "seconds")
+            row += [figures["other"], "%.2f" % yours, "%.2f" % rate(figures, "other_runs", "cpu_seconds"),
+                    "%.2f" % (mine / yours)]
         else:
-            row += ["", "", ""]
+            row += [""] * 4
         row.append("%.0f" % (figures["over_bytes"] / 1e6))
         print("| " + " | ".join(row) + " |")
 
 
 def main():
     if len(sys.argv) == 3 and sys.argv[1] == "--one":
-        points, seconds = OTHERS[os.path.splitext(sys.argv[2])[1].lower()][1](sys.argv[2])
-        print(json.dumps({"points": points, "seconds": seconds}))
+        print(json.dumps(OTHERS[os.path.splitext(sys.argv[2])[1].lower()][1](sys.argv[2])))
         return
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("bin_dir")

@@ -105,10 +105,14 @@ Json contentOf(const Cloud& cloud) {
     return json;
 }
 
-std::uint64_t peakBytes() {
+rusage usedSoFar() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // it is in KiB
+    return usage;
+}
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 struct Request {
@@ -123,14 +127,16 @@ int readScan(const Request& request) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<FileReport> files;
     const Cloud cloud = readInputs(request.files, {}, {}, &files);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const rusage used = usedSoFar();
     Json json{{"format", files.front().format},
               {"points", cloud.points_read},
               {"kept", cloud.positions.size()},
               {"not_finite", cloud.points_non_finite},
               {"unused", cloud.points_unused},
-              {"seconds", seconds.count()},
-              {"peak_bytes", peakBytes()},
+              {"seconds", took.count()},
+              {"cpu_seconds", seconds(used.ru_utime) + seconds(used.ru_stime)},
+              {"peak_bytes", static_cast<std::uint64_t>(used.ru_maxrss) * 1024}, // it is in KiB
               {"file_bytes", file_bytes}, // mapped: in memory as long as nothing else wants it
               {"cloud_bytes", bytesOf(cloud)}};
     if (request.content) json.update(contentOf(cloud));

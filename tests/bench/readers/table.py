@@ -7,7 +7,8 @@
 Prints a row a file in Markdown: points kept and read, attributes, or the line that refuses it; what was compared, and
 what disagrees. Exits with 1 when anything does, or a program crashed. Compared are: with DATA_DIR/truth.json, points,
 extents, colours, normals and faces; with laspy and lazrs (LAS, LAZ), pye57 (E57) and plyfile (PLY), which read the
-file beside ours, points, extents to the bits of the floats that we keep, and least, largest and summed values of each attribute.
+file beside ours, points, extents to the bits of the floats that we keep, and least, largest and summed values of each
+attribute.
 Needs numpy, laspy, lazrs, pye57 and plyfile (PyPI).
 """
 import argparse
@@ -172,9 +173,9 @@ def main():
         with open(arguments.json, "w") as file:
             json.dump(rows, file, indent=1)
     wrong = [row["file"] for row in rows if row["wrong"]]
+    read = sum(row["ours"] is not None for row in rows)
     print("\n%d files, %d read, %d refused, %d disagree%s" %
-          (len(rows), sum(row["ours"] is not None for row in rows), sum(row["ours"] is None for row in rows), len(wrong),
-           ": " + ", ".join(wrong) if wrong else ""))
+          (len(rows), read, len(rows) - read, len(wrong), ": " + ", ".join(wrong) if wrong else ""))
     sys.exit(1 if wrong else 0)
 
 

@@ -105,6 +105,14 @@ TEST_F(ColumnsTest, LooseRealsKeepEveryBit) {
     EXPECT_EQ(valueOf(cloud.attributes[1], 2), 0.1);
 }
 
+TEST_F(ColumnsTest, LooseWholeNumbersThatAreLargeStayWhole) {
+    constexpr std::int64_t kOdd = (std::int64_t{1} << 53) + 1; // a double has no such
+    addFile<std::int64_t>("id", Scalar::kI64, {kOdd, std::int64_t{1} << 40}, true);
+    narrowAttributes(cloud, sink.columns);
+    EXPECT_EQ(only().type, Scalar::kI64);
+    EXPECT_EQ(loadWhole(only().values.data(), Scalar::kI64), static_cast<std::uint64_t>(kOdd));
+}
+
 TEST_F(ColumnsTest, WhatAFileTypedStaysSo) {
     addFile<double>("time", Scalar::kF64, {1}, true);
     addFile<double>("time", Scalar::kF64, {2}, false);

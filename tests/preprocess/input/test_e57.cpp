@@ -291,6 +291,13 @@ TEST_F(E57Test, ScansMayBeEmptyUnlessAllAre) {
     EXPECT_HAS(reasonOfScans({}), "holds no scans");
 }
 
+TEST_F(E57Test, ProgressIsOfAllScans) {
+    std::vector<double> shares;
+    const auto path = write("a.e57", e57File({{two()}, {at({}, {}, {})}, {two()}}));
+    readInputs({path}, {}, [&](const ReadStatus& status) { shares.push_back(status.share); });
+    EXPECT_EQ(shares, (std::vector<double>{0, 0.5, 1}));
+}
+
 TEST_F(E57Test, MessagesSayWhichScan) {
     const E57TestColumn other = e57Doubles("las:height", {1, 2});
     EXPECT_HAS(reasonOfScans({{two()}, {{other}}}), "a.e57:scan 2: has no coordinates");
