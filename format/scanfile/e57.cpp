@@ -66,4 +66,6 @@ std::size_t readE57Points(E57Points& points, std::size_t capacity, void* const* 
     return count;
 }
 
+std::uint64_t e57Position(const E57Points& points) { return scan_e57_position(points.handle.get()); }
+
 } // namespace pointrt

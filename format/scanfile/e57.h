@@ -75,4 +75,7 @@ E57Points e57Points(const E57File& file, std::size_t scan);
 /// @param columns for each column an array of int64_t (kWhole, kScaled), float or double, or null: not wanted
 std::size_t readE57Points(E57Points& points, std::size_t capacity, void* const* columns);
 
+/// Where in the file the next points are, or shortly before.
+std::uint64_t e57Position(const E57Points& points);
+
 } // namespace pointrt

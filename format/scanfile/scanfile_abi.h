@@ -104,6 +104,8 @@ scan_e57_points* scan_e57_begin(const scan_e57* file, size_t scan, scan_error* e
  * NULL where it is not wanted. count: how many; 0 after the last. Checksums of all pages read are checked. After a
  * failure only end may follow. */
 bool scan_e57_read(scan_e57_points* points, size_t capacity, void* const* columns, size_t* count, scan_error* error);
+/* Where in the file it reads on. */
+uint64_t scan_e57_position(const scan_e57_points* points);
 void scan_e57_end(scan_e57_points* points); /* NULL is nothing */
 
 #ifdef __cplusplus

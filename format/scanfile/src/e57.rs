@@ -301,6 +301,11 @@ pub unsafe extern "C" fn scan_e57_read(
 }
 
 #[no_mangle]
+pub extern "C" fn scan_e57_position(points: &Points<'_>) -> u64 {
+    points.position()
+}
+
+#[no_mangle]
 pub extern "C" fn scan_e57_end(points: Option<Box<Points<'_>>>) {
     drop(points);
 }

@@ -27,6 +27,10 @@ impl<'a> Pages<'a> {
         (inside < PAYLOAD as u64 && at < self.len()).then_some(at)
     }
 
+    pub fn physical(&self, logical: u64) -> u64 {
+        logical / PAYLOAD as u64 * PAGE as u64 + logical % PAYLOAD as u64
+    }
+
     fn payload(&mut self, page: usize) -> Result<&'a [u8], String> {
         let bytes = &self.bytes[page * PAGE..(page + 1) * PAGE];
         let (payload, checksum) = bytes.split_at(PAYLOAD);

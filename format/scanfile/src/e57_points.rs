@@ -175,6 +175,11 @@ impl<'a> Points<'a> {
         self.streams.len()
     }
 
+    /// Where in the file the next packet is.
+    pub fn position(&self) -> u64 {
+        self.pages.physical(self.at)
+    }
+
     fn open_section(&mut self, physical: u64) -> Result<(), String> {
         const OUTSIDE: &str = "is broken or cut short: points are said to be where the file has none";
         let start = self.pages.logical(physical).ok_or(OUTSIDE)?;

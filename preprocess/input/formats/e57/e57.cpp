@@ -185,9 +185,26 @@ std::string titleOf(const E57File& file, std::size_t number) {
     return name.empty() ? fmt::format("scan {}", number + 1) : quoted(name);
 }
 
+/// A scan's points, batch by batch.
+struct Stream {
+    const Source& source;
+    E57Points points;
+    std::uint64_t kept_from = 0; ///< of the file, whose bytes before that need no memory any more
+
+    Stream(const Source& of_file, const E57File& file, std::size_t number)
+        : source(of_file), points(e57Points(file, number)) {}
+
+    std::size_t read(const std::vector<void*>& columns) {
+        constexpr std::uint64_t kStep = 8 << 20; // little beside what a bake takes, and few calls
+        const std::uint64_t position = e57Position(points);
+        if (position > kept_from + kStep) letGo(source, kept_from = position);
+        return readE57Points(points, kBatch, columns.data());
+    }
+};
+
 /// Converters of LAS keep its numbers of returns, which start with 1: some are then as large as their count. It takes
 /// one reading of these two columns to know.
-bool countsReturnsFromOne(const E57File& file, std::size_t number) {
+bool countsReturnsFromOne(const Source& source, const E57File& file, std::size_t number) {
     const std::vector<E57Column>& columns = file.scans[number].columns;
     std::array<std::int64_t, kBatch> indices, counts;
     std::vector<void*> wanted;
@@ -198,8 +215,8 @@ bool countsReturnsFromOne(const E57File& file, std::size_t number) {
                                                                    : nullptr);
     }
     if (std::count(wanted.begin(), wanted.end(), nullptr) + 2 != std::ssize(wanted)) return false;
-    E57Points points = e57Points(file, number);
-    while (const std::size_t count = readE57Points(points, kBatch, wanted.data()))
+    Stream stream(source, file, number);
+    while (const std::size_t count = stream.read(wanted))
         for (std::size_t i = 0; i < count; ++i)
             if (counts[i] > 0 && indices[i] >= counts[i]) return true;
     return false;
@@ -223,16 +240,17 @@ void readScan(const Source& source, const E57File& file, std::size_t number, std
               Counts& counts) {
     const E57Scan& scan = file.scans[number];
     const std::string title = titleOf(file, number);
-    const E57Plan plan = naming(source, title, [&] { return planE57(scan, countsReturnsFromOne(file, number)); });
+    const E57Plan plan =
+        naming(source, title, [&] { return planE57(scan, countsReturnsFromOne(source, file, number)); });
     const Pose pose = poseOf(source, scan, title);
-    E57Points points = naming(source, title, [&] { return e57Points(file, number); });
+    Stream stream = naming(source, title, [&] { return Stream(source, file, number); });
     sink.world_from_scan = pose;
     beginScan(sink, source, plan.traits);
     if (isScannerFrame(scan, plan, pose)) sink.sensor = Vec3d::Zero();
     makeRoomForAll(sink, room);
     Batch batch(scan, plan);
     Reader reader(batch, counts);
-    const auto next = [&] { return readE57Points(points, kBatch, batch.columns.data()); };
+    const auto next = [&] { return stream.read(batch.columns); };
     while (const std::size_t count = naming(source, title, next))
         for (std::size_t i = 0; i < count; ++i) {
             reader.read(i);
