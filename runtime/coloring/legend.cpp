@@ -54,8 +54,12 @@ std::vector<LegendTick> ticksOf(ValueRange range) {
     const double step = stepFor(width);
     std::vector<LegendTick> ticks;
     const double first = std::ceil(range.low / step - 1e-9);
-    for (double k = first; k <= first + 2 * kMostTicks && k * step <= range.high + 1e-9 * step; ++k)
-        ticks.push_back({std::clamp((k * step - range.low) / width, 0.0, 1.0), tickText(k * step, step)});
+    for (int k = 0; k <= 2 * kMostTicks && (first + k) * step <= range.high + 1e-9 * step; ++k) {
+        const double value = (first + k) * step;
+        const std::string text = tickText(value, step);
+        if (!ticks.empty() && ticks.back().text == text) continue; // numbers so large that steps are lost in them
+        ticks.push_back({std::clamp((value - range.low) / width, 0.0, 1.0), text});
+    }
     return ticks;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string_view>
 
@@ -79,9 +80,13 @@ constexpr double kFewWhole = 6;
 
 std::vector<LegendTick> wholeTicks(ValueRange range) {
     std::vector<LegendTick> ticks;
-    const double width = range.high - range.low;
-    for (double number = std::ceil(range.low); number <= range.high; ++number)
-        ticks.push_back({width > 0 ? (number - range.low) / width : 0.5, std::to_string(std::lround(number))});
+    const double width = range.high - range.low, first = std::ceil(range.low);
+    for (int k = 0; k <= kFewWhole && first + k <= range.high; ++k) {
+        char text[32]; // of at most 20 digits
+        std::snprintf(text, sizeof text, "%.0f", first + k);
+        if (!ticks.empty() && ticks.back().text == text) break; // no double lies between them
+        ticks.push_back({width > 0 ? (first + k - range.low) / width : 0.5, text});
+    }
     return ticks;
 }
 
@@ -182,7 +187,8 @@ ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintReques
         const auto whole = smallWholeRange(sources);
         range = request.color_range ? *request.color_range : whole ? *whole : rangeWithoutExtremes(scans, sources);
         choice.legend = barLegend(title, map, range);
-        if (whole && range.high - range.low < kFewWhole) choice.legend->ticks = wholeTicks(range);
+        if (whole && !request.color_range && range.high - range.low < kFewWhole)
+            choice.legend->ticks = wholeTicks(range);
     }
     for (const std::optional<SplatNumbers>& source : sources)
         choice.colors.emplace_back(NumberColors{source, ColorScale(map, range)});

@@ -57,8 +57,8 @@ std::vector<std::string> numberWords(const pro_file* file) {
 std::string attributeWord(const std::string& word) { return word == "class" ? "classification" : word; }
 
 std::optional<SplatNumbers> attributeNumbers(const pro_file* file, const std::string& word) {
-    const std::string name = attributeWord(word);
     SplatNumbers numbers;
+    const std::string name = pro_find_attribute(file, word.c_str(), &numbers.attribute) ? word : attributeWord(word);
     if (pro_find_attribute(file, name.c_str(), &numbers.attribute) && numbers.attribute.components == 1) return numbers;
     const auto parts = partedWord(name);
     if (!parts || !pro_find_attribute(file, parts->first.c_str(), &numbers.attribute)) return std::nullopt;

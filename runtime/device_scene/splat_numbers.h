@@ -29,7 +29,7 @@ std::vector<std::string> numberWords(const pro_file* file);
 /// The attribute's name that word is short for, or word.
 std::string attributeWord(const std::string& word);
 
-/// What attributeWord(word) names in file; nothing where the file has none such.
+/// What word names in file, or what it is short for; nothing where the file has neither.
 std::optional<SplatNumbers> attributeNumbers(const pro_file* file, const std::string& word);
 
 /// Heights along up, a unit vector, in world units: of what stands at its own coordinates those of its input.

@@ -93,7 +93,12 @@ TEST(Legend, HasRoundNumbers) {
     EXPECT_EQ(ticks.front().share, 0);
     EXPECT_EQ(ticks.back().share, 1);
     const double largest = std::numeric_limits<double>::max();
-    for (const ValueRange range : {ValueRange{-largest, largest}, {0, largest}, {0, 5e-324}, {1e308, 1.01e308}})
+    for (const ValueRange range : {ValueRange{-largest, largest},
+                                   {0, largest},
+                                   {0, 5e-324},
+                                   {1e308, 1.01e308},
+                                   {1e16, 1e16 + 2},
+                                   {-1e18, -1e18 + 128}})
         EXPECT_LE(ticksOf(range).size(), 13u) << range.low;
 }
 

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <functional>
+#include <cmath>
+#include <limits>
 
 #include "format/base/error.h"
 #include "tests/support/temporary_folder.h"
@@ -22,13 +23,19 @@ protected:
     ScenePaintTest() {
         scan.path = folder.file("tiny.pro");
         test::Scene tiny = test::tinyScene();
-        EXPECT_EQ(test::Said().write(tiny, scan.path), PRO_OK);
-        EXPECT_EQ(pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, nullptr), PRO_OK);
-        pro_get_info(scan.file, &scan.info);
-        pro_get_view(scan.file, &scan.view);
+        reopen([&] { EXPECT_EQ(test::Said().write(tiny, scan.path), PRO_OK); });
         scene.instances.push_back({scan.path, {}, {}, {}});
     }
     ~ScenePaintTest() override { pro_close(scan.file); }
+
+    template <typename Write>
+    void reopen(const Write& write) {
+        pro_close(scan.file);
+        write();
+        EXPECT_EQ(pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, nullptr), PRO_OK);
+        pro_get_info(scan.file, &scan.info);
+        pro_get_view(scan.file, &scan.view);
+    }
 
     std::vector<PlacedScan> scans() const {
         std::vector<PlacedScan> placed;
@@ -156,6 +163,29 @@ TEST_F(ScenePaintTest, HeightsAreThoseOfTheWorld) {
     scene.instances[0].placement.rotation = {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}; // its z becomes x
     settings.color_range = {{30, 32}};
     EXPECT_EQ(greys(), (Ints{64, 25, 25, 115, 192}));
+}
+
+TEST_F(ScenePaintTest, NumbersMayBeAnyThatThereAre) {
+    const std::array<std::uint64_t, 5> large{~0ull, ~0ull, ~0ull, ~0ull, ~0ull};
+    const double largest = std::numeric_limits<double>::max();
+    const std::array<double, 5> wild{largest, -largest, 5e-324, -largest, largest};
+    const std::array<float, 5> none{NAN, INFINITY, -INFINITY, NAN, NAN};
+    test::Scene tiny = test::tinyScene();
+    test::Said said;
+    said.attributes.clear();
+    said.add("class", PRO_TYPE_U64, 1, large.data());
+    said.add("wild", PRO_TYPE_F64, 1, wild.data());
+    said.add("none", PRO_TYPE_F32, 1, none.data());
+    reopen([&] { EXPECT_EQ(said.write(tiny, scan.path), PRO_OK); });
+    for (const char* word : {"class", "wild", "none"})
+        for (const auto& [name, map] : kColorMapNames) {
+            colorBy(word, map);
+            EXPECT_EQ(colors().size(), 5u) << word << name;
+            EXPECT_LE(plan().legend->ticks.size(), 13u) << word << name;
+        }
+    colorBy("class", ColorMap::kGrey);
+    EXPECT_EQ(greys(), (Ints{128, 128, 128, 128, 128})) << "of that very name, not of classes";
+    EXPECT_EQ(plan().legend->ticks.size(), 1u);
 }
 
 TEST_F(ScenePaintTest, NormalsAreColours) {
