@@ -39,8 +39,7 @@ void countBins(const pro_attribute& attribute, std::size_t numbers, Histogram& h
 Histogram histogramOf(const pro_attribute& attribute, std::size_t count) {
     Histogram histogram;
     const std::size_t numbers = count * attribute.components;
-    if (countValues(attribute, numbers, histogram)) return histogram;
-    histogram.values.clear();
+    if (!countValues(attribute, numbers, histogram)) histogram.values.clear();
     countBins(attribute, numbers, histogram);
     return histogram;
 }

@@ -14,7 +14,7 @@ namespace pointrt {
 struct Histogram {
     /// How often each value is there, where they are whole and there are at most kMostValues of them; else empty.
     std::map<double, std::uint64_t> values;
-    /// How many lie in each of kBins equal parts of low to high, the upper end in the last; empty where values is not.
+    /// How many lie in each of kBins equal parts of low to high, the upper end in the last.
     std::vector<std::uint64_t> bins;
     std::uint64_t not_finite = 0;
 

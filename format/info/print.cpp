@@ -72,13 +72,16 @@ std::string materialsText(const ProFile& file) {
     return text;
 }
 
-/// "2 61.0 %, 5 39.0 %", or bars from the least to the greatest.
+/// "2: 61 %, 5: 39 %" of so few values that a line holds them, else bars from the least to the greatest.
 std::string histogramText(const Histogram& histogram, std::uint64_t numbers) {
+    constexpr std::size_t kListed = 8;
     std::string text;
-    for (const auto& [value, count] : histogram.values)
-        text += fmt::format("{}{:.10g}: {:.3g} %", text.empty() ? "" : ", ", value,
-                            100 * static_cast<double>(count) / static_cast<double>(numbers));
-    if (histogram.bins.empty()) return text;
+    if (!histogram.values.empty() && histogram.values.size() <= kListed) {
+        for (const auto& [value, count] : histogram.values)
+            text += fmt::format("{}{:.10g}: {:.3g} %", text.empty() ? "" : ", ", value,
+                                100 * static_cast<double>(count) / static_cast<double>(numbers));
+        return text;
+    }
     constexpr const char* kBars[] = {" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
     const std::uint64_t most = *std::max_element(histogram.bins.begin(), histogram.bins.end());
     for (const std::uint64_t count : histogram.bins) text += kBars[most == 0 ? 0 : (count * 8 + most - 1) / most];
@@ -164,7 +167,7 @@ Json materialsJson(const ProFile& file) {
 
 Json histogramJson(const Histogram& histogram) {
     Json json;
-    if (histogram.bins.empty()) {
+    if (!histogram.values.empty()) {
         json["values"] = Json::object();
         for (const auto& [value, count] : histogram.values) json["values"][fmt::format("{:.17g}", value)] = count;
     } else {
