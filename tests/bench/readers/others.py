@@ -6,6 +6,9 @@ import numpy as np
 
 # laspy's dimensions that are no attributes of ours: positions, colours apart, and what it makes up itself
 LAS_ROLES = {"X", "Y", "Z", "red", "green", "blue"}
+# which are not read
+LAS_WAVEFORM = {"wavepacket_index", "wavepacket_offset", "wavepacket_size", "return_point_wave_location", "x_t", "y_t",
+                "z_t"}
 
 
 def summary(array):
@@ -71,19 +74,21 @@ def e57_columns(file, scan):
     return arrays
 
 
+def e57_world(file, scan, raw):
+    """A scan's positions in the file's frame."""
+    header, local = file.get_header(scan), e57_positions(raw)
+    return local @ header.rotation_matrix.T + header.translation if header.has_pose() else local
+
+
 def read_e57(path):
     import pye57
     file = pye57.E57(path)
     positions, attributes = [np.empty((0, 3))], {}
     for scan in range(file.scan_count):
-        header = file.get_header(scan)
-        if header.point_count == 0:
+        if file.get_header(scan).point_count == 0:
             continue
         raw = e57_columns(file, scan)
-        local = e57_positions(raw)
-        if header.has_pose():
-            local = local @ header.rotation_matrix.T + header.translation
-        positions.append(local)
+        positions.append(e57_world(file, scan, raw))
         for name, attribute in E57_NAMES.items():
             if name in raw:
                 # returns are counted from 0, or from 1 where one is as large as their count, and from 1 by us
