@@ -48,6 +48,7 @@ struct Cloud {
     Vec3d origin = Vec3d::Zero();
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;                 ///< as given, any length; zero where missing
+    bool normal_sides = true;                   ///< normals point out; false: some are axes
     std::vector<Rgb8> colors;                   ///< sRGB
     std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                 ///< scanner positions, relative to origin

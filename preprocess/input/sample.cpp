@@ -105,6 +105,7 @@ Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans
     points.points_unused = cloud.points_unused;
     points.points_filtered = cloud.points_filtered;
     points.world = cloud.world;
+    points.normal_sides = cloud.normal_sides;
     points.scans = cloud.scans;
     points.notes = cloud.notes;
     for (const ScanRange& scan : scans) {

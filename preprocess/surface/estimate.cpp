@@ -53,14 +53,15 @@ NeighborLists connect(Points& points, std::optional<NearestSearch>& search, cons
 }
 
 /// Gives points their normals, on the right side; returns whether the side is known.
-bool shape(Points& points, const NeighborLists& lists, const SurfaceOptions& options, SurfaceReport& report,
-           const StageProgress& progress) {
+bool shape(Points& points, const NeighborLists& lists, bool normal_sides, const SurfaceOptions& options,
+           SurfaceReport& report, const StageProgress& progress) {
     std::vector<std::uint8_t> given;
     {
         const Stopwatch watch(report.seconds_normals);
         given = fillNormals(points, lists, options.normals, progress);
         report.normals_estimated = std::size_t(std::count(given.begin(), given.end(), 0));
     }
+    if (!normal_sides) std::fill(given.begin(), given.end(), std::uint8_t{0});
     const Stopwatch watch(report.seconds_orient);
     return orientNormals(points, lists, given, options.orient, report.normals_flipped, progress);
 }
@@ -134,6 +135,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     requireSane(options);
     const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
+    const bool normal_sides = cloud.normal_sides;
     const std::size_t input_count = cloud.positions.size() - strays.size();
 
     Points points = takePointsBut(std::move(cloud), strays);
@@ -141,7 +143,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     std::optional<NearestSearch> search;
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
-    const bool oriented = shape(points, lists, options, report, progress);
+    const bool oriented = shape(points, lists, normal_sides, options, report, progress);
     std::vector<float> radii;
     {
         const Stopwatch watch(report.seconds_radii);

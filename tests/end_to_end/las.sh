@@ -37,7 +37,7 @@ roundTrip() {
     attributesOf out/second.pro >second.txt
     attributesOf out/third.pro >third.txt
     cmp second.txt third.txt || fail "attributes have changed"
-    for name in rgb16 intensity classification; do
+    for name in depth rgb16 intensity classification; do
         grep -q "\"name\": \"$name\"" second.txt || fail "no $name"
     done
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draco: https://google.github.io/draco/spec/
+#include <cstring>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include <draco/compression/config/compression_shared.h>
@@ -12,6 +14,7 @@
 #include <draco/metadata/metadata_decoder.h>
 
 #include "preprocess/input/formats/formats.h"
+#include "preprocess/input/source/attribute_names.h"
 
 namespace pointrt {
 namespace {
@@ -148,14 +151,108 @@ const PointAttribute* attributeOf(const draco::PointCloud& points, GeometryAttri
 
 ColorScale scaleOf(const PointAttribute& colors) {
     if (colors.data_type() == draco::DT_UINT8) return ColorScale::kByte;
+    if (colors.data_type() == draco::DT_UINT16) return ColorScale::k16Bit;
     const bool real = colors.data_type() == draco::DT_FLOAT32 || colors.data_type() == draco::DT_FLOAT64;
     return real ? ColorScale::kReal : ColorScale::kInteger;
 }
 
+std::optional<Scalar> scalarOf(draco::DataType type) {
+    switch (type) {
+    case draco::DT_INT8:
+        return Scalar::kI8;
+    case draco::DT_UINT8:
+    case draco::DT_BOOL:
+        return Scalar::kU8;
+    case draco::DT_INT16:
+        return Scalar::kI16;
+    case draco::DT_UINT16:
+        return Scalar::kU16;
+    case draco::DT_INT32:
+        return Scalar::kI32;
+    case draco::DT_UINT32:
+        return Scalar::kU32;
+    case draco::DT_INT64:
+        return Scalar::kI64;
+    case draco::DT_UINT64:
+        return Scalar::kU64;
+    case draco::DT_FLOAT32:
+        return Scalar::kF32;
+    case draco::DT_FLOAT64:
+        return Scalar::kF64;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// What a writer calls an attribute, or its number.
+std::string nameOf(const draco::PointCloud& points, int id) {
+    std::string name;
+    const draco::AttributeMetadata* const metadata = points.GetAttributeMetadataByAttributeId(id);
+    if (metadata && metadata->GetEntryString("name", &name) && !name.empty()) return name;
+    return fmt::format("generic_{}", points.attribute(id)->unique_id());
+}
+
+/// Attributes that are packed one after the other, each with the bytes of its first `bytes`.
+struct PackedColumns {
+    struct Column {
+        const PointAttribute* attribute;
+        std::size_t bytes;
+    };
+    std::vector<Column> columns;
+    std::vector<ColumnTraits> traits;
+    std::size_t size = 0;
+    std::string unread;
+
+    void add(const PointAttribute& attribute, const std::string& name, Scalar type, std::uint32_t components) {
+        columns.push_back({&attribute, scalarSize(type) * components});
+        traits.push_back({name, type, components});
+        size += columns.back().bytes;
+    }
+};
+
+/// Colours of 16 bits, and all that the library has no meaning for; coordinates in textures are a mesh's.
+PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
+    constexpr std::uint32_t kMostComponents = 4;
+    PackedColumns packed;
+    AttributeNames names;
+    const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
+    if (colors && scaleOf(*colors) == ColorScale::k16Bit) packed.add(*colors, *names.take(kRgb16), Scalar::kU16, 3);
+    for (int id = 0; id < points.num_attributes(); ++id) {
+        const PointAttribute& attribute = *points.attribute(id);
+        const GeometryAttribute::Type type = attribute.attribute_type();
+        const bool of_texture = mesh && type == GeometryAttribute::TEX_COORD;
+        const bool has_role = type != GeometryAttribute::GENERIC && &attribute == points.GetNamedAttribute(type) &&
+                              type != GeometryAttribute::TEX_COORD;
+        if (has_role || of_texture) continue;
+        const auto components = static_cast<std::uint32_t>(attribute.num_components());
+        const std::optional<Scalar> scalar = scalarOf(attribute.data_type());
+        const std::string written = nameOf(points, id);
+        const auto name =
+            scalar && components >= 1 && components <= kMostComponents ? names.take(written) : std::nullopt;
+        if (name)
+            packed.add(attribute, *name, *scalar, components);
+        else if (packed.unread.size() < 80) // a line's worth
+            packed.unread += (packed.unread.empty() ? "" : ", ") + quoted(written);
+    }
+    return packed;
+}
+
+draco::AttributeValueIndex valueOf(const Source& source, const PointAttribute& attribute, draco::PointIndex point) {
+    const draco::AttributeValueIndex value = attribute.mapped_index(point);
+    if (value.value() >= attribute.size()) refuse(source, "the Draco data is broken: a value is missing");
+    return value;
+}
+
+void pack(const Source& source, const PackedColumns& packed, draco::PointIndex point, char* into) {
+    for (const PackedColumns::Column& column : packed.columns) {
+        std::memcpy(into, column.attribute->GetAddress(valueOf(source, *column.attribute, point)), column.bytes);
+        into += column.bytes;
+    }
+}
+
 void load(const Source& source, const PointAttribute* attribute, draco::PointIndex point, double* into) {
     if (!attribute) return;
-    const draco::AttributeValueIndex value = attribute->mapped_index(point);
-    if (value.value() >= attribute->size()) refuse(source, "the Draco data is broken: a value is missing");
+    const draco::AttributeValueIndex value = valueOf(source, *attribute, point);
     if (attribute->data_type() == draco::DT_UINT8) { // as it is, even where it is marked as a share of 1
         const std::uint8_t* const bytes = attribute->GetAddress(value);
         std::copy(bytes, bytes + 3, into);
@@ -164,7 +261,7 @@ void load(const Source& source, const PointAttribute* attribute, draco::PointInd
     }
 }
 
-void addVertices(const Source& source, const draco::PointCloud& points, Sink& sink) {
+void addVertices(const Source& source, const draco::PointCloud& points, bool mesh, Sink& sink) {
     const PointAttribute* const positions = attributeOf(points, GeometryAttribute::POSITION);
     const PointAttribute* const normals = attributeOf(points, GeometryAttribute::NORMAL);
     const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
@@ -173,14 +270,22 @@ void addVertices(const Source& source, const draco::PointCloud& points, Sink& si
     traits.vertices = points.num_points();
     traits.normals = normals != nullptr;
     traits.colors = colors != nullptr;
+    traits.faces = mesh;
     if (colors) traits.color_scale = scaleOf(*colors);
+    const PackedColumns packed = packedColumns(points, mesh);
+    traits.columns = packed.traits;
+    if (!packed.unread.empty())
+        addNote(sink.cloud, source.name,
+                "attributes of more than 4 numbers, or whose name is another's, are not read: " + packed.unread);
     beginScan(sink, source, traits);
     Row row{};
+    std::vector<char> values(packed.size);
     for (draco::PointIndex i(0); i < points.num_points(); ++i) {
         load(source, positions, i, &row[kX]);
         load(source, normals, i, &row[kNormalX]);
         load(source, colors, i, &row[kRed]);
-        addVertex(sink, row);
+        pack(source, packed, i, values.data());
+        addVertex(sink, row, values.data());
     }
 }
 
@@ -200,7 +305,7 @@ bool isDracoStart(std::string_view bytes) { return bytes.starts_with("DRACO"); }
 void readDraco(const Source& source, Sink& sink) {
     checkCounts(source);
     const Decoded decoded = decode(source);
-    addVertices(source, *decoded.points, sink);
+    addVertices(source, *decoded.points, decoded.mesh != nullptr, sink);
     if (decoded.mesh) addFaces(source, *decoded.mesh, sink);
     finishScan(sink, source);
 }

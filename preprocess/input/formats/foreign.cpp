@@ -13,7 +13,7 @@ constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvertScan = "convert it first, with CloudCompare or 'pdal translate'";
 constexpr std::string_view kConvertMesh =
     "convert it to PLY or OBJ first, with MeshLab or Blender; --sample N spreads points";
-constexpr std::string_view kConvertSplats = "export it as an uncompressed PLY, which is read as points";
+constexpr std::string_view kConvertSplats = "export it as PLY or SPZ, from SuperSplat for one";
 constexpr std::string_view kEncode = "save it as UTF-8 or ASCII, as 'iconv -f UTF-16 -t UTF-8' does";
 constexpr std::string_view kNoScan = "it holds no scan";
 constexpr std::string_view kWebPage = "what was to be downloaded is not in it";
@@ -25,17 +25,13 @@ struct Foreign {
 
 /// Scans and models in formats that are not read.
 constexpr Foreign kUnreadStarts[] = {
-    {"[Expe/PointSet", "is an Expe point set", kConvertScan},
-    {"\x89HDF", "is an HDF5 file", kConvertScan},
-    {"# vtk DataFile", "is a VTK file", kConvertMesh},
-    {"glTF", "is a glTF model", kConvertMesh},
-    {"Kaydara FBX", "is an FBX model", kConvertMesh},
-    {"BLENDER", "is a Blender file", kConvertMesh},
-    {"NGSP", "is an SPZ file of Gaussian splats", kConvertSplats},
+    {"[Expe/PointSet", "is an Expe point set", kConvertScan}, {"\x89HDF", "is an HDF5 file", kConvertScan},
+    {"# vtk DataFile", "is a VTK file", kConvertMesh},        {"glTF", "is a glTF model", kConvertMesh},
+    {"Kaydara FBX", "is an FBX model", kConvertMesh},         {"BLENDER", "is a Blender file", kConvertMesh},
 };
 /// The same, of text or of bytes without a mark.
 constexpr Foreign kUnreadSuffixes[] = {
-    {"splat ksplat", "is a file of Gaussian splats", kConvertSplats},
+    {"ksplat sog lcc", "is a file of Gaussian splats", kConvertSplats},
     {"fls rcp rcs zfs", "is a scanner maker's file", "export it as PLY or text from the maker's program"},
     {"gltf dae wrl x3d 3ds stp step igs iges dxf ifc", "is a 3D model", kConvertMesh},
 };

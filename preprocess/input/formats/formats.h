@@ -36,10 +36,13 @@ struct FormatReader {
     FORMAT(kPcd, "pcd", "PCD", "pcd", kAny)                                                                            \
     FORMAT(kLas, "las", "LAS/LAZ", "las laz", kAny)                                                                    \
     FORMAT(kE57, "e57", "E57", "e57", kAny)                                                                            \
+    FORMAT(kPtx, "ptx", "PTX", "ptx", kText)                                                                           \
     FORMAT(kXyz, "xyz", "XYZ/PTS/ASC/TXT/CSV", "xyz pts asc txt csv", kColumns)                                        \
     FORMAT(kObj, "obj", "OBJ", "obj", kText)                                                                           \
     FORMAT(kOff, "off", "OFF", "off", kText)                                                                           \
     FORMAT(kDraco, "drc", "Draco", "drc", kAny)                                                                        \
+    FORMAT(kSplat, "splat", "SPLAT", "splat", kAny)                                                                    \
+    FORMAT(kSpz, "spz", "SPZ", "spz", kAny)                                                                            \
     FORMAT(kConf, "conf", "Stanford .conf", "conf", kText)
 // clang-format on
 

@@ -298,6 +298,7 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     if (traits.normals) {
         makeRoom(cloud.normals, room);
         cloud.normals.resize(sink.first_position, Vec3f::Zero());
+        cloud.normal_sides = cloud.normal_sides && traits.normal_sides;
     }
     if (traits.colors) {
         makeRoom(cloud.colors, room);
@@ -354,6 +355,8 @@ void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const c
     if (sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(sink.vertices) / static_cast<double>(sink.traits.vertices)));
 }
+
+void skipVertex(Sink& sink) { drop(sink, sink.vertices++); }
 
 void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
     for (std::size_t i = 2; i < corners.size(); ++i)

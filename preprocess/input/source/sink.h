@@ -31,6 +31,7 @@ enum class ColorScale { kByte, kInteger, kReal, k16Bit };
 /// What a reader knows before its first vertex.
 struct ScanTraits {
     bool normals = false;
+    bool normal_sides = true; ///< false: normals are axes, and which way is out is for others to tell
     bool colors = false;
     bool radii = false;
     bool faces = true; ///< false: no polygon will be added, and vertices that are dropped need not be known
@@ -98,6 +99,9 @@ void addVertex(Sink& sink, const Row& row, const char* values = nullptr);
 /// by one, but several times as fast.
 /// @param columns of each of the traits' columns the values, one vertex after the other
 void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const char* const> columns);
+
+/// Counts a vertex that the reader leaves out, as one that is not wanted.
+void skipVertex(Sink& sink);
 
 /// Adds a polygon of 3 or more file indices, each below the number of vertices of the file, as a fan of triangles.
 void addPolygon(Sink& sink, std::span<const std::uint32_t> corners);

@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
+#include <zlib.h>
 
 #include "format/base/error.h"
 #include "preprocess/input/read.h"
+#include "preprocess/input/source/scalar.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {
@@ -57,9 +59,55 @@ protected:
     static inline ExitCode last_code = ExitCode::kDone;
 };
 
+/// The attribute of that name; a test failure and an empty one where there is none.
+inline Attribute attributeOf(const Cloud& cloud, const std::string& name) {
+    for (const Attribute& attribute : cloud.attributes)
+        if (attribute.name == name) return attribute;
+    ADD_FAILURE() << "no attribute " << name;
+    return {};
+}
+
+/// All of its numbers, components one after the other.
+inline std::vector<double> numbersOf(const Cloud& cloud, const std::string& name) {
+    const Attribute attribute = attributeOf(cloud, name);
+    std::vector<double> numbers;
+    for (std::size_t at = 0; at < attribute.values.size(); at += scalarSize(attribute.type))
+        numbers.push_back(loadScalar(attribute.values.data() + at, attribute.type, false));
+    return numbers;
+}
+
+inline std::vector<std::string> attributeNames(const Cloud& cloud) {
+    std::vector<std::string> names;
+    for (const Attribute& attribute : cloud.attributes) names.push_back(attribute.name);
+    return names;
+}
+
+inline std::string notesOf(const Cloud& cloud) {
+    std::string all;
+    for (const Note& note : cloud.notes) all += note.file + ": " + note.text + "\n";
+    return all;
+}
+
+using Numbers = std::vector<double>;
+using Names = std::vector<std::string>;
+
 #define EXPECT_HAS(text, part) EXPECT_NE(std::string(text).find(part), std::string::npos) << (text)
 
 inline Vec3d world(const Cloud& cloud, std::size_t i) { return cloud.origin + cloud.positions[i].cast<double>(); }
+
+inline std::string gzipped(const std::string& bytes) {
+    z_stream stream{};
+    deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    std::string packed(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = static_cast<uInt>(packed.size());
+    deflate(&stream, Z_FINISH);
+    packed.resize(stream.total_out);
+    deflateEnd(&stream);
+    return packed;
+}
 
 /// Bytes of a value, reversed for big-endian files.
 template <typename Value>

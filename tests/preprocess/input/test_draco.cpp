@@ -64,6 +64,40 @@ TEST_F(DracoTest, Meshes) {
     }
 }
 
+TEST_F(DracoTest, OtherAttributesAreKept) {
+    draco::PointCloudBuilder builder;
+    builder.Start(2);
+    const int position = builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    const int color = builder.AddAttribute(GeometryAttribute::COLOR, 3, draco::DT_UINT16);
+    const int time = builder.AddAttribute(GeometryAttribute::GENERIC, 1, draco::DT_FLOAT64);
+    const int tags = builder.AddAttribute(GeometryAttribute::GENERIC, 2, draco::DT_INT16);
+    for (int i = 0; i < 2; ++i) {
+        const float p[] = {static_cast<float>(i), 0.5f, 2};
+        const std::uint16_t rgb[] = {static_cast<std::uint16_t>(i), 300, 65535};
+        const double seconds = 413665.23368423499 + i;
+        const short pair[] = {static_cast<short>(-i), 300};
+        builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+        builder.SetAttributeValueForPoint(color, draco::PointIndex(i), rgb);
+        builder.SetAttributeValueForPoint(time, draco::PointIndex(i), &seconds);
+        builder.SetAttributeValueForPoint(tags, draco::PointIndex(i), pair);
+    }
+    const auto points = builder.Finalize(false);
+    auto metadata = std::make_unique<draco::AttributeMetadata>();
+    metadata->AddEntryString("name", "GpsTime");
+    points->AddAttributeMetadata(time, std::move(metadata));
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodePointCloudToBuffer(*points, &buffer).ok());
+    const Cloud cloud = readText("a.drc", {buffer.data(), buffer.size()});
+    const std::string unnamed = fmt::format("generic_{}", points->attribute(tags)->unique_id());
+    EXPECT_EQ(attributeNames(cloud), (Names{"rgb16", "gps_time", unnamed}));
+    EXPECT_EQ(numbersOf(cloud, "rgb16"), (Numbers{0, 300, 65535, 1, 300, 65535}));
+    EXPECT_EQ(cloud.colors[1], (Rgb8{0, 1, 255}));
+    EXPECT_EQ(numbersOf(cloud, "gps_time"), (Numbers{413665.23368423499, 413666.23368423499}));
+    EXPECT_EQ(numbersOf(cloud, unnamed), (Numbers{0, 300, -1, 300}));
+}
+
 TEST_F(DracoTest, EveryPrefixIsRefusedCleanly) {
     readPrefixes("a.drc", encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING));
     readPrefixes("b.drc", encodedMesh(draco::MESH_SEQUENTIAL_ENCODING));

@@ -83,7 +83,8 @@ TEST(Formats, NamesDifferAndEachIsComplete) {
 }
 
 TEST(Formats, MessagesNameAll) {
-    EXPECT_EQ(readableFormats(), "PLY, PCD, LAS/LAZ, E57, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco and Stanford .conf");
+    EXPECT_EQ(readableFormats(),
+              "PLY, PCD, LAS/LAZ, E57, PTX, XYZ/PTS/ASC/TXT/CSV, OBJ, OFF, Draco, SPLAT, SPZ and Stanford .conf");
 }
 
 } // namespace

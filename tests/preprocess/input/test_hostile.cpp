@@ -29,7 +29,18 @@ std::vector<Sample> samples() {
         {"f.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
         {"g.csv", "x,y,z,r,g,b\n1,2,3,4,5,6\n1,2,3,4,5,6\n"},
         {"h.pts", "2\n1 2 3 4 5 6 7\n1 2 3 4 5 6 7\n"},
-        {"i.conf", "bmesh none.ply 0 0 0 0 0 0 1\n"},
+        {"i.csv", "X,Y,Z,Intensity,Class,GpsTime\n1,2,3,4,5,6.5\n1,2,3,4,5,6.5\n"},
+        {"j.ptx", "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n0 0 0 0.5\n"},
+        {"k.splat", floats + floats + std::string("\1\2\3\xff\xff\x80\x80\x80", 8)},
+        {"l.spz", "NGSP" + bytesOf(2u) + bytesOf(1u) + std::string("\0\x0c\0\0", 4) + std::string(9, '\1') + "\xff" +
+                      std::string(9, '\x80')},
+        {"m.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+                  "z\nproperty float f_dc_0\n"
+                  "property float f_dc_1\nproperty float f_dc_2\nproperty float opacity\nproperty float "
+                  "scale_0\nproperty float scale_1\n"
+                  "property float rot_0\nproperty float rot_1\nproperty float rot_2\nproperty float rot_3\nend_header\n"
+                  "1 2 3 0 0 0 9 -1 -2 1 0 0 0\n"},
+        {"z.conf", "bmesh none.ply 0 0 0 0 0 0 1\n"},
     };
 }
 

@@ -138,6 +138,41 @@ TEST_F(PcdTest, OrganisedCloudsHaveASensor) {
     EXPECT_TRUE(readText("d.pcd", simple("WIDTH 2\nHEIGHT 1\n", "1 2 3\n1 2 3\n")).sensor_of_point.empty());
 }
 
+TEST_F(PcdTest, FieldsAreAttributes) {
+    const std::string head =
+        "VERSION .7\nFIELDS x y z Intensity label v _ fpfh\nSIZE 4 4 4 4 1 2 4 4\nTYPE F F F F U I F F\n"
+        "COUNT 1 1 1 1 1 2 1 5\nWIDTH 2\nHEIGHT 1\n";
+    const std::string rows = "1 2 3 0.5 7 -1 300 9 1 2 3 4 5\n4 5 6 0.25 300 5 6 9 1 2 3 4 5\n";
+    std::string packed[8], bytes;
+    for (int i = 0; i < 2; ++i) {
+        const float position[] = {i == 0 ? 1.f : 4.f, i == 0 ? 2.f : 5.f, i == 0 ? 3.f : 6.f};
+        std::string point[8] = {
+            bytesOf(position[0]),
+            bytesOf(position[1]),
+            bytesOf(position[2]),
+            bytesOf(i == 0 ? 0.5f : 0.25f),
+            i == 0 ? "\7" : "\xff",
+            i == 0 ? bytesOf(short{-1}) + bytesOf(short{300}) : bytesOf(short{5}) + bytesOf(short{6}),
+            std::string(4, '\1'),
+            std::string(20, '\2')};
+        for (int field = 0; field < 8; ++field) packed[field] += point[field], bytes += point[field];
+    }
+    std::string columns;
+    for (const std::string& column : packed) columns += column;
+    for (const std::string& text : {head + "DATA ascii\n" + rows, head + "DATA binary\n" + bytes,
+                                    compressed(head, packLiterally(columns), columns.size())}) {
+        const Cloud cloud = readText("a.pcd", text);
+        EXPECT_EQ(attributeNames(cloud), (Names{"intensity", "label", "v"}));
+        EXPECT_EQ(numbersOf(cloud, "intensity"), (Numbers{0.5, 0.25}));
+        EXPECT_EQ(numbersOf(cloud, "label"), (Numbers{7, 255}));
+        EXPECT_EQ(attributeOf(cloud, "v").components, 2u);
+        EXPECT_EQ(attributeOf(cloud, "v").type, Scalar::kI16);
+        EXPECT_EQ(numbersOf(cloud, "v"), (Numbers{-1, 300, 5, 6}));
+        EXPECT_HAS(notesOf(cloud), "fields of more than 4 numbers, or whose name is another's, are not read: 'fpfh'");
+    }
+    EXPECT_HAS(notesOf(readText("a.pcd", head + "DATA ascii\n" + rows)), "has numbers that their types do not hold");
+}
+
 TEST_F(PcdTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.pcd", "1 2 3\n"), "no PCD header");
     EXPECT_HAS(reasonOfText("a.pcd", simple("", "1 2 3\n")), "neither WIDTH nor POINTS");

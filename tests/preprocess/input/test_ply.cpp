@@ -66,6 +66,10 @@ void expectVertices(const Cloud& cloud) {
     }
     ASSERT_EQ(cloud.triangles.size(), 1u);
     EXPECT_EQ(cloud.triangles[0], (std::array<std::uint32_t, 3>{2, 1, 0}));
+    EXPECT_EQ(attributeNames(cloud), Names{"label"});
+    EXPECT_EQ(attributeOf(cloud, "label").type, Scalar::kU32);
+    EXPECT_EQ(numbersOf(cloud, "label"), (Numbers{7, 8, 9}));
+    EXPECT_HAS(notesOf(cloud), "properties that are lists, or whose name is another's, are not read: 'tags'");
 }
 
 TEST_F(PlyTest, AllEncodingsGiveTheSameCloud) {
@@ -124,19 +128,87 @@ TEST_F(PlyTest, SplatColors) {
     EXPECT_EQ(readText("s.ply", ascii(properties, "0 0 0 0 9 -9\n")).colors[0], (Rgb8{128, 255, 0}));
 }
 
-TEST_F(PlyTest, GaussianSplatsAreNamed) {
-    const std::string colors = "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n";
-    const std::string shape = "property float opacity\nproperty float scale_0\nproperty float rot_0\n";
-    const Cloud cloud = readText("s.ply", ascii(colors + shape, "0 0 0 0 9 -9 1 2 3\n"));
-    EXPECT_EQ(cloud.colors[0], (Rgb8{128, 255, 0}));
-    ASSERT_EQ(cloud.notes.size(), 1u);
-    EXPECT_HAS(cloud.notes[0].text, "is a 3D Gaussian splatting file: centres and base colours are read");
-    EXPECT_TRUE(readText("p.ply", ascii(colors, "0 0 0 0 9 -9\n")).notes.empty());
-    EXPECT_HAS(reasonOfText("c.ply", "ply\nformat binary_little_endian 1.0\nelement chunk 1\nproperty float min_x\n"
-                                     "element vertex 1\nproperty uint packed_position\nproperty uint packed_color\n"
-                                     "end_header\n" +
-                                         std::string(12, '\0')),
-               "c.ply: is a compressed 3D Gaussian splatting file: export it uncompressed");
+TEST_F(PlyTest, PropertiesAreAttributesByTheNamesThatToolsWrite) {
+    const Cloud cloud = readText(
+        "a.ply",
+        ascii("property uchar scalar_Classification\nproperty float scalar_Intensity\nproperty double GpsTime\n"
+              "property float confidence\nproperty short scan\nproperty float s\nproperty uchar alpha\n"
+              "property float radius\nproperty float Intensity\nproperty float Intensity\n",
+              "1 2 3 6 0.5 413665.23368423499 0.25 -3 0.75 255 2 9 8\n"));
+    EXPECT_EQ(attributeNames(cloud), (Names{"classification", "intensity", "gps_time", "confidence", "scan", "s",
+                                            "alpha", "radius", "Intensity"}));
+    EXPECT_EQ(attributeOf(cloud, "scan").type, Scalar::kI16);
+    EXPECT_EQ(numbersOf(cloud, "scan"), Numbers{-3});
+    EXPECT_EQ(numbersOf(cloud, "gps_time"), Numbers{413665.23368423499});
+    EXPECT_EQ(numbersOf(cloud, "Intensity"), Numbers{9});
+    EXPECT_TRUE(cloud.radii.empty()); // without normals
+    EXPECT_HAS(notesOf(cloud), "whose name is another's, are not read: 'Intensity'");
+}
+
+TEST_F(PlyTest, BigIntegersKeepAllBits) {
+    for (const bool big : {false, true}) {
+        const std::string header =
+            fmt::format("ply\nformat binary_{}_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                        "property float z\nproperty uint64 id\nproperty int8 t\nend_header\n",
+                        big ? "big" : "little");
+        const std::uint64_t id = 0xfedcba9876543211u;
+        const Cloud cloud = readText("a.ply", header + bytesOf(1.f, big) + bytesOf(2.f, big) + bytesOf(3.f, big) +
+                                                  bytesOf(id, big) + "\x85");
+        const Attribute attribute = attributeOf(cloud, "id");
+        EXPECT_EQ(std::string(attribute.values.begin(), attribute.values.end()), bytesOf(id));
+        EXPECT_EQ(numbersOf(cloud, "t"), Numbers{-123});
+    }
+    const Cloud text = readText("t.ply", ascii("property uint64 id\n", "1 2 3 18364758544493064721\n"));
+    EXPECT_EQ(std::string(text.attributes[0].values.data(), 8), bytesOf(std::uint64_t{18364758544493064721u}));
+}
+
+TEST_F(PlyTest, NumbersThatTheirTypesDoNotHoldAreTold) {
+    const Cloud cloud =
+        readText("a.ply", ascii("property uchar a\nproperty char b\nproperty int c\n", "1 2 3 300 -300 2.75\n"));
+    EXPECT_EQ(numbersOf(cloud, "a"), Numbers{255});
+    EXPECT_EQ(numbersOf(cloud, "b"), Numbers{-128});
+    EXPECT_EQ(numbersOf(cloud, "c"), Numbers{3});
+    EXPECT_HAS(notesOf(cloud), "has numbers that their types do not hold");
+    EXPECT_EQ(notesOf(readText("b.ply", ascii("property uchar a\n", "1 2 3 +7\n"))), "");
+}
+
+TEST_F(PlyTest, SixteenBitColorsAreKept) {
+    const Cloud cloud = readText(
+        "a.ply", ascii("property ushort blue\nproperty ushort red\nproperty ushort green\n", "1 2 3 65535 257 0\n"));
+    EXPECT_EQ(cloud.colors[0], (Rgb8{1, 0, 255}));
+    EXPECT_EQ(attributeOf(cloud, "rgb16").components, 3u);
+    EXPECT_EQ(numbersOf(cloud, "rgb16"), (Numbers{257, 0, 65535}));
+}
+
+TEST_F(PlyTest, SixteenBitColorsAsExported) {
+    const Cloud cloud = readText(
+        "a.ply", ascii("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty ushort rgb16_0\n"
+                       "property ushort rgb16_1\nproperty ushort rgb16_2\n",
+                       "1 2 3 9 8 7 2304 2048 65535\n"));
+    EXPECT_EQ(cloud.colors[0], (Rgb8{9, 8, 7}));
+    EXPECT_EQ(attributeNames(cloud), Names{"rgb16"});
+    EXPECT_EQ(numbersOf(cloud, "rgb16"), (Numbers{2304, 2048, 65535}));
+}
+
+TEST_F(PlyTest, DiscsHaveRadii) {
+    const std::string discs = "property float nx\nproperty float ny\nproperty float nz\nproperty float radius\n";
+    const Cloud cloud = readText("a.ply", ascii(discs, "1 2 3 0 0 1 0.5\n1 2 4 0 0 1 0\n1 2 5 0 0 1 -1\n", 3));
+    EXPECT_EQ(cloud.radii, (std::vector<float>{0.5f, 0, 0}));
+    EXPECT_TRUE(cloud.attributes.empty());
+    EXPECT_TRUE(cloud.normal_sides);
+    // a mesh's are not those of discs
+    const std::string mesh = discs + "element face 1\nproperty list uchar int vertex_indices\n";
+    EXPECT_TRUE(
+        readText("m.ply", ascii(mesh, "0 0 0 0 0 1 5\n1 0 0 0 0 1 5\n0 1 0 0 0 1 5\n3 0 1 2\n", 3)).radii.empty());
+}
+
+TEST_F(PlyTest, TextureCoordinatesOfMeshesAreNone) {
+    const std::string uv = "property float s\nproperty float t\n";
+    const std::string mesh = uv + "element face 1\nproperty list uchar int vertex_indices\n";
+    const Cloud cloud = readText("m.ply", ascii(mesh, "0 0 0 1 2\n1 0 0 1 2\n0 1 0 1 2\n3 0 1 2\n", 3));
+    EXPECT_TRUE(cloud.attributes.empty());
+    EXPECT_EQ(notesOf(cloud).find("not read"), std::string::npos);
+    EXPECT_EQ(attributeNames(readText("p.ply", ascii(uv, "0 0 0 1 2\n"))), (Names{"s", "t"}));
 }
 
 TEST_F(PlyTest, PolygonsAndStrips) {

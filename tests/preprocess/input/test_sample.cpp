@@ -72,7 +72,7 @@ TEST_F(SampleTest, NormalsAgainstTheWindingStay) {
         EXPECT_EQ(normal, Vec3f(0, 0, -1));
 }
 
-std::string notesOf(const Cloud& cloud) {
+std::string countedNotesOf(const Cloud& cloud) {
     std::string all;
     for (const Note& note : cloud.notes)
         all += note.file + " +" + std::to_string(note.more_files) + ": " + note.text + "\n";
@@ -117,16 +117,16 @@ TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
     const Cloud cloud = readText("a.obj", text + "f 1 2 8\n");
     EXPECT_EQ(cloud.positions.size(), 40u);
     EXPECT_EQ(cloud.points_unused, 0u);
-    EXPECT_HAS(notesOf(cloud), "a.obj +0: its faces use 3 of 40 points only; the others stay");
+    EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: its faces use 3 of 40 points only; the others stay");
 }
 
 TEST_F(SampleTest, CoarseMeshesAreTold) {
     const std::string cube = write("c.off", kCube), again = write("d.off", kCube);
-    const std::string notes = notesOf(readInputs({cube, again}, {}));
+    const std::string notes = countedNotesOf(readInputs({cube, again}, {}));
     EXPECT_HAS(notes, "c.off +1: its faces are large");
     EXPECT_HAS(notes, "--sample N");
     EXPECT_EQ(notes.find('\n'), notes.size() - 1);
-    EXPECT_EQ(notesOf(readInputs({cube}, {.format = "", .sample_count = 10})), "");
+    EXPECT_EQ(countedNotesOf(readInputs({cube}, {.format = "", .sample_count = 10})), "");
     // A square of n x n cells: edges of sqrt(2) / n, a diagonal of sqrt(2). At 20 cells a side they are a twentieth.
     for (const int n : {19, 21}) {
         std::string grid;
@@ -136,7 +136,7 @@ TEST_F(SampleTest, CoarseMeshesAreTold) {
             for (int k = 1; k <= n; ++k)
                 grid += fmt::format("f {} {} {} {}\n", i * (n + 1) + k, i * (n + 1) + k + 1, (i + 1) * (n + 1) + k + 1,
                                     (i + 1) * (n + 1) + k);
-        EXPECT_EQ(notesOf(readText("g.obj", grid)).empty(), n == 21) << n;
+        EXPECT_EQ(countedNotesOf(readText("g.obj", grid)).empty(), n == 21) << n;
     }
 }
 

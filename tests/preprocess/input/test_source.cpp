@@ -2,7 +2,6 @@
 #include "tests/preprocess/input/input_fixture.h"
 
 #include <array>
-#include <zlib.h>
 
 #include "pointrt/pro_layout.h"
 
@@ -10,20 +9,6 @@ namespace pointrt {
 namespace {
 
 using SourceTest = InputTest;
-
-std::string gzipped(const std::string& bytes) {
-    z_stream stream{};
-    deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-    std::string packed(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    deflate(&stream, Z_FINISH);
-    packed.resize(stream.total_out);
-    deflateEnd(&stream);
-    return packed;
-}
 
 TEST_F(SourceTest, FilesThatCannotBeRead) {
     EXPECT_HAS(reasonOf((folder / "gone.ply").string()), "gone.ply: no such file");
@@ -73,8 +58,7 @@ TEST_F(SourceTest, ForeignFormatsAreNamed) {
     EXPECT_HAS(reasonOfText("a.pro", bytesOf(magic)), "is baked already: pointrt-view shows it");
     EXPECT_HAS(reasonOfText("a.tar.gz", gzipped(std::string(257, 'n') + "ustar" + std::string(800, '\0'))),
                "is a tar archive: unpack it first");
-    EXPECT_HAS(reasonOfText("a.spz", gzipped("NGSP\2")), "is an SPZ file of Gaussian splats; this build reads PLY");
-    EXPECT_HAS(reasonOfText("a.splat", std::string(64, '\0')), "is a file of Gaussian splats; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.ksplat", std::string(64, '\0')), "is a file of Gaussian splats; this build reads PLY");
     EXPECT_HAS(reasonOfText("a.gltf", "{\"asset\": {}}\n"), "is a 3D model; this build reads PLY");
     EXPECT_HAS(reasonOfText("a.ply", "<!DOCTYPE html><title>404"), "is a web page");
     EXPECT_HAS(reasonOfText("a.toml", "[camera]\n"), "is a scene file: pointrt-view renders it");

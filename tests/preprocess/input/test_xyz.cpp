@@ -94,12 +94,6 @@ TEST_F(XyzTest, ColumnsWithoutHeaderAreToldByValue) {
     }
 }
 
-std::string notesOf(const Cloud& cloud) {
-    std::string all;
-    for (const Note& note : cloud.notes) all += note.file + ": " + note.text + "\n";
-    return all;
-}
-
 TEST_F(XyzTest, GuessesThatMayBeWrongAreTold) {
     const auto notes = [&](const char* text) { return notesOf(readText("a.xyz", text)); };
     EXPECT_HAS(notes("1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"), "a.xyz: has no header: columns 5 to 7 are taken as red");
@@ -108,7 +102,10 @@ TEST_F(XyzTest, GuessesThatMayBeWrongAreTold) {
     EXPECT_HAS(notes("1 2 3 200.5 99.25 30.5\n1 2 3 1.5 1.5 1.5\n"), "3 columns after x, y, z that look like neither");
     EXPECT_HAS(notes("1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 9\n"), "5 columns after x, y, z that look like neither");
     EXPECT_HAS(notes("1 2 3 0 0 1 9.5 8.5 7.5\n1 2 3 0 1 0 1 1 1\n"), "3 columns after x, y, z and normals");
-    for (const char* clear : {"1 2 3\n", "1 2 3 4\n", "1 2 3 4 5\n", "1 2 3 10 20 30\n", "1 2 3 0 0 1\n",
+    EXPECT_HAS(notes("1 2 3 4\n"), "1 column after x, y, z that looks like neither colours nor normals is not read");
+    EXPECT_HAS(notes("1 2 3 4 5\n"), "2 columns after x, y, z that look like neither");
+    EXPECT_HAS(notes("1 2 3 0 0 1 0.5\n1 2 3 0 1 0 7\n"), "1 column after x, y, z and normals that looks");
+    for (const char* clear : {"1 2 3\n", "1\n1 2 3 4\n", "1 2 3 10 20 30\n", "1 2 3 0 0 1\n",
                               "2\n1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n", "//X Y Z R G B I\n1 2 3 99 10 20 30\n",
                               "1 2 3 0 10 20 30\n1 2 3 0 1 1 2\n", "1 2 3 10 20 30 0.5\n1 2 3 1 1 1 0.25\n"})
         EXPECT_EQ(notes(clear), "") << clear;
@@ -135,6 +132,57 @@ TEST_F(XyzTest, HeadersOfCloudCompare) {
             EXPECT_EQ(cloud.normals[0], meaning.normal) << meaning.text;
         }
     }
+}
+
+TEST_F(XyzTest, NamedColumnsAreAttributes) {
+    const Cloud cloud =
+        readText("a.csv", "\"X\",\"Y\",\"Z\",\"Intensity\",\"ReturnNumber\",\"GpsTime\",\"Classification\",\"Foo\"\n"
+                          "1,2,3,65535,1,413665.23368423499,2,0.25\n4,5,6,7,2,413665.2336850,-1,0.5\n");
+    EXPECT_EQ(attributeNames(cloud), (Names{"intensity", "return_number", "gps_time", "classification", "Foo"}));
+    EXPECT_EQ(attributeOf(cloud, "intensity").type, Scalar::kU16);
+    EXPECT_EQ(numbersOf(cloud, "intensity"), (Numbers{65535, 7}));
+    EXPECT_EQ(attributeOf(cloud, "return_number").type, Scalar::kU8);
+    EXPECT_EQ(attributeOf(cloud, "gps_time").type, Scalar::kF64);
+    EXPECT_EQ(numbersOf(cloud, "gps_time"), (Numbers{413665.23368423499, 413665.2336850}));
+    EXPECT_EQ(attributeOf(cloud, "classification").type, Scalar::kI8);
+    EXPECT_EQ(attributeOf(cloud, "Foo").type, Scalar::kF32);
+    EXPECT_EQ(notesOf(cloud), "");
+    EXPECT_TRUE(cloud.world.up.isZero());
+}
+
+TEST_F(XyzTest, CloudComparesScalarFields) {
+    const Cloud cloud =
+        readText("a.asc", "//X Y Z R G B Scalar_Intensity Scalar_field Nx Ny Nz\n2\n1 2 3 51 102 204 -7 0.5 0 0 1\n"
+                          "1 2 4 51 102 204 8 0.25 0 0 1\n");
+    EXPECT_EQ(attributeNames(cloud), (Names{"intensity", "Scalar_field"}));
+    EXPECT_EQ(numbersOf(cloud, "intensity"), (Numbers{-7, 8}));
+    EXPECT_EQ(numbersOf(cloud, "Scalar_field"), (Numbers{0.5, 0.25}));
+    EXPECT_EQ(numbersOf(readText("i.txt", "# x y z i\n1 2 3 44\n"), "intensity"), Numbers{44});
+}
+
+TEST_F(XyzTest, IntensitiesOfLists) {
+    const auto intensity = [&](const char* text) { return numbersOf(readText("a.pts", text), "intensity"); };
+    EXPECT_EQ(intensity("2\n1 2 3 -2048\n1 2 4 2047\n"), (Numbers{-2048, 2047}));
+    EXPECT_EQ(intensity("2\n1 2 3 0.5 10 20 30\n1 2 3 0.25 1 1 1\n"), (Numbers{0.5, 0.25}));
+    EXPECT_EQ(intensity("1\n1 2 3 99 10 20 30\n1\n1 2 3 5 1 1 2\n"), (Numbers{99, 5}));
+    EXPECT_EQ(intensity("1 2 3 10 20 30 -1613\n1 2 3 1 1 1 5\n"), (Numbers{-1613, 5}));
+    for (const char* text : {"1 2 3 7\n1 2 3 8\n", "1 2 3 10 20 30 255\n1 2 3 1 1 1 255\n",
+                             "2\n1 2 3 10 20 30\n1 2 3 1 1 1\n", "1 2 3 99 10 20 30\n1 2 3 5 1 1 2\n"})
+        EXPECT_EQ(attributeNames(readText("a.xyz", text)), Names{}) << text;
+    EXPECT_EQ(readText("a.pts", "1\n1 2 3 4\n").world.up, Vec3d(0, 0, 1));
+}
+
+TEST_F(XyzTest, WhatIsNoNumberInAttributesIsTold) {
+    const Cloud cloud = readText("a.csv", "x,y,z,height,tree\n1,2,3,4,oak\n1,2,4,,oak\n1,2,5\n1,2,6,tall,elm\n");
+    EXPECT_EQ(attributeNames(cloud), Names{"height"});
+    const Numbers height = numbersOf(cloud, "height");
+    ASSERT_EQ(height.size(), 4u);
+    EXPECT_EQ(height[0], 4);
+    EXPECT_TRUE(std::isnan(height[1]) && std::isnan(height[2]) && std::isnan(height[3]));
+    EXPECT_HAS(notesOf(cloud),
+               "a.csv: columns that hold words, or whose name is none or another's, are not read: 'tree'");
+    EXPECT_HAS(notesOf(cloud), "a.csv: 3 values of its attributes are missing or no numbers");
+    EXPECT_HAS(notesOf(readText("b.csv", "x,y,z\n1,2,3,4\n")), "columns from 4 on have no name and are not read");
 }
 
 TEST_F(XyzTest, DecimalCommasAreNamed) {
@@ -192,8 +240,7 @@ TEST_F(XyzTest, BadFilesSayWhy) {
     EXPECT_HAS(reasonOfText("a.csv", "x,y,z\n1,,3\n"), "a.csv:2: column 2 is no number: ''");
     EXPECT_HAS(reasonOfText("a.pts", "3\n1 2 3\n4 5 6\n"), "cut short: 2 of 3 points are there");
     EXPECT_HAS(reasonOfText("a.xyz", "# nothing\n"), "holds no points");
-    EXPECT_HAS(reasonOfText("a.ptx", "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n"),
-               "is a PTX scan; this build reads PLY");
+    EXPECT_HAS(reasonOfText("a.xyz", "2\n1\n0 0 0\n1 0 0\n"), "a.xyz:2: is a second count before the first point");
 }
 
 TEST_F(XyzTest, EveryPrefixIsReadOrRefused) {

@@ -6,7 +6,7 @@
 #include "preprocess/input/formats/formats.h"
 #include "preprocess/input/formats/pcd/lzf.h"
 #include "preprocess/input/formats/pcd/pcd_header.h"
-#include "preprocess/input/source/text.h"
+#include "preprocess/input/source/typed_word.h"
 
 namespace pointrt {
 namespace {
@@ -26,22 +26,37 @@ std::uint32_t packedColor(std::string_view word, char type, double value) {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
 }
 
+/// Reads one number of a field. False where the word is none; exact turns false where its type does not hold it.
+bool readWord(const PcdField& field, std::uint64_t component, std::string_view word, Row& row, char* packed,
+              bool& exact) {
+    if (field.place) {
+        const Stored stored = storeWord(word, field.scalar, packed + *field.place + component * field.size);
+        exact = exact && stored == Stored::kExactly;
+        return stored != Stored::kNothing;
+    }
+    double& value = row[field.role];
+    if (!wholeNumber(word, value)) return false;
+    if (field.packed_color) setPackedColor(row, packedColor(word, field.type, value));
+    return true;
+}
+
 void readAscii(const Source& source, const PcdHeader& header, Sink& sink) {
     std::string_view rest = header.body;
     Row row{};
+    std::vector<char> packed(header.packed_size);
+    bool exact = true;
     for (std::uint64_t i = 0; i < header.points; ++i) {
         for (const PcdField& field : header.fields) {
             for (std::uint64_t k = 0; k < field.count; ++k) {
                 const std::string_view word = nextWord(rest);
                 if (word.empty()) refuse(source, fmt::format("cut short: {} of {} points are there", i, header.points));
-                double& value = row[field.role];
-                if (!wholeNumber(word, value))
+                if (!readWord(field, k, word, row, packed.data(), exact))
                     refuseLine(source, word.data(), fmt::format("{} is no number", quoted(word)));
-                if (field.packed_color) setPackedColor(row, packedColor(word, field.type, value));
             }
         }
-        addVertex(sink, row);
+        addVertex(sink, row, packed.data());
     }
+    if (!exact) addNote(sink.cloud, source.name, "has numbers that their types do not hold: the nearest ones are read");
 }
 
 /// Where a field's values lie: the point's own bytes one after the other, or all points' values of one field.
@@ -56,7 +71,7 @@ std::vector<FieldBytes> layOut(const PcdHeader& header, const char* bytes) {
     const bool by_field = header.data == PcdData::kCompressed;
     for (const PcdField& field : header.fields) {
         const std::size_t size = field.size * field.count;
-        if (field.role != kIgnored || field.packed_color)
+        if (field.role != kIgnored || field.packed_color || field.place)
             all.push_back({&field, bytes, by_field ? size : header.point_size});
         bytes += by_field ? size * header.points : size;
     }
@@ -66,15 +81,18 @@ std::vector<FieldBytes> layOut(const PcdHeader& header, const char* bytes) {
 void readBytes(const PcdHeader& header, const char* bytes, Sink& sink) {
     const std::vector<FieldBytes> fields = layOut(header, bytes);
     Row row{};
+    std::vector<char> packed(header.packed_size);
     for (std::uint64_t i = 0; i < header.points; ++i) {
         for (const FieldBytes& field : fields) {
             const char* const at = field.first + i * field.stride;
-            if (field.field->packed_color)
+            if (field.field->place)
+                std::memcpy(packed.data() + *field.field->place, at, field.field->size * field.field->count);
+            else if (field.field->packed_color)
                 setPackedColor(row, static_cast<std::uint32_t>(loadScalar(at, Scalar::kU32, false)));
             else
                 row[field.field->role] = loadScalar(at, field.field->scalar, false);
         }
-        addVertex(sink, row);
+        addVertex(sink, row, packed.data());
     }
 }
 
@@ -110,6 +128,8 @@ void checkBodySize(const Source& source, const PcdHeader& header) {
 ScanTraits traitsOf(const PcdHeader& header) {
     ScanTraits traits;
     traits.vertices = header.points;
+    traits.faces = false;
+    traits.columns = header.columns;
     for (const PcdField& field : header.fields) {
         traits.normals = traits.normals || field.role == kNormalX;
         traits.colors = traits.colors || field.role == kRed || field.packed_color;
@@ -131,6 +151,9 @@ void readPcd(const Source& source, Sink& sink) {
     checkBodySize(source, header);
     std::string unpacked;
     if (header.data == PcdData::kCompressed) unpacked = unpackBody(source, header);
+    if (!header.unread.empty())
+        addNote(sink.cloud, source.name,
+                "fields of more than 4 numbers, or whose name is another's, are not read: " + header.unread);
     beginScan(sink, source, traitsOf(header));
     sink.sensor = header.sensor;
     if (header.data == PcdData::kAscii)

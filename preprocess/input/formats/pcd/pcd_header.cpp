@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "preprocess/input/source/attribute_names.h"
 #include "preprocess/input/source/text.h"
 
 namespace pointrt {
@@ -118,6 +119,23 @@ void settleFields(const Source& source, PcdHeader& header) {
     for (std::size_t i = 0; i < roles.size(); ++i) header.fields[i].role = roles[i];
 }
 
+/// Numbers of 1 to 4 that are nothing else are attributes; "_" stands for room left free.
+void settleAttributes(PcdHeader& header) {
+    constexpr std::uint64_t kMostComponents = 4;
+    AttributeNames names;
+    for (PcdField& field : header.fields) {
+        if (field.role != kIgnored || field.packed_color || field.name == "_") continue;
+        const auto name = field.count <= kMostComponents ? names.take(field.name) : std::nullopt;
+        if (name) {
+            field.place = header.packed_size;
+            header.columns.push_back({*name, field.scalar, static_cast<std::uint32_t>(field.count)});
+            header.packed_size += field.size * field.count;
+        } else if (header.unread.size() < 80) { // a line's worth
+            header.unread += (header.unread.empty() ? "" : ", ") + quoted(field.name);
+        }
+    }
+}
+
 std::uint64_t pointCount(const Source& source, const Entries& entries) {
     const std::uint64_t height = entries.height.value_or(1);
     if (!entries.width && !entries.points) refuse(source, "the PCD header has neither WIDTH nor POINTS");
@@ -154,6 +172,7 @@ PcdHeader readPcdHeader(const Source& source) {
         header.body = rest;
         header.fields = std::move(entries.fields);
         settleFields(source, header);
+        settleAttributes(header);
         header.points = pointCount(source, entries);
         header.sensor = sensorOf(entries);
         return header;

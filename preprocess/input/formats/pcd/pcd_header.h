@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/input/source/columns.h"
 #include "preprocess/input/source/roles.h"
 #include "preprocess/input/source/scalar.h"
 #include "preprocess/input/source/source.h"
@@ -23,7 +24,8 @@ struct PcdField {
     std::uint64_t count = 1;
     Scalar scalar = Scalar::kF32;
     Role role = kIgnored;
-    bool packed_color = false; ///< 0xRRGGBB in 32 bits of any type
+    bool packed_color = false;        ///< 0xRRGGBB in 32 bits of any type
+    std::optional<std::size_t> place; ///< of an attribute: in a point's packed values
 };
 
 struct PcdHeader {
@@ -33,6 +35,9 @@ struct PcdHeader {
     PcdData data = PcdData::kAscii;
     std::optional<Vec3d> sensor; ///< VIEWPOINT, where it means something
     std::string_view body;
+    std::vector<ColumnTraits> columns; ///< what a point's packed values are
+    std::size_t packed_size = 0;       ///< their bytes
+    std::string unread;                ///< names of fields that are not, or ""
 };
 
 /// Reads the header. Throws Error when a line is malformed or there are no x, y and z. The points promised are not yet

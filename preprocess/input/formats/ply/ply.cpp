@@ -3,112 +3,58 @@
 #include <algorithm>
 
 #include "preprocess/input/formats/formats.h"
-#include "preprocess/input/formats/ply/ply_header.h"
-#include "preprocess/input/source/text.h"
+#include "preprocess/input/formats/ply/ply_attributes.h"
+#include "preprocess/input/formats/ply/ply_body.h"
+#include "preprocess/input/formats/ply/ply_gaussians.h"
+#include "preprocess/input/formats/splats/gaussians.h"
 
 namespace pointrt {
 namespace {
 
-/// Values one after the other, as words.
-struct AsciiValues {
-    const char* at;
-    const char* end;
-
-    bool next(Scalar, double& value) {
-        while (at < end && isSpace(*at)) ++at;
-        const char* const stop = at < end ? parseNumber(at, end, value) : nullptr;
-        if (!stop || (stop < end && !isSpace(*stop))) return false;
-        at = stop;
-        return true;
-    }
-};
-
-/// Values one after the other, as bytes.
-struct BinaryValues {
-    const char* at;
-    const char* end;
-    bool swap_bytes;
-
-    bool next(Scalar type, double& value) {
-        const std::size_t size = scalarSize(type);
-        if (static_cast<std::size_t>(end - at) < size) return false;
-        value = loadScalar(at, type, swap_bytes);
-        at += size;
-        return true;
-    }
-};
-
-[[noreturn]] void refuseValue(const Source& source, const char* at, const PlyElement& element, std::uint64_t done) {
-    if (at == source.end())
-        refuse(source, fmt::format("cut short: {} of {} {} are there", done, element.count, pluralOf(element)));
-    std::string_view rest(at, static_cast<std::size_t>(source.end() - at));
-    refuseLine(source, at, fmt::format("{} is no number", quoted(nextWord(rest))));
-}
-
 /// The elements of one file, read with one kind of values.
 template <typename Values>
-struct Body {
-    const Source& source;
+struct Reader {
     const PlyHeader& header;
     Sink& sink;
-    Values values;
+    PlyBody<Values> body;
     std::vector<std::uint32_t> corners;
-
-    void value(const PlyElement& element, std::uint64_t index, Scalar type, double& into) {
-        if (values.next(type, into)) return;
-        if constexpr (std::is_same_v<Values, BinaryValues>) values.at = values.end;
-        refuseValue(source, values.at, element, index);
-    }
-
-    std::uint64_t listLength(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
-        double length = 0;
-        value(element, index, property.count_type, length);
-        if (!(length >= 0 && length <= static_cast<double>(values.end - values.at)))
-            refuseAt(source, fmt::format("{} {}", element.name, index),
-                     fmt::format("impossible list length {}", length));
-        return static_cast<std::uint64_t>(length);
-    }
-
-    void skip(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
-        double ignored = 0;
-        const std::uint64_t count = property.is_list ? listLength(element, index, property) : 1;
-        for (std::uint64_t i = 0; i < count; ++i) value(element, index, property.type, ignored);
-    }
 
     void readVertices(const PlyElement& element) {
         Row row{};
+        std::vector<char> packed(header.packed_size);
         for (std::uint64_t i = 0; i < element.count; ++i) {
             for (const PlyProperty& property : element.properties) {
                 if (property.is_list)
-                    skip(element, i, property);
+                    body.skip(element, i, property);
+                else if (property.place)
+                    body.valueAs(element, i, property.type, packed.data() + *property.place);
                 else
-                    value(element, i, property.type, row[property.role]);
+                    body.value(element, i, property.type, row[property.role]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
-            addVertex(sink, row);
+            addVertex(sink, row, packed.data());
         }
     }
 
-    /// The constant term of the real spherical harmonics is 1 / (2 sqrt(pi)); splats store it around grey.
     static void evaluateHarmonics(Row& row) {
-        constexpr double kConstantTerm = 0.28209479177387814;
-        for (const Role role : {kRed, kGreen, kBlue}) row[role] = std::clamp(0.5 + kConstantTerm * row[role], 0.0, 1.0);
+        for (const Role role : {kRed, kGreen, kBlue})
+            row[role] = std::clamp(0.5 + kConstantHarmonic * row[role], 0.0, 1.0);
     }
 
     /// Corners of a face or a strip; a strip's -1 starts a new one.
     void readCorners(const PlyElement& element, std::uint64_t index, const PlyProperty& property, bool strip) {
-        const std::uint64_t length = listLength(element, index, property);
+        const std::uint64_t length = body.listLength(element, index, property);
         const auto vertex_count = static_cast<double>(vertexElement(header).count);
         corners.clear();
         for (std::uint64_t i = 0; i < length; ++i) {
             double corner = 0;
-            value(element, index, property.type, corner);
+            body.value(element, index, property.type, corner);
             if (strip && corner == -1) {
                 flushStrip();
                 continue;
             }
             if (!(corner >= 0 && corner < vertex_count))
-                refuseAt(source, fmt::format("{} {}", element.name, index),
+                refuseAt(body.source, fmt::format("{} {}", element.name, index),
                          fmt::format("vertex index {} is out of range, there are {} vertices", corner, vertex_count));
             corners.push_back(static_cast<std::uint32_t>(corner));
         }
@@ -135,14 +81,8 @@ struct Body {
                 if (indices && property.is_list)
                     readCorners(element, i, property, strip);
                 else
-                    skip(element, i, property);
+                    body.skip(element, i, property);
             }
-    }
-
-    void skipElement(const PlyElement& element) {
-        if (element.properties.empty()) return;
-        for (std::uint64_t i = 0; i < element.count; ++i)
-            for (const PlyProperty& property : element.properties) skip(element, i, property);
     }
 
     void read() {
@@ -152,7 +92,7 @@ struct Body {
             else if (element.name == "face" || element.name == "tristrips")
                 readFaces(element, element.name == "tristrips");
             else
-                skipElement(element);
+                body.skipElement(element);
         }
     }
 };
@@ -161,10 +101,16 @@ ScanTraits traitsOf(const PlyHeader& header) {
     const PlyElement& vertex = vertexElement(header);
     ScanTraits traits;
     traits.vertices = vertex.count;
+    traits.columns = header.columns;
     for (const PlyProperty& property : vertex.properties) {
         traits.normals = traits.normals || property.role == kNormalX;
+        traits.radii = traits.radii || property.role == kRadius;
         if (property.role < kRed || property.role > kBlue) continue;
         traits.colors = true;
+        if (property.place) {
+            traits.color_scale = ColorScale::k16Bit;
+            continue;
+        }
         if (isReal(property.type))
             traits.color_scale = ColorScale::kReal;
         else if (property.type != Scalar::kU8 && traits.color_scale == ColorScale::kByte)
@@ -176,18 +122,19 @@ ScanTraits traitsOf(const PlyHeader& header) {
 bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); }
 
 void readPly(const Source& source, Sink& sink) {
-    const PlyHeader header = readPlyHeader(source);
-    beginScan(sink, source, traitsOf(header));
-    if (header.gaussians)
+    PlyHeader header = readPlyHeader(source);
+    if (header.gaussians != PlyGaussians::kNone) return readPlyGaussians(source, header, sink);
+    const std::string unread = settlePlyAttributes(header);
+    if (!unread.empty())
         addNote(sink.cloud, source.name,
-                "is a 3D Gaussian splatting file: centres and base colours are read, as bare points; sizes, rotations, "
-                "opacities and colours by direction are not");
-    if (header.encoding == PlyEncoding::kAscii)
-        Body<AsciiValues>{source, header, sink, {header.body, source.end()}, {}}.read();
-    else
-        Body<BinaryValues>{
-            source, header, sink, {header.body, source.end(), header.encoding == PlyEncoding::kBigEndian}, {}}
-            .read();
+                "properties that are lists, or whose name is another's, are not read: " + unread);
+    beginScan(sink, source, traitsOf(header));
+    withPlyBody(source, header, [&]<typename Values>(const PlyBody<Values>& body) {
+        Reader<Values> reader{header, sink, body, {}};
+        reader.read();
+        if (!reader.body.exact)
+            addNote(sink.cloud, source.name, "has numbers that their types do not hold: the nearest ones are read");
+    });
     finishScan(sink, source);
 }
 

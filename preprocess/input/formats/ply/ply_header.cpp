@@ -2,6 +2,7 @@
 #include "preprocess/input/formats/ply/ply_header.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 
 #include "preprocess/input/source/text.h"
@@ -141,11 +142,18 @@ bool hasProperty(const PlyElement& element, std::string_view name) {
                        [&](const PlyProperty& property) { return property.name == name; });
 }
 
+bool hasAll(const PlyElement& element, std::initializer_list<std::string_view> names) {
+    return std::all_of(names.begin(), names.end(), [&](std::string_view name) { return hasProperty(element, name); });
+}
+
 /// As the training code of "3D Gaussian Splatting for Real-Time Radiance Field Rendering" (Kerbl and others, 2023) and
-/// those after it write them.
-bool holdsGaussians(const PlyElement& vertex) {
-    return hasProperty(vertex, "f_dc_0") && hasProperty(vertex, "opacity") && hasProperty(vertex, "scale_0") &&
-           hasProperty(vertex, "rot_0");
+/// those after it write them, 2D ones included, which have no scale_2; or packed.
+PlyGaussians gaussiansOf(const PlyElement& vertex) {
+    if (hasAll(vertex, {"packed_position", "packed_rotation", "packed_scale", "packed_color"}))
+        return PlyGaussians::kPacked;
+    const bool plain = hasAll(vertex, {"x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
+                                       "rot_0", "rot_1", "rot_2", "rot_3"});
+    return plain ? PlyGaussians::kPlain : PlyGaussians::kNone;
 }
 
 void settleVertexRoles(const Source& source, PlyHeader& header) {
@@ -153,14 +161,11 @@ void settleVertexRoles(const Source& source, PlyHeader& header) {
     const auto vertices = std::count_if(header.elements.begin(), header.elements.end(), isVertex);
     if (vertices != 1) refuse(source, vertices == 0 ? "no vertex element" : "more than one vertex element");
     PlyElement& vertex = *std::find_if(header.elements.begin(), header.elements.end(), isVertex);
-    if (hasProperty(vertex, "packed_position"))
-        refuse(source,
-               "is a compressed 3D Gaussian splatting file: export it uncompressed, from SuperSplat for one, to "
-               "have its splats read as points");
+    header.gaussians = gaussiansOf(vertex);
+    if (header.gaussians == PlyGaussians::kPacked) return;
     std::vector<Role> roles = rolesOf(vertex);
     if (!hasPositions(roles)) refuse(source, "the vertices have no x, y and z");
     header.harmonic_colors = takeHarmonicColors(vertex, roles);
-    header.gaussians = holdsGaussians(vertex);
     for (std::size_t i = 0; i < roles.size(); ++i) vertex.properties[i].role = roles[i];
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "preprocess/input/source/columns.h"
 #include "preprocess/input/source/roles.h"
 #include "preprocess/input/source/scalar.h"
 #include "preprocess/input/source/source.h"
@@ -18,8 +20,9 @@ struct PlyProperty {
     std::string name;
     Scalar type = Scalar::kF32;
     bool is_list = false;
-    Scalar count_type = Scalar::kU8; ///< of a list
-    Role role = kIgnored;            ///< of a scalar of the vertex element
+    Scalar count_type = Scalar::kU8;  ///< of a list
+    Role role = kIgnored;             ///< of a scalar of the vertex element
+    std::optional<std::size_t> place; ///< of a scalar of the vertex element: in its packed values
 };
 
 struct PlyElement {
@@ -28,17 +31,22 @@ struct PlyElement {
     std::vector<PlyProperty> properties;
 };
 
+/// Whether the vertices are Gaussians, one property a number, or packed into four by SuperSplat.
+enum class PlyGaussians { kNone, kPlain, kPacked };
+
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::kAscii;
     std::vector<PlyElement> elements;
     const char* body = nullptr;   ///< the first byte after the header
     bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
-    bool gaussians = false; ///< the vertices are Gaussians: what they have beside positions and colours is not read
+    PlyGaussians gaussians = PlyGaussians::kNone;
+    std::vector<ColumnTraits> columns; ///< what a vertex's packed values are
+    std::size_t packed_size = 0;       ///< their bytes
 };
 
 /// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of
-/// the Stanford repository have some). Throws Error when there is no vertex element with x, y and z, or the elements
-/// promised cannot fit in the bytes that follow.
+/// the Stanford repository have some). Throws Error when there is no vertex element with x, y and z or packed
+/// Gaussians, or the elements promised cannot fit in the bytes that follow.
 PlyHeader readPlyHeader(const Source& source);
 
 /// The vertex element.

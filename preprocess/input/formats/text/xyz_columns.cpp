@@ -42,6 +42,11 @@ bool isConstant(const ColumnStatistics& statistics, std::size_t column) {
     return statistics.least[column] == statistics.most[column];
 }
 
+/// An alpha that says nothing.
+bool isOpaque(const ColumnStatistics& statistics, std::size_t column) {
+    return isConstant(statistics, column) && (statistics.most[column] == 255 || statistics.most[column] == 1);
+}
+
 std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::size_t extras) {
     for (std::size_t first = 0; first + 3 <= extras; ++first)
         if (statistics.unit[first] && statistics.directed[first]) return first;
@@ -74,9 +79,9 @@ std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::
     const bool first = colorLike(statistics, a), second = colorLike(statistics, a + 1);
     if (!first && !second) return std::nullopt;
     if (!first || !second) return ColorPlace{first ? a : a + 1};
-    const double last = statistics.most[a + 3];
     const bool varied = !isConstant(statistics, a) && !isConstant(statistics, a + 1) && !isConstant(statistics, a + 2);
-    if (isConstant(statistics, a + 3) && (last == 255 || last == 1 || (varied && !others.is_pts))) return ColorPlace{a};
+    if (isOpaque(statistics, a + 3) || (isConstant(statistics, a + 3) && varied && !others.is_pts))
+        return ColorPlace{a};
     const bool whole = wholeNumbers(statistics, a) && wholeNumbers(statistics, a + 1);
     if (const char intensity = whole ? intensityByWidth(statistics, a) : char{0})
         return ColorPlace{intensity == 'd' ? a : a + 1};
@@ -101,17 +106,20 @@ std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::si
     return before ? before : colorsOfRun(statistics, *normals + 3, extras, others);
 }
 
-constexpr std::string_view kCure = "a first line such as '//X Y Z R G B I' says what they are";
+constexpr std::string_view kCure = "a first line such as '//X Y Z R G B I' says what";
 
-std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t extras) {
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread) {
     if (colors && colors->doubtful)
-        return fmt::format("has no header: columns {} to {} are taken as red, green and blue; {}", colors->first + 4,
-                           colors->first + 6, kCure);
-    if (colors || extras < (normals ? 6 : 3)) return {};
+        return fmt::format("has no header: columns {} to {} are taken as red, green and blue, what is beside them is "
+                           "not read; {} they are",
+                           colors->first + 4, colors->first + 6, kCure);
+    if (unread == 0) return {};
+    const bool one = unread == 1;
     return fmt::format(
-        "has no header, and {} columns after x, y, z{} that look like neither colours nor normals are not "
-        "read; {}",
-        extras - (normals ? 3 : 0), normals ? " and normals" : "", kCure);
+        "has no header, and {} column{} after x, y, z{} that look{} like neither colours nor normals {} not "
+        "read; {} {}",
+        unread, one ? "" : "s", normals ? " and normals" : "", one ? "s" : "", one ? "is" : "are", kCure,
+        one ? "it is" : "they are");
 }
 
 void assign(std::vector<Role>& roles, std::size_t first, Role role) {
@@ -146,8 +154,9 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
     guess.roles.assign(column_count, kIgnored);
     assign(guess.roles, 0, kX);
     const std::size_t extras = column_count - 3;
+    if (is_pts && extras == 1) guess.intensity = 3;
     if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
-        guess.doubt = doubtOf(std::nullopt, false, extras);
+        guess.doubt = doubtOf(std::nullopt, false, guess.intensity ? 0 : extras);
         return guess;
     }
     const auto normals = findNormals(statistics, extras);
@@ -157,7 +166,14 @@ ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_
         assign(guess.roles, 3 + colors->first, kRed);
         guess.real_colors = !wholeNumbers(statistics, colors->first);
     }
-    guess.doubt = doubtOf(colors, normals.has_value(), extras);
+    const auto left = std::find(guess.roles.begin() + 3, guess.roles.end(), kIgnored);
+    auto unread = static_cast<std::size_t>(std::count(left, guess.roles.end(), kIgnored));
+    if (colors && unread == 1) {
+        const auto column = static_cast<std::size_t>(left - guess.roles.begin());
+        if (!isOpaque(statistics, column - 3) && !colors->doubtful) guess.intensity = column;
+        unread = 0;
+    }
+    guess.doubt = doubtOf(colors, normals.has_value(), unread);
     return guess;
 }
 

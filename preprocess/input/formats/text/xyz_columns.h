@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,16 +27,18 @@ struct ColumnStatistics {
 void observe(ColumnStatistics& statistics, const double* extras, std::size_t count);
 
 struct ColumnGuess {
-    std::vector<Role> roles;  ///< one per column, x, y, z included
-    bool real_colors = false; ///< colours are shares of 1
-    std::string doubt;        ///< what a user should know about the guess, or empty
+    std::vector<Role> roles;              ///< one per column, x, y, z included
+    bool real_colors = false;             ///< colours are shares of 1
+    std::optional<std::size_t> intensity; ///< the column that is one for sure
+    std::string doubt;                    ///< what a user should know about the guess, or empty
 };
 
 /// Column meanings of a list with column_count columns: 6 = normals or rgb, 7 = intensity rgb, rgb and alpha or
 /// intensity, or normals and one more, 9 or 10 = normals and, before or after them, what 3 or 4 columns alone would be.
 /// Any other number of columns, and what looks like none of these, is x, y, z alone. Colours are whole numbers up to
 /// 65535 or shares of 1. Where four columns may be intensity and rgb in either order there is a doubt, but for .pts
-/// files, as is_pts says, whose order it is that is taken.
+/// files, as is_pts says, whose order it is that is taken. The one column beside colours, alpha apart, is an intensity
+/// where there is no doubt; so is the fourth of a .pts file. What else is not read is told as a doubt.
 ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts);
 
 } // namespace pointrt
