@@ -62,8 +62,7 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
 constexpr const char* kExamples =
     "  pointrt-bake scan.ply -o scan.pro\n"
     "  pointrt-bake a.ply b.pcd -o all.pro               two scans that share coordinates\n"
-    "  pointrt-bake tiles/ -o site.pro                   a folder of tiles\n"
-    "  pointrt-bake city.laz --classes 2,6 -o city.pro   ground and buildings\n"
+    "  pointrt-bake tiles/ --classes 2,6 -o city.pro     ground and buildings of a folder of tiles\n"
     "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
     "  zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro\n";
 constexpr const char* kNotes =

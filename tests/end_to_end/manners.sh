@@ -66,7 +66,7 @@ case_slips() {
         expectUsage "(is required|no scene is given)" "$tool"
     done
     expectUsage "-q and -v exclude each other" pointrt-bake scan.xyz -o out/a.pro -q -v
-    expectUsage "out/a.las: --export writes PLY, so its name must end in .ply" pointrt-info scan.pro --export out/a.las
+    expectUsage "out/a.e57: --export writes PLY, LAS and LAZ, so its name must end in .ply, .las or .laz" pointrt-info scan.pro --export out/a.e57
 }
 
 case_the_last_of_a_repeated_option_counts() {
@@ -116,13 +116,16 @@ case_examples_of_help() {
     { printf '# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3000\nHEIGHT 1\n' &&
         printf 'VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3000\nDATA ascii\n' && sphere 3000 | awk '{ print $1 + 3, $2, $3 }'; } >b.pcd
     printf 'v 0 0 0\nv 3 0 0\nv 3 2 0\nv 0 2 0\nf 1 2 3 4\n' >mesh.obj
+    mkdir tiles
+    { printf 'ply\nformat ascii 1.0\nelement vertex 3000\nproperty float x\nproperty float y\nproperty float z\n' &&
+        printf 'property uchar classification\nend_header\n' && sphere 3000 | awk '{ print $0, NR % 3 }'; } >tiles/a.ply
     gzip -k scan.xyz
     printf '[[instance]]\nfile = "scan.pro"\n[[view]]\nname = "top"\neye = [0, 5, 0]\nup = [0, 0, -1]\n' >scene.toml
     for tool in $tools; do
         expectDone "$tool" --help
         sed -n '/^Examples:$/,/^$/s/^  //p' stdout | sed 's/   .*//' >"$tool.examples"
         count=$(wc -l <"$tool.examples")
-        [ "$count" -ge 2 ] && [ "$count" -le 4 ] || fail "$tool has $count examples"
+        [ "$count" -ge 2 ] && [ "$count" -le 5 ] || fail "$tool has $count examples"
         while read -r example; do
             [ "$example" != "pointrt-view scan.pro" ] || continue
             [[ "$example" != *"| convert"* ]] || example="${example%%|*}| cat >top.jpg"
@@ -131,7 +134,7 @@ case_examples_of_help() {
             expectDone bash -o pipefail -c "${example/1000000/10000}"
         done <"$tool.examples"
     done
-    for example in scan.png all.pro mesh.pro top.jpg splats.ply; do
+    for example in scan.png all.pro city.pro mesh.pro top.jpg splats.ply; do
         [ -s "$example" ] || fail "no example wrote $example"
     done
 }
