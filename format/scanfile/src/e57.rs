@@ -7,6 +7,7 @@ use std::slice;
 use ::e57::{ColorLimits, E57Reader, Error, PointCloud, Record, RecordDataType, RecordName, RecordValue};
 
 use crate::e57_points::{bits_of, Points};
+use crate::e57_xml;
 use crate::guard::{guarded, ScanError};
 
 
@@ -225,6 +226,7 @@ fn check_points(clouds: &[PointCloud], file_bytes: usize) -> Result<(), String> 
 
 fn open(bytes: &[u8]) -> Result<E57File<'_>, String> {
     check_header(bytes)?;
+    e57_xml::check(&E57Reader::raw_xml(Cursor::new(bytes)).map_err(reason)?)?;
     let reader = E57Reader::new(Cursor::new(bytes)).map_err(reason)?;
     check_points(&reader.pointclouds(), bytes.len())?;
     Ok(E57File {

@@ -3,5 +3,6 @@
 mod e57;
 mod e57_pages;
 mod e57_points;
+mod e57_xml;
 mod guard;
 mod laz;

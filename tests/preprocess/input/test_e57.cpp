@@ -344,10 +344,20 @@ TEST_F(E57Test, PromisesThatNoByteKeepsAreRefused) {
     EXPECT_HAS(reasonOfScans(scans), "promises 10100 points");
 }
 
-TEST_F(E57Test, DeepXmlIsRefusedOrReadInBoundedMemory) {
-    std::string deep;
-    for (int i = 0; i < 300'000; ++i) deep += "<a>";
+TEST_F(E57Test, XmlThatIsNotMeantToBeReadTakesNoTime) {
+    std::string deep, tag = "<a", spaces;
+    for (int i = 0; i < 300'000; ++i) {
+        deep += "<a>";
+        tag += fmt::format(" a{}='>'", i);
+    }
+    for (int i = 0; i < 60'000; ++i) spaces += fmt::format("<a xmlns:a{}='b{}'>", i, i);
     EXPECT_HAS(reasonOfScans({{two()}}, deep), "a.e57: ");
+    EXPECT_HAS(reasonOfScans({{two()}}, tag + "/>"), "has a tag of more than 4096 bytes");
+    EXPECT_HAS(reasonOfScans({{two()}}, spaces), "declares more than 256 namespaces");
+    // comments and text may be long
+    const std::string text(100'000, 'x');
+    EXPECT_EQ(
+        readScans({{two()}}, "<!-- <" + text + "--><a><![CDATA[<" + text + "]]>" + text + "</a>").positions.size(), 2u);
 }
 
 /// A file with something of everything, each page of it whole.
