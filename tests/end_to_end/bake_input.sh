@@ -211,7 +211,8 @@ case_intensity_after_colors() {
     sphere 1000 | awk '{ print $0, 200, 100 + NR % 7, 50, 1000 + NR % 900 }' >sphere.xyz
     expectDone pointrt-bake -q sphere.xyz -o out/scene.pro
     expectDone pointrt-info out/scene.pro --export splats.ply
-    tail -c 3 splats.ply | od -An -t u1 | grep -Eq '^ +200 +10[0-6] +50$' || fail "not the colours of the file"
+    # behind them two bytes of intensity
+    tail -c 5 splats.ply | head -c 3 | od -An -t u1 | grep -Eq '^ +200 +10[0-6] +50$' || fail "not the colours of the file"
 }
 
 case_conf_with_a_missing_scan() {
