@@ -85,25 +85,28 @@ OptionGroup qualityOptions() {
 }
 
 OptionGroup cameraOptions() {
-    return {"Camera (in the coordinates of the input scan)",
-            {{"--view", "NAME", "A view of the scene file, in place of its camera; the options below overrule it",
-              [](Options& o, const std::string& text) { o.view = text; }},
-             {"--eye", "X,Y,Z", "Where it stands (default: +Z of the scene, far enough to see all of it)",
-              [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
-             {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
-              [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},
-             {"--up", "auto|AXIS|X,Y,Z",
-              "What is up: x, y, z, -x, -y or -z stands the scene on it and looks at its front; a vector turns the "
-              "image (default auto: as the scan says, else y)",
-              setUp},
-             {"--fov", "DEG",
-              "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
-              [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
-             {"--ortho", "HEIGHT|fit",
-              "Parallel projection that shows this height of the scene, or with fit all of it (default: off; not with "
-              "--fov)",
-              [](Options& o, const std::string& text) { setOrtho(o.camera, text); }}},
-            {}};
+    return {
+        "Camera (in the coordinates of the input scan)",
+        {{"--view", "NAME", "A view of the scene file, in place of its camera; the options below overrule it",
+          [](Options& o, const std::string& text) { o.view = text; }},
+         {"--eye", "X,Y,Z",
+          "Where it stands (default: far enough to see all of the scene, along +Z, or at its front where --up or the "
+          "scan say what is up)",
+          [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
+         {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
+          [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},
+         {"--up", "auto|AXIS|X,Y,Z",
+          "What is up: x, y, z, -x, -y or -z stands the scene on it and looks at its front; a vector turns the "
+          "image (default auto: as the scan says, else y)",
+          setUp},
+         {"--fov", "DEG",
+          "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
+          [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
+         {"--ortho", "HEIGHT|fit",
+          "Parallel projection that shows this height of the scene, or with fit all of it (default: off; not with "
+          "--fov)",
+          [](Options& o, const std::string& text) { setOrtho(o.camera, text); }}},
+        {}};
 }
 
 OptionGroup windowOptions() {
