@@ -46,16 +46,17 @@ case_wrong_usage() {
     expectError 2 "--exposure" pointrt-view scene.pro -o out/a.exr --exposure 1
 }
 
-# bakeHill: a hill with a roof over it, z upwards.
+# bakeHill: a hill of class 2 with a roof of class 6 over it, z upwards; intensity is the distance from the middle.
 bakeHill() {
     awk 'BEGIN {
         n = 80
         printf "ply\nformat ascii 1.0\nelement vertex %d\n", n * n
-        print "property float x\nproperty float y\nproperty float z\nend_header"
+        print "property float x\nproperty float y\nproperty float z\nproperty uchar classification"
+        print "property ushort intensity\nend_header"
         for (i = 0; i < n; i++) for (k = 0; k < n; k++) {
             x = 2 * i / (n - 1) - 1; y = 2 * k / (n - 1) - 1
             house = x > -0.4 && x < 0.4 && y > -0.4 && y < 0.4
-            printf "%.5f %.5f %.5f\n", x, y, 0.3 * (1 - x * x) + 0.2 * house
+            printf "%.5f %.5f %.5f %d %d\n", x, y, 0.3 * (1 - x * x) + 0.2 * house, house ? 6 : 2, 1000 * sqrt(x * x + y * y)
         }
     }' >hill.ply
     pointrt-bake -q hill.ply -o hill.pro --up z --outliers keep --orient none
@@ -64,7 +65,7 @@ bakeHill() {
 case_colours_and_legends() {
     bakeHill
     local by
-    for by in rgb height normal; do
+    for by in rgb height normal intensity class; do
         expectDone pointrt-view -q hill.pro -o "out/$by.png" --size 96x64 --color-by "$by"
         [ "$by" = rgb ] || ! cmp -s out/rgb.png "out/$by.png" || fail "$by: as without it"
     done
@@ -75,8 +76,8 @@ case_colours_and_legends() {
     expectDone pointrt-view -q hill.pro -o out/map.png --size 96x64 --color-by height --color-map magma --color-range 0,0.2
     ! cmp -s out/map.png out/height.png || fail "map and range make no difference"
     rm out/*
-    expectError 2 "hill.pro has no attribute \"hight\", did you mean \"height\"" \
-        pointrt-view hill.pro -o out/a.png --color-by hight
+    expectError 2 "hill.pro has no attribute \"intensty\", did you mean \"intensity\"" \
+        pointrt-view hill.pro -o out/a.png --color-by intensty
     expectError 2 "is none of viridis, magma" pointrt-view hill.pro -o out/a.png --color-by height --color-map jet
     expectError 2 "the lower first" pointrt-view hill.pro -o out/a.png --color-by height --color-range 2,1
     expectError 2 "--legend: goes with -o FILE.png" pointrt-view hill.pro -o out/a.exr --color-by height --legend on
@@ -111,13 +112,16 @@ attribute = "height"
 range = [0.4, 1]
 material = "roof"
 EOF
-    expectDone pointrt-view -q scene.toml -o out/a.exr --integrator path
-    sed -i 's/0.4, 1/0.6, 1/' scene.toml
-    expectDone pointrt-view -q scene.toml -o out/b.exr --integrator path
-    ! cmp -s out/a.exr out/b.exr || fail "the override makes no difference"
+    expectDone pointrt-view -q scene.toml -o out/high.png --integrator path
+    sed -i 's/"height"/"class"/; s/range = .*/values = [6]/' scene.toml
+    expectDone pointrt-view -q scene.toml -o out/class.png --integrator path
+    cmp out/high.png out/class.png || fail "the roof is not what is of class 6"
+    sed -i 's/values = .*/values = [7]/' scene.toml
+    expectDone pointrt-view -q scene.toml -o out/none.png --integrator path
+    ! cmp -s out/none.png out/class.png || fail "the override makes no difference"
     rm out/*
-    sed -i 's/"height"/"class"/' scene.toml
-    expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro has no attribute \"class\"" \
+    sed -i 's/"class"/"klass"/' scene.toml
+    expectError 1 "scene.toml:15: key \"instance.0..override.0..attribute\": .*hill.pro has no attribute \"klass\"" \
         pointrt-view scene.toml -o out/a.png
 }
 
