@@ -42,12 +42,13 @@ ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, st
 }
 
 /// The chunks to read; a file that is not COPC is read whole.
-std::vector<LazChunk> chunksOf(const LasFile& file, const LazLayout& layout, const Sink& sink) {
+std::vector<LazChunk> chunksOf(const Source& source, const LasFile& file, const LazLayout& layout, Sink& sink) {
+    const bool chooses = sink.level || sink.filter.options().bounds;
+    if (sink.level && !isCopc(file)) addNote(sink.cloud, source.name, "has no levels of detail: it is read whole");
     if (!file.header.packed) {
         const std::uint64_t bytes = file.header.point_count * file.header.record_bytes;
         return {{file.header.point_offset, bytes, file.header.point_count}};
     }
-    const bool chooses = sink.level || sink.filter.options().bounds;
     return chooses && isCopc(file) ? wantedNodes(file, sink) : layout.chunks;
 }
 
@@ -88,7 +89,7 @@ void readLas(const Source& source, Sink& sink) {
     LasFile file = named(source, [&] { return openLas(source.bytes); });
     const std::vector<LasField> fields = lasFields(file);
     LazLayout layout = file.header.packed ? named(source, [&] { return lazLayout(file); }) : LazLayout{};
-    const std::vector<LazChunk> chunks = named(source, [&] { return chunksOf(file, layout, sink); });
+    const std::vector<LazChunk> chunks = named(source, [&] { return chunksOf(source, file, layout, sink); });
     std::uint64_t points = 0;
     for (const LazChunk& chunk : chunks) points += chunk.points;
 
