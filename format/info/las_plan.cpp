@@ -110,6 +110,21 @@ std::vector<LasField> sourceExtraFields(const std::optional<LasSource>& source) 
     return fields;
 }
 
+/// As the source described it. Bytes without a meaning, which are attributes of four at a time, are one again where
+/// they follow each other. before: name of the source's field before
+void describeAgain(const LasField& field, const std::string& before, const LasExport& plan, std::string& descriptors) {
+    constexpr std::size_t kType = 2, kOptions = 3;
+    const bool bare = field.descriptor[kType] == 0;
+    const auto bytes = static_cast<char>(field.components);
+    if (bare && field.continues && !plan.columns.empty() && plan.columns.back().field.name == before) {
+        char& options = descriptors[descriptors.size() - kDescriptorBytes + kOptions];
+        options = static_cast<char>(options + bytes);
+        return;
+    }
+    descriptors += field.descriptor;
+    if (bare) descriptors[descriptors.size() - kDescriptorBytes + kOptions] = bytes;
+}
+
 /// Gives an attribute extra bytes at the end of the record.
 void addExtra(const pro_attribute& attribute, const std::vector<LasField>& known, LasExport& plan,
               std::string& descriptors) {
@@ -119,7 +134,7 @@ void addExtra(const pro_attribute& attribute, const std::vector<LasField>& known
     LasField field;
     if (same != known.end() && !same->descriptor.empty()) {
         field = *same;
-        descriptors += same->descriptor;
+        describeAgain(field, same == known.begin() ? "" : (same - 1)->name, plan, descriptors);
     } else {
         const bool taken = std::any_of(plan.fields.begin(), plan.fields.end(),
                                        [&](const LasField& each) { return each.name == attribute.name; });

@@ -147,8 +147,9 @@ void settleName(std::string& name, const std::vector<LasField>& fields) {
 /// Bytes without a meaning; more than 16 of a point are no attribute any more.
 constexpr std::size_t kMostBareBytes = 16;
 
-void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::string& name, std::size_t at,
-                  std::size_t bytes) {
+/// descriptor: "" where the file has none of them
+void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::string& name, std::string_view descriptor,
+                  std::size_t at, std::size_t bytes) {
     if (bytes > kMostBareBytes)
         file.notes.push_back(
             fmt::format("has {} bytes a point that nothing describes: {} are kept", bytes, kMostBareBytes));
@@ -159,6 +160,8 @@ void addBareBytes(LasFile& file, std::vector<LasField>& fields, const std::strin
         field.components =
             static_cast<std::uint32_t>(std::min<std::size_t>(PRO_ATTRIBUTE_COMPONENTS_MAX, bytes - done));
         settleName(field.name, fields);
+        field.descriptor = descriptor;
+        field.continues = done > 0;
         fields.push_back(field);
     }
 }
@@ -173,7 +176,7 @@ void addExtraFields(LasFile& file, std::vector<LasField>& fields) {
         if (descriptor.type > kLastExtraType) break; // of a size that nobody knows: so is where the next one lies
         if (descriptor.type == 0) {
             const std::size_t bytes = std::min<std::size_t>(descriptor.options, end - at);
-            addBareBytes(file, fields, descriptor.name, at, bytes);
+            addBareBytes(file, fields, descriptor.name, rest.substr(0, kDescriptorBytes), at, bytes);
             at += bytes;
             continue;
         }
@@ -185,7 +188,7 @@ void addExtraFields(LasFile& file, std::vector<LasField>& fields) {
         fields.push_back(field);
         at += bytes;
     }
-    if (at < end) addBareBytes(file, fields, "ExtraBytes", at, end - at);
+    if (at < end) addBareBytes(file, fields, "ExtraBytes", "", at, end - at);
 }
 
 template <std::size_t kSize>

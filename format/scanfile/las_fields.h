@@ -23,6 +23,7 @@ struct LasField {
     /// Of extra bytes with a scale: value = add + multiply * raw number, as a double.
     bool scaled = false;
     std::string descriptor; ///< of described extra bytes, as in the file: 192 bytes
+    bool continues = false; ///< bytes without a meaning that belong to those of the field before
     double multiply[3] = {1, 1, 1}, add[3] = {0, 0, 0};
 };
 

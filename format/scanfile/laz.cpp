@@ -23,8 +23,8 @@ constexpr std::size_t kTableOffset = 8;
 /// Version and number of chunks, ahead of the table's entries.
 constexpr std::size_t kTableHead = 8;
 
-/// The same point again and again packs into a thousandth; scans into a quarter to a twentieth. What promises more is
-/// not asked how much it holds, but for the first 64 MiB: memory is not to be had for a few bytes.
+/// The same point again and again packs into a three thousandth; scans into a quarter to a twentieth. What promises
+/// more is not asked how much it holds, but for the first 64 MiB: memory is not to be had for a few bytes.
 constexpr std::uint64_t kMostGain = 1000, kFreeBytes = std::uint64_t{64} << 20;
 
 const std::uint8_t* bytesAt(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }

@@ -138,6 +138,27 @@ TEST_F(ExportLas, TheSourcesHeaderIsTakenOver) {
     EXPECT_EQ(valuesOf("wide"), bytesOf(wide));
 }
 
+/// Ten bytes that nothing describes are three attributes of a scan, and one of its export.
+TEST_F(ExportLas, BytesWithoutAMeaningAreOneAgain) {
+    LasParts parts;
+    parts.points = {test::lasPoint(20, 0, 0, 0, 0) + "0123456789"};
+    parts.records = {test::lasRecord("LASF_Spec", 4, test::extraBytes(0, "bare", 10))};
+    const std::string source = parts.bytes();
+    LasFile source_file = openLas(source);
+    test::Said said;
+    said.attributes.clear();
+    const std::array<std::uint8_t, 20> four{1, 2, 3, 4}, next{5, 6, 7, 8};
+    const std::array<std::uint8_t, 10> last{9, 10};
+    said.add("bare", PRO_TYPE_U8, 4, four.data());
+    said.add("bare_2", PRO_TYPE_U8, 4, next.data());
+    said.add("bare_3", PRO_TYPE_U8, 2, last.data());
+    exportWith(said, "{\"source_header\":" + lasSourceHeader(source_file, false) + "}", las);
+    const LasVlr* const described = findVlr(file, kLasSpecUser, kExtraBytesRecord);
+    ASSERT_NE(described, nullptr);
+    EXPECT_EQ(described->data, test::extraBytes(0, "bare", 10));
+    EXPECT_EQ(records.substr(lasRecordBytes(file.header.point_format), 10), "\1\2\3\4\5\6\7\x8\t\n");
+}
+
 TEST_F(ExportLas, WhatDoesNotFitBecomesExtraBytes) {
     test::Said said;
     const std::array<float, 5> intensity{0.5f, 1, 2, 3, 4};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -43,7 +44,7 @@ public:
             stream_.reset();
         }
         if (failed_ || chunk_ == plan_.chunks.size()) return nullptr;
-        auto job = std::make_shared<Job>();
+        JobPointer job = idleJob();
         const LazChunk& chunk = plan_.chunks[chunk_];
         const bool whole =
             plan_.file.header.packed && !plan_.layout.in_one_run && chunk.points <= kMostRecordBytes / record_bytes_;
@@ -57,7 +58,24 @@ public:
         return job;
     }
 
+    /// Its memory serves the next one.
+    void giveBack(const JobPointer& job) {
+        const std::lock_guard guard(mutex_);
+        idle_.push_back(job);
+    }
+
 private:
+    JobPointer idleJob() {
+        const std::lock_guard guard(mutex_);
+        if (idle_.empty()) return std::make_shared<Job>();
+        JobPointer job = std::move(idle_.back());
+        idle_.pop_back();
+        job->chunk.reset();
+        job->records = nullptr;
+        job->block.done_bytes = 0;
+        return job;
+    }
+
     static void takeChunk(const LazChunk& chunk, Job& job) {
         job.chunk = chunk;
         job.block.done_bytes = chunk.at + chunk.bytes;
@@ -87,6 +105,8 @@ private:
     std::uint64_t done_ = 0; ///< points of that chunk
     bool failed_ = false;
     std::unique_ptr<LazStream> stream_;
+    std::mutex mutex_;
+    std::vector<JobPointer> idle_;
 };
 
 void unpackChunk(const LasPlan& plan, Job& job) {
@@ -121,7 +141,6 @@ void toArrays(const LasPlan& plan, Job& job) {
         job.block.values[f].resize(job.points * fieldBytes(plan.fields[f]));
     for (std::size_t first = 0; first < job.points; first += kAtOnce)
         toArrays(plan, first, std::min(kAtOnce, job.points - first), job);
-    job.unpacked = {};
 }
 
 void prepare(const LasPlan& plan, Job& job) {
@@ -159,6 +178,7 @@ void forLasBlocks(const LasPlan& plan, const std::function<void(const LasBlock&)
     const auto handOn = [&](const JobPointer& job) {
         if (job->failure) std::rethrow_exception(job->failure);
         use(job->block);
+        jobs.giveBack(job);
     };
     using tbb::filter_mode;
     tbb::parallel_pipeline(jobsAtOnce(plan),
