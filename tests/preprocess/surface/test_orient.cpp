@@ -120,6 +120,17 @@ TEST(Orient, PointsWithoutNormalFollowGivenOnes) {
     EXPECT_EQ(wrongSides(estimate(std::move(cloud)), shape), 5000u);
 }
 
+TEST(Orient, GivenAxesAreTurnedOutwards) {
+    const Shape shape = randomTorus(20'000);
+    Cloud cloud = shape.cloud();
+    cloud.normals = shape.normals;
+    for (std::size_t i = 0; i < cloud.normals.size(); i += 3) cloud.normals[i] = -cloud.normals[i];
+    cloud.normal_sides = false;
+    const Splats splats = estimate(std::move(cloud));
+    EXPECT_EQ(wrongSides(splats, shape), 0u);
+    for (const double error : normalErrors(splats, shape)) ASSERT_LT(error, 0.01); // their direction stays
+}
+
 TEST(Orient, GivenNormalsKeepTheirSideAgainstTheSensor) {
     const Shape shape = randomSphere(2000);
     Cloud cloud = shape.cloud();
