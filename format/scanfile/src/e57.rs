@@ -6,6 +6,7 @@ use std::slice;
 
 use ::e57::{ColorLimits, E57Reader, Error, PointCloud, Record, RecordDataType, RecordName, RecordValue};
 
+use crate::e57_pages::Pages;
 use crate::e57_points::{bits_of, Points};
 use crate::e57_xml;
 use crate::guard::{guarded, ScanError};
@@ -204,14 +205,26 @@ impl Scan {
     }
 }
 
-/// The crate makes room for the XML section before it reads it: a length that the file cannot have is told first.
-fn check_header(bytes: &[u8]) -> Result<(), String> {
-    const XML_LENGTH_AT: usize = 32;
-    let field = bytes.get(XML_LENGTH_AT..XML_LENGTH_AT + 8).ok_or("is cut short")?;
-    if u64::from_le_bytes(field.try_into().unwrap()) > bytes.len() as u64 {
-        return Err("is cut short, or its header is wrong: its XML section is longer than the file".to_string());
+fn u64_at(bytes: &[u8], at: usize) -> Result<u64, String> {
+    let field = bytes.get(at..at + 8).ok_or("is cut short")?;
+    Ok(u64::from_le_bytes(field.try_into().unwrap()))
+}
+
+/// The XML section, read here first: the crate makes room for as much as the header promises, and takes a wrong checksum
+/// for a file that is cut short.
+fn xml_of(bytes: &[u8]) -> Result<Vec<u8>, String> {
+    const OFFSET_AT: usize = 24;
+    const LENGTH_AT: usize = 32;
+    const OUTSIDE: &str = "is broken or cut short: its XML section is said to be where the file has none";
+    let mut pages = Pages::of(bytes);
+    let start = pages.logical(u64_at(bytes, OFFSET_AT)?).ok_or(OUTSIDE)?;
+    let length = u64_at(bytes, LENGTH_AT)?;
+    if length > pages.len() - start {
+        return Err(OUTSIDE.to_string());
     }
-    Ok(())
+    let mut xml = Vec::new();
+    pages.read(start, length as usize, &mut xml)?;
+    Ok(xml)
 }
 
 /// Readers make room for as many points as a file promises: scans may share their bytes, or take none.
@@ -225,8 +238,7 @@ fn check_points(clouds: &[PointCloud], file_bytes: usize) -> Result<(), String> 
 }
 
 fn open(bytes: &[u8]) -> Result<E57File<'_>, String> {
-    check_header(bytes)?;
-    e57_xml::check(&E57Reader::raw_xml(Cursor::new(bytes)).map_err(reason)?)?;
+    e57_xml::check(&xml_of(bytes)?)?;
     let reader = E57Reader::new(Cursor::new(bytes)).map_err(reason)?;
     check_points(&reader.pointclouds(), bytes.len())?;
     Ok(E57File {

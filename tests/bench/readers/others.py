@@ -102,7 +102,9 @@ def read_e57(path):
                                              if len(array) == len(positions)})
 
 
-PLY_ROLES = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue"}
+# and places in a texture, which are not read
+PLY_ROLES = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "diffuse_red", "diffuse_green", "diffuse_blue",
+             "s", "t", "u", "v", "texture_u", "texture_v"}
 
 
 def ply_name(name, known):
@@ -125,8 +127,7 @@ def read_ply(path):
         ply_name(name, KNOWN_NAMES): np.asarray(vertex[name]) for name in names
         if name not in PLY_ROLES and np.asarray(vertex[name]).dtype != object}
     theirs = with_extents("plyfile", positions, attributes)
-    if gaussians:
-        theirs["points"] = None  # those that are nearly transparent are left out
+    theirs["gaussians"] = gaussians
     theirs["zero_normals"] = "nx" in names and not any(np.any(np.asarray(vertex[name])) for name in ("nx", "ny", "nz"))
     return theirs
 
