@@ -351,7 +351,7 @@ TEST_F(E57Test, XmlThatIsNotMeantToBeReadTakesNoTime) {
         tag += fmt::format(" a{}='>'", i);
     }
     for (int i = 0; i < 60'000; ++i) spaces += fmt::format("<a xmlns:a{}='b{}'>", i, i);
-    EXPECT_HAS(reasonOfScans({{two()}}, deep), "a.e57: ");
+    EXPECT_HAS(reasonOfScans({{two()}}, deep), "nests more than 256 elements");
     EXPECT_HAS(reasonOfScans({{two()}}, tag + "/>"), "has a tag of more than 4096 bytes");
     EXPECT_HAS(reasonOfScans({{two()}}, spaces), "declares more than 256 namespaces");
     // comments and text may be long
