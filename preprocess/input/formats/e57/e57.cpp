@@ -68,8 +68,8 @@ struct Batch {
 /// From range, azimuth and elevation in radians.
 Vec3d fromSpherical(const Vec3d& spherical) {
     const double range = spherical[0], azimuth = spherical[1], elevation = spherical[2];
-    return range *
-           Vec3d(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    const double flat = range * std::cos(elevation);
+    return {flat * std::cos(azimuth), flat * std::sin(azimuth), range * std::sin(elevation)};
 }
 
 void setPosition(Row& row, const Vec3d& position) { std::copy_n(position.data(), 3, &row[kX]); }
