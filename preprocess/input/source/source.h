@@ -34,6 +34,18 @@ Source openSource(const std::string& path, NamedBy named_by = NamedBy::kUser);
 /// they are touched.
 void letGo(const Source& source, std::uint64_t bytes);
 
+/// letGo, now and then, of what lies behind a reader that goes through a source once.
+struct LetGoBehind {
+    const Source& source;
+    std::uint64_t kept_from = 0; ///< bytes before that are gone
+
+    /// done: so many bytes are read
+    void operator()(std::uint64_t done) {
+        constexpr std::uint64_t kStep = 8 << 20; // little beside what a bake takes, and few calls
+        if (done > kept_from + kStep) letGo(source, kept_from = done);
+    }
+};
+
 /// Throws Error{kBadInput, "name: reason"}.
 [[noreturn]] void refuse(const Source& source, const std::string& reason);
 

@@ -187,17 +187,14 @@ std::string titleOf(const E57File& file, std::size_t number) {
 
 /// A scan's points, batch by batch.
 struct Stream {
-    const Source& source;
     E57Points points;
-    std::uint64_t kept_from = 0; ///< of the file, whose bytes before that need no memory any more
+    LetGoBehind let_go;
 
-    Stream(const Source& of_file, const E57File& file, std::size_t number)
-        : source(of_file), points(e57Points(file, number)) {}
+    Stream(const Source& source, const E57File& file, std::size_t number)
+        : points(e57Points(file, number)), let_go{source} {}
 
     std::size_t read(const std::vector<void*>& columns) {
-        constexpr std::uint64_t kStep = 8 << 20; // little beside what a bake takes, and few calls
-        const std::uint64_t position = e57Position(points);
-        if (position > kept_from + kStep) letGo(source, kept_from = position);
+        let_go(e57Position(points));
         return readE57Points(points, kBatch, columns.data());
     }
 };

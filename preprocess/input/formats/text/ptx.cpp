@@ -195,11 +195,13 @@ Cells readCells(const Source& source, const Header& header, const Shape& shape, 
     Cells cells;
     Row row{};
     PackedCell packed;
+    LetGoBehind let_go{source};
     const char* const values = reinterpret_cast<const char*>(&packed) + (shape.intensity ? 0 : sizeof packed.intensity);
     for (std::uint64_t i = 0; i < header.cells; ++i) {
         std::string_view line;
         if (!lines.next(line))
             refuse(source, fmt::format("cut short: {} of {} points of a scan are there", i, header.cells));
+        let_go(static_cast<std::uint64_t>(line.data() - source.begin()));
         if (isMissing(line)) {
             ++cells.missing;
             continue;

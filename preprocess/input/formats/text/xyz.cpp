@@ -53,7 +53,9 @@ std::uint64_t forEachRow(RowReader& reader, Use&& use) {
     const Layout& layout = reader.layout;
     std::uint64_t announced = layout.counted_points;
     std::string_view rest = layout.data, line;
+    LetGoBehind let_go{reader.source};
     while (nextLine(rest, line)) {
+        let_go(static_cast<std::uint64_t>(line.data() - reader.source.begin()));
         const std::string_view trimmed = withoutBlanks(line);
         if (trimmed.empty() || commentText(trimmed)) continue;
         std::uint64_t count = 0;
