@@ -121,6 +121,19 @@ void gatherConverted(const char* from, Scalar type, std::span<const std::uint32_
         }
 }
 
+bool isMinor(const Attribute& attribute, const Columns& columns) {
+    return std::find(columns.minor.begin(), columns.minor.end(), attribute.name) != columns.minor.end();
+}
+
+/// Whether nothing but 0 came so far, for which no memory is taken.
+bool isAbsent(const Attribute& attribute, const Columns& columns) {
+    return attribute.values.empty() && isMinor(attribute, columns);
+}
+
+bool isZero(const char* values, std::size_t bytes) {
+    return std::all_of(values, values + bytes, [](char byte) { return byte == 0; });
+}
+
 /// Whether a type holds all of the values exactly.
 template <typename Value>
 bool holdsAll(const Attribute& attribute) {
@@ -170,7 +183,7 @@ void beginColumns(Columns& columns, Cloud& cloud, const std::vector<ColumnTraits
         }
         offset += scalarSize(column.type) * column.components;
     }
-    fillAttributes(cloud);
+    fillAttributes(cloud, columns);
     for (const Columns::Column& column : columns.wanted) {
         Attribute& attribute = cloud.attributes[column.attribute];
         const std::size_t bytes = room * attribute.bytesEach();
@@ -200,7 +213,12 @@ void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* cons
     for (const Columns::Column& column : columns.wanted) {
         Attribute& attribute = cloud.attributes[column.attribute];
         const char* const from = arrays[column.trait];
-        const std::size_t size = attribute.bytesEach(), at = attribute.values.size();
+        const std::size_t size = attribute.bytesEach();
+        if (isAbsent(attribute, columns)) {
+            if (isZero(from, count * scalarSize(column.type) * attribute.components)) continue;
+            fillTo(attribute, cloud.positions.size() - kept.size());
+        }
+        const std::size_t at = attribute.values.size();
         if (attribute.type == column.type && kept.size() == count) {
             attribute.values.insert(attribute.values.end(), from, from + count * size);
             continue;
@@ -213,9 +231,10 @@ void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* cons
     }
 }
 
-void fillAttributes(Cloud& cloud) {
+void fillAttributes(Cloud& cloud, const Columns& columns) {
     for (Attribute& attribute : cloud.attributes)
-        if (countOf(attribute) < cloud.positions.size()) fillTo(attribute, cloud.positions.size());
+        if (countOf(attribute) < cloud.positions.size() && !isAbsent(attribute, columns))
+            fillTo(attribute, cloud.positions.size());
 }
 
 void requireOffered(const Columns& columns, const AttributeChoice& choice) {
@@ -240,9 +259,7 @@ void narrowAttributes(Cloud& cloud, const Columns& columns) {
 
 void dropMinorAttributes(Cloud& cloud, const Columns& columns) {
     std::erase_if(cloud.attributes, [&](const Attribute& attribute) {
-        const auto& minor = columns.minor;
-        return std::find(minor.begin(), minor.end(), attribute.name) != minor.end() &&
-               std::all_of(attribute.values.begin(), attribute.values.end(), [](char byte) { return byte == 0; });
+        return isMinor(attribute, columns) && isZero(attribute.values.data(), attribute.values.size());
     });
 }
 

@@ -64,8 +64,9 @@ void addValues(const Columns& columns, Cloud& cloud, const char* values);
 void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* const> arrays,
                 std::span<const std::uint32_t> kept, std::size_t count);
 
-/// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals.
-void fillAttributes(Cloud& cloud);
+/// Fills all attributes up to the cloud's number of positions: 0, or NaN in reals. Minor ones that are empty, as they
+/// are until one of their values is not 0, stay so.
+void fillAttributes(Cloud& cloud, const Columns& columns);
 
 /// Throws Error (kBadInput) naming an attribute that is asked for and that no file has, and those that there are.
 void requireOffered(const Columns& columns, const AttributeChoice& choice);

@@ -21,12 +21,12 @@ void makeRoom(std::vector<Item>& items, std::size_t room) {
 }
 
 /// The fill for vertices of files without the attribute, up to the current number of positions.
-void fillMissing(Cloud& cloud) {
+void fillMissing(Cloud& cloud, const Columns& columns) {
     const std::size_t count = cloud.positions.size();
     if (!cloud.normals.empty()) cloud.normals.resize(count, Vec3f::Zero());
     if (!cloud.colors.empty()) cloud.colors.resize(count, kGrey);
     if (!cloud.radii.empty()) cloud.radii.resize(count, 0.0f);
-    fillAttributes(cloud);
+    fillAttributes(cloud, columns);
     if (!cloud.sensor_of_point.empty()) cloud.sensor_of_point.resize(count, kNoSensor);
 }
 
@@ -372,7 +372,7 @@ void finishScan(Sink& sink, const Source& source, const std::string& title, Empt
     scaleWideColors(sink);
     scale16BitColors(sink, source);
     settleTriangles(sink, source);
-    fillMissing(cloud);
+    fillMissing(cloud, sink.columns);
     cloud.points_read += sink.vertices;
     cloud.points_non_finite += sink.non_finite;
     cloud.points_filtered += sink.vertices - sink.non_finite - kept;

@@ -120,6 +120,27 @@ TEST_F(ColumnsTest, WhatAFileTypedStaysSo) {
     EXPECT_EQ(cloud.attributes[0].type, Scalar::kF64);
 }
 
+TEST_F(ColumnsTest, MinorOnesTakeNoMemoryUntilThereIsMoreThanZero) {
+    ScanTraits traits;
+    traits.faces = false;
+    traits.columns = {{"withheld", Scalar::kU8}, {"overlap", Scalar::kU8}};
+    for (ColumnTraits& column : traits.columns) column.minor = true;
+    beginScan(sink, source, traits);
+    const std::vector<Vec3d> positions{Vec3d(1, 0, 0), Vec3d(2, 0, 0)};
+    const char zeros[] = {0, 0}, one[] = {0, 1};
+    const char* const nothing[] = {zeros, zeros};
+    const char* const something[] = {one, zeros};
+    addVertices(sink, positions, nothing);
+    EXPECT_TRUE(cloud.attributes[0].values.empty());
+    addVertices(sink, positions, something);
+    addVertices(sink, positions, nothing);
+    finishScan(sink, source);
+    EXPECT_TRUE(cloud.attributes[1].values.empty());
+    dropMinorAttributes(cloud, sink.columns);
+    EXPECT_EQ(only().name, "withheld");
+    EXPECT_EQ(only().values, (std::vector<char>{0, 0, 0, 1, 0, 0}));
+}
+
 TEST_F(ColumnsTest, OnlyThoseAskedFor) {
     sink.attributes = {false, {"b"}};
     addFile<std::uint8_t>("a", Scalar::kU8, {1});

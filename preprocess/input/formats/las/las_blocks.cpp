@@ -15,8 +15,8 @@ namespace pointrt {
 namespace {
 
 /// Bytes of records in a block, and of all blocks that are under way: with their arrays, which take about twice as
-/// much again, less than 64 MiB.
-constexpr std::size_t kMostRecordBytes = std::size_t{8} << 20, kMostUnderWay = std::size_t{20} << 20;
+/// much again, and the program, less than 64 MiB.
+constexpr std::size_t kMostRecordBytes = std::size_t{8} << 20, kMostUnderWay = std::size_t{12} << 20;
 constexpr std::size_t kBlockPoints = std::size_t{1} << 16;
 
 /// A block on its way through the pipeline.
