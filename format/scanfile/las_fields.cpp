@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <limits>
 
+#include "format/base/number_type.h"
 #include "format/scanfile/bytes.h"
 #include "pointrt/pro_layout.h"
 
@@ -245,33 +246,6 @@ void packScaled(const LasField& field, const char* values, std::size_t stride, s
             const Number raw = rawOf<Number>((value - field.add[c]) / field.multiply[c]);
             std::memcpy(records + i * stride + field.at + c * sizeof raw, &raw, sizeof raw);
         }
-}
-
-/// Calls use with a number of that type.
-template <typename Use>
-void withType(std::uint32_t type, const Use& use) {
-    switch (type) {
-    case PRO_TYPE_I8:
-        return use(std::int8_t{});
-    case PRO_TYPE_U8:
-        return use(std::uint8_t{});
-    case PRO_TYPE_I16:
-        return use(std::int16_t{});
-    case PRO_TYPE_U16:
-        return use(std::uint16_t{});
-    case PRO_TYPE_I32:
-        return use(std::int32_t{});
-    case PRO_TYPE_U32:
-        return use(std::uint32_t{});
-    case PRO_TYPE_I64:
-        return use(std::int64_t{});
-    case PRO_TYPE_U64:
-        return use(std::uint64_t{});
-    case PRO_TYPE_F32:
-        return use(float{});
-    default:
-        return use(double{});
-    }
 }
 
 } // namespace

@@ -7,38 +7,12 @@
 #include <limits>
 #include <vector>
 
+#include "format/base/number_type.h"
 #include "format/base/parallel.h"
 
 namespace pointrt::format {
 
 namespace {
-
-/// Calls use(a value of the C++ type) for a type that there is.
-template <typename Use>
-auto withType(std::uint32_t type, const Use& use) {
-    switch (type) {
-    case PRO_TYPE_I8:
-        return use(std::int8_t{});
-    case PRO_TYPE_U8:
-        return use(std::uint8_t{});
-    case PRO_TYPE_I16:
-        return use(std::int16_t{});
-    case PRO_TYPE_U16:
-        return use(std::uint16_t{});
-    case PRO_TYPE_I32:
-        return use(std::int32_t{});
-    case PRO_TYPE_U32:
-        return use(std::uint32_t{});
-    case PRO_TYPE_I64:
-        return use(std::int64_t{});
-    case PRO_TYPE_U64:
-        return use(std::uint64_t{});
-    case PRO_TYPE_F32:
-        return use(float{});
-    default:
-        return use(double{});
-    }
-}
 
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -104,11 +78,11 @@ void findRange(pro_attribute& attribute, std::size_t count) {
 
 uint32_t pro_type_bytes(uint32_t type) {
     if (type < PRO_TYPE_I8 || type > PRO_TYPE_F64) return 0;
-    return pointrt::format::withType(type, [](auto value) { return static_cast<uint32_t>(sizeof value); });
+    return pointrt::withType(type, [](auto value) { return static_cast<uint32_t>(sizeof value); });
 }
 
 double pro_attribute_value(const pro_attribute* attribute, size_t number) {
-    return pointrt::format::withType(attribute->type, [&](auto value) {
+    return pointrt::withType(attribute->type, [&](auto value) {
         std::memcpy(&value, static_cast<const std::byte*>(attribute->values) + number * sizeof value, sizeof value);
         return static_cast<double>(value);
     });

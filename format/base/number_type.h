@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The types of numbers in files as types of C++.
+#pragma once
+
+#include <cstdint>
+
+#include "pointrt/pro_layout.h"
+
+namespace pointrt {
+
+/// Calls use(a value of the C++ type) for a type that there is.
+template <typename Use>
+auto withType(std::uint32_t type, const Use& use) {
+    switch (type) {
+    case PRO_TYPE_I8:
+        return use(std::int8_t{});
+    case PRO_TYPE_U8:
+        return use(std::uint8_t{});
+    case PRO_TYPE_I16:
+        return use(std::int16_t{});
+    case PRO_TYPE_U16:
+        return use(std::uint16_t{});
+    case PRO_TYPE_I32:
+        return use(std::int32_t{});
+    case PRO_TYPE_U32:
+        return use(std::uint32_t{});
+    case PRO_TYPE_I64:
+        return use(std::int64_t{});
+    case PRO_TYPE_U64:
+        return use(std::uint64_t{});
+    case PRO_TYPE_F32:
+        return use(float{});
+    default:
+        return use(double{});
+    }
+}
+
+} // namespace pointrt
