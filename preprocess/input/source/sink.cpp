@@ -97,7 +97,9 @@ bool addPosition(Sink& sink, const Vec3d& position) {
 Vec3f cleanNormal(const Sink& sink, const Row& row) {
     const Vec3d normal(row[kNormalX], row[kNormalY], row[kNormalZ]);
     if (!normal.allFinite()) return Vec3f::Zero();
-    const Vec3f rounded = (sink.normal_from_vertex * normal).cast<float>();
+    // where nothing moves not even the sign of a zero does
+    const bool moves = sink.world_from_scan || sink.world_from_input;
+    const Vec3f rounded = (moves ? Vec3d(sink.normal_from_vertex * normal) : normal).cast<float>();
     return rounded.allFinite() ? rounded : Vec3f(Vec3f::Zero());
 }
 
