@@ -37,7 +37,7 @@ void storeNumber(double value, std::uint32_t type, char* to) {
 /// The values of a column for these splats, as its field has them.
 std::vector<char> valuesOf(const LasColumn& column, Splats splats) {
     const pro_attribute& attribute = *column.attribute;
-    const std::size_t number = numberBytes(column.field.type), bytes = number * attribute.components;
+    const std::size_t number = pro_type_bytes(column.field.type), bytes = number * attribute.components;
     std::vector<char> values(splats.size() * bytes);
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const std::size_t first = std::size_t{splats[i]} * attribute.components;

@@ -25,9 +25,9 @@ bool isReal(std::uint32_t type) { return type >= PRO_TYPE_F32; }
 bool holds(const LasField& field, const pro_attribute& attribute, std::size_t splats) {
     if (field.components != attribute.components) return false;
     if (field.type == attribute.type && field.mask == 0) return true;
-    if (isReal(field.type)) return !isReal(attribute.type) && numberBytes(attribute.type) <= 4; // exact in a double
+    if (isReal(field.type)) return !isReal(attribute.type) && pro_type_bytes(attribute.type) <= 4; // exact in a double
     const bool has_sign = field.type == PRO_TYPE_I8 || field.type == PRO_TYPE_I16 || field.type == PRO_TYPE_I32;
-    const double bits = static_cast<double>(8 * numberBytes(field.type));
+    const double bits = static_cast<double>(8 * pro_type_bytes(field.type));
     const double most = field.mask != 0 ? field.mask : std::exp2(has_sign ? bits - 1 : bits) - 1;
     if (attribute.low < (has_sign ? -most - 1 : 0) || attribute.high > most) return false;
     if (!isReal(attribute.type)) return true;
@@ -143,7 +143,7 @@ void addExtra(const pro_attribute& attribute, const std::vector<LasField>& known
     LasHeader& header = plan.description.header;
     field.at = header.record_bytes;
     header.record_bytes =
-        static_cast<std::uint16_t>(header.record_bytes + field.components * numberBytes(field.raw_type));
+        static_cast<std::uint16_t>(header.record_bytes + field.components * pro_type_bytes(field.raw_type));
     plan.columns.push_back({field, &attribute});
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "format/base/number_type.h"
+#include "format/base/unique_name.h"
 #include "format/scanfile/bytes.h"
 #include "pointrt/pro_layout.h"
 
@@ -122,27 +123,11 @@ LasField describedField(const Descriptor& descriptor, std::size_t at) {
     return field;
 }
 
-/// Cuts name to what an attribute may have, at the start of a character.
-void shorten(std::string& name, std::size_t most) {
-    if (name.size() <= most) return;
-    while (most > 0 && (static_cast<unsigned char>(name[most]) & 0xC0) == 0x80) --most;
-    name.resize(most);
-}
-
-/// Makes the name one that no field before has.
+/// Makes the name one that an attribute may have and no field before has.
 void settleName(std::string& name, const std::vector<LasField>& fields) {
-    const auto taken = [&] {
-        return std::any_of(fields.begin(), fields.end(), [&](const LasField& field) { return field.name == name; });
-    };
-    if (name.empty()) name = "ExtraBytes";
-    shorten(name, PRO_ATTRIBUTE_NAME_MAX);
-    const std::string first = name;
-    for (int number = 2; taken(); ++number) {
-        const std::string tail = fmt::format("_{}", number);
-        name = first;
-        shorten(name, PRO_ATTRIBUTE_NAME_MAX - tail.size());
-        name += tail;
-    }
+    name = uniqueName(name.empty() ? "ExtraBytes" : name, PRO_ATTRIBUTE_NAME_MAX, [&](const std::string& each) {
+        return std::any_of(fields.begin(), fields.end(), [&](const LasField& field) { return field.name == each; });
+    });
 }
 
 /// Bytes without a meaning; more than 16 of a point are no attribute any more.
@@ -182,7 +167,7 @@ void addExtraFields(LasFile& file, std::vector<LasField>& fields) {
             continue;
         }
         LasField field = describedField(descriptor, at);
-        const std::size_t bytes = field.components * numberBytes(field.raw_type);
+        const std::size_t bytes = field.components * pro_type_bytes(field.raw_type);
         if (bytes > end - at) break;
         settleName(field.name, fields);
         field.descriptor = rest.substr(0, kDescriptorBytes);
@@ -279,12 +264,7 @@ std::vector<LasField> lasFields(LasFile& file) {
     return fields;
 }
 
-std::size_t numberBytes(std::uint32_t type) {
-    constexpr std::size_t kBytes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-    return kBytes[type];
-}
-
-std::size_t fieldBytes(const LasField& field) { return field.components * numberBytes(field.type); }
+std::size_t fieldBytes(const LasField& field) { return field.components * pro_type_bytes(field.type); }
 
 void unpackField(const LasField& field, const char* records, std::size_t record_bytes, std::size_t count,
                  char* values) {

@@ -35,9 +35,6 @@ std::vector<LasField> lasFields(LasFile& file);
 /// Of the point format alone.
 std::vector<LasField> lasFields(std::uint8_t point_format);
 
-/// Bytes of a number of a type, PRO_TYPE_*.
-std::size_t numberBytes(std::uint32_t type);
-
 /// Bytes of a point's value.
 std::size_t fieldBytes(const LasField& field);
 

@@ -60,6 +60,16 @@ std::vector<bool> parseClasses(const std::string& option, const std::string& tex
     return classes;
 }
 
+AttributeChoice parseAttributes(const std::string& text) {
+    AttributeChoice choice{text == "auto", {}};
+    if (choice.all || text == "none") return choice;
+    eachPart(text, [&](std::string_view part) {
+        if (part.empty()) usage("--attributes: '" + text + "' has an empty name");
+        choice.names.emplace_back(part);
+    });
+    return choice;
+}
+
 Eigen::Affine3d readTransform(const std::string& path) {
     const Source source = openSource(path);
     std::string_view rest = source.bytes;

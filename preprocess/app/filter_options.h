@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "preprocess/input/source/columns.h"
+
 namespace pointrt {
 
 /// "MINX,MINY,MINZ,MAXX,MAXY,MAXZ". Throws Error (kBadUsage) when it is not six numbers with no minimum above its
@@ -15,6 +17,9 @@ Eigen::AlignedBox3d parseBounds(const std::string& text);
 /// Marks the classes of a list, "2,6,9-17": 256 flags. Throws Error (kBadUsage) on anything else, and above 255.
 /// option: for the message
 std::vector<bool> parseClasses(const std::string& option, const std::string& text);
+
+/// "auto", "none" or names with commas between them. Throws Error (kBadUsage) on an empty name.
+AttributeChoice parseAttributes(const std::string& text);
 
 /// A file of 16 numbers, the rows of a 4x4 matrix that takes columns (x, y, z, 1) to where they go, as CloudCompare and
 /// PDAL write it. Throws Error (kBadInput) when it cannot be read, is of another size, has a last row other than

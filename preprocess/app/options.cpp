@@ -74,17 +74,6 @@ CLI::Validator range(Value least, Value most) {
     return CLI::Range(least, most).description("");
 }
 
-void takeAttributes(const std::string& text, AttributeChoice& choice) {
-    choice = {text == "auto", {}};
-    if (choice.all || text == "none") return;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        if (end == begin) throw CLI::ValidationError("--attributes", "'" + text + "' has an empty name");
-        choice.names.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-}
-
 /// CLI11 takes -1 for 2^64 - 1.
 CLI::Validator notNegative() {
     return {[](const std::string& text) { return text.starts_with('-') ? text + " is below 0" : std::string(); }, ""};
@@ -168,7 +157,7 @@ void addFilterOptions(CLI::App& app, BakeOptions& options) {
     addParsed(app, "--attributes",
               "What else scans have of their points: all of it, nothing, or names, as "
               "intensity,classification (default auto)",
-              [&](const std::string& text) { takeAttributes(text, read.attributes); })
+              [&](const std::string& text) { read.attributes = parseAttributes(text); })
         ->type_name("auto|none|NAMES");
 }
 

@@ -2,12 +2,14 @@
 #include "preprocess/octree/carry_attributes.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
+#include <span>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include "format/base/printable.h"
+#include "format/base/unique_name.h"
+#include "preprocess/cloud/gather.h"
 
 namespace pointrt {
 namespace {
@@ -15,52 +17,17 @@ namespace {
 static_assert(static_cast<int>(Scalar::kI8) + 1 == PRO_TYPE_I8 && static_cast<int>(Scalar::kF64) + 1 == PRO_TYPE_F64,
               "types of attributes are numbered as those of the file");
 
-/// Not within a character: bytes 10xxxxxx continue one.
-std::string cutTo(std::string name, std::size_t bytes) {
-    if (name.size() <= bytes) return name;
-    while (bytes > 0 && (static_cast<unsigned char>(name[bytes]) & 0xC0) == 0x80) --bytes;
-    name.resize(bytes);
-    return name;
-}
-
 /// A name that a file can hold, and that is not taken.
 std::string fittingName(const std::string& name, const std::set<std::string>& taken) {
     const std::string plain = name.empty() ? "unnamed" : printable(name, std::string::npos);
-    std::string fitting = cutTo(plain, PRO_ATTRIBUTE_NAME_MAX);
-    for (int number = 2; taken.contains(fitting); ++number) {
-        const std::string suffix = "_" + std::to_string(number);
-        fitting = cutTo(plain, PRO_ATTRIBUTE_NAME_MAX - suffix.size()) + suffix;
-    }
-    return fitting;
+    return uniqueName(plain, PRO_ATTRIBUTE_NAME_MAX, [&](const std::string& each) { return taken.contains(each); });
 }
 
-template <std::size_t kSize>
-void gatherFixed(const Attribute& from, const std::vector<std::uint32_t>& indices, char* to) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, indices.size()), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            std::memcpy(to + i * kSize, from.values.data() + std::size_t{indices[i]} * kSize, kSize);
-    });
-}
-
-void gatherAny(const Attribute& from, const std::vector<std::uint32_t>& indices, char* to) {
+void gather(const Attribute& from, std::span<const std::uint32_t> indices, char* to) {
     const std::size_t size = from.bytesEach();
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        std::memcpy(to + i * size, from.values.data() + indices[i] * size, size);
-}
-
-void gather(const Attribute& from, const std::vector<std::uint32_t>& indices, char* to) {
-    switch (from.bytesEach()) {
-    case 1:
-        return gatherFixed<1>(from, indices, to);
-    case 2:
-        return gatherFixed<2>(from, indices, to);
-    case 4:
-        return gatherFixed<4>(from, indices, to);
-    case 8:
-        return gatherFixed<8>(from, indices, to);
-    default:
-        return gatherAny(from, indices, to);
-    }
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, indices.size()), [&](const auto& range) {
+        gatherValues(from.values.data(), size, indices.subspan(range.begin(), range.size()), to + range.begin() * size);
+    });
 }
 
 } // namespace

@@ -6,20 +6,6 @@
 namespace pointrt {
 namespace {
 
-/// Lines without comments and without empty ones.
-struct Lines {
-    std::string_view rest;
-
-    bool next(std::string_view& line) {
-        while (nextLine(rest, line)) {
-            line = line.substr(0, line.find('#'));
-            std::string_view words = line;
-            if (!nextWord(words).empty()) return true;
-        }
-        return false;
-    }
-};
-
 struct Header {
     bool normals = false, colors = false;
     std::uint64_t vertices = 0, faces = 0;
@@ -128,7 +114,7 @@ bool isKeywordLine(std::string_view line, bool first) {
 }
 
 void readOff(const Source& source, Sink& sink) {
-    Lines lines{source.bytes};
+    Lines lines{source.bytes, true};
     Header header = readHeader(source, lines);
     settleColors(source, lines, header);
     ScanTraits traits;

@@ -11,6 +11,7 @@
 #include "format/base/error.h"
 #include "format/base/near_name.h"
 #include "format/base/printable.h"
+#include "preprocess/cloud/gather.h"
 #include "preprocess/input/source/scalar.h"
 
 namespace pointrt {
@@ -62,12 +63,15 @@ void fillTo(Attribute& attribute, std::size_t count) {
         storeScalar(attribute.values.data() + at, attribute.type, std::numeric_limits<double>::quiet_NaN());
 }
 
+void forget(std::vector<std::string>& names, const std::string& name) {
+    names.erase(std::remove(names.begin(), names.end(), name), names.end());
+}
+
 /// The attribute that takes a column, as wide as it needs.
 std::size_t attributeFor(Cloud& cloud, Columns& columns, const ColumnTraits& column) {
     auto& all = cloud.attributes;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Attribute& each) { return each.name == column.name; });
-    const auto loose = std::find(columns.loose.begin(), columns.loose.end(), column.name);
     if (found == all.end()) {
         all.push_back({column.name, column.type, column.components, {}});
         if (column.loose) columns.loose.push_back(column.name);
@@ -77,39 +81,14 @@ std::size_t attributeFor(Cloud& cloud, Columns& columns, const ColumnTraits& col
         throw Error(ExitCode::kBadInput, fmt::format("{}: {} numbers each, {} in a file before", column.name,
                                                      column.components, found->components));
     changeType(*found, commonType(found->type, column.type));
-    if (!column.loose && loose != columns.loose.end()) columns.loose.erase(loose);
+    if (!column.loose) forget(columns.loose, column.name);
     return static_cast<std::size_t>(found - all.begin());
-}
-
-void forget(std::vector<std::string>& names, const std::string& name) {
-    names.erase(std::remove(names.begin(), names.end(), name), names.end());
 }
 
 /// A name stays minor as long as no column of it is anything else.
 void settleMinor(Columns& columns, const ColumnTraits& column, bool is_new, bool all_wanted) {
     if (!column.minor || !all_wanted) return forget(columns.minor, column.name);
     if (is_new) columns.minor.push_back(column.name);
-}
-
-/// Appends the numbers of vertices kept, each of kSize bytes.
-template <std::size_t kSize>
-void gather(const char* from, std::span<const std::uint32_t> kept, char* to) {
-    for (std::size_t i = 0; i < kept.size(); ++i) std::memcpy(to + i * kSize, from + kept[i] * kSize, kSize);
-}
-
-void gather(const char* from, std::size_t size, std::span<const std::uint32_t> kept, char* to) {
-    switch (size) { // of frequent sizes, which the compiler unrolls
-    case 1:
-        return gather<1>(from, kept, to);
-    case 2:
-        return gather<2>(from, kept, to);
-    case 4:
-        return gather<4>(from, kept, to);
-    case 8:
-        return gather<8>(from, kept, to);
-    default:
-        for (std::size_t i = 0; i < kept.size(); ++i) std::memcpy(to + i * size, from + kept[i] * size, size);
-    }
 }
 
 void gatherConverted(const char* from, Scalar type, std::span<const std::uint32_t> kept, Attribute& attribute,
@@ -225,7 +204,7 @@ void addColumns(const Columns& columns, Cloud& cloud, std::span<const char* cons
         }
         attribute.values.resize(at + kept.size() * size);
         if (attribute.type == column.type)
-            gather(from, size, kept, attribute.values.data() + at);
+            gatherValues(from, size, kept, attribute.values.data() + at);
         else
             gatherConverted(from, column.type, kept, attribute, attribute.values.data() + at);
     }

@@ -74,4 +74,19 @@ inline std::string_view nextWord(std::string_view& rest) {
     return word;
 }
 
+/// Lines that have a word in them.
+struct Lines {
+    std::string_view rest;
+    bool comments = false; ///< '#' and what follows it on a line are none
+
+    bool next(std::string_view& line) {
+        while (nextLine(rest, line)) {
+            if (comments) line = line.substr(0, line.find('#'));
+            std::string_view words = line;
+            if (!nextWord(words).empty()) return true;
+        }
+        return false;
+    }
+};
+
 } // namespace pointrt

@@ -10,19 +10,6 @@
 namespace pointrt {
 namespace {
 
-/// Lines that are not empty.
-struct Lines {
-    std::string_view rest;
-
-    bool next(std::string_view& line) {
-        while (nextLine(rest, line)) {
-            std::string_view words = line;
-            if (!nextWord(words).empty()) return true;
-        }
-        return false;
-    }
-};
-
 /// The numbers of a line; nothing where it has others words or more numbers.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> numbersOf(std::string_view line) {

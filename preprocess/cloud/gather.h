@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values picked out of an array by their numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace pointrt {
+
+template <std::size_t kSize>
+void gatherFixed(const char* from, std::span<const std::uint32_t> indices, char* to) {
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        std::memcpy(to + i * kSize, from + std::size_t{indices[i]} * kSize, kSize);
+}
+
+/// Copies the values of those indices, of size bytes each, one after the other.
+inline void gatherValues(const char* from, std::size_t size, std::span<const std::uint32_t> indices, char* to) {
+    switch (size) { // of frequent sizes, which the compiler unrolls
+    case 1:
+        return gatherFixed<1>(from, indices, to);
+    case 2:
+        return gatherFixed<2>(from, indices, to);
+    case 4:
+        return gatherFixed<4>(from, indices, to);
+    case 8:
+        return gatherFixed<8>(from, indices, to);
+    default:
+        for (std::size_t i = 0; i < indices.size(); ++i) std::memcpy(to + i * size, from + indices[i] * size, size);
+    }
+}
+
+} // namespace pointrt
