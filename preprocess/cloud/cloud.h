@@ -32,6 +32,22 @@ struct Note {
 struct Scan {
     std::string name;            ///< for people: the file, and what it calls the scan
     std::optional<Vec3d> sensor; ///< where the scanner stood, input coordinates
+    std::size_t first_point = 0; ///< its points are those from here on to the next scan's
+};
+
+/// The samples of one scan as its device took them: what lies beside what, and where nothing came back.
+struct RangeGrid {
+    static constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::uint32_t kLeftOut = kNoPoint - 1; ///< a sample that was taken, but not asked for
+
+    std::uint32_t scan = 0; ///< its number in Cloud::scans
+    std::uint32_t rows = 0, columns = 0;
+    bool wraps = false;                       ///< the last column lies beside the first
+    std::vector<std::uint32_t> point_of_cell; ///< [rows][columns], index into positions, kNoPoint or kLeftOut
+
+    std::uint32_t at(std::uint32_t row, std::uint32_t column) const {
+        return point_of_cell[std::size_t{row} * columns + column];
+    }
 };
 
 /// How the input's coordinates lie in the world, as far as files say; what they disagree on is not known.
@@ -53,8 +69,10 @@ struct Cloud {
     std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                 ///< scanner positions, relative to origin
     std::vector<float> radii;                   ///< as given; 0 where missing
+    std::vector<float> noise; ///< standard deviation along the sight, as the device's own; 0 where not known
     std::vector<Attribute> attributes;
-    std::vector<Scan> scans; ///< in the order read; attribute kScanNumber numbers them where there are several
+    std::vector<Scan> scans;      ///< in the order read; attribute kScanNumber numbers them where there are several
+    std::vector<RangeGrid> grids; ///< of scans that came as such
     WorldFrame world;
     std::string source_header; ///< JSON of what a writer of the input's format needs to write it again, or ""
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< faces of a mesh, indices into positions

@@ -92,6 +92,7 @@ void toUnitSize(Points& points, double extent) {
     forAll(points.positions, [&](Vec3f& position) { position = scaled(position, factor); });
     for (Vec3f& sensor : points.sensors) sensor = scaled(sensor, factor);
     for (float& radius : points.radii) radius = static_cast<float>(radius * factor);
+    for (float& noise : points.noise) noise = static_cast<float>(noise * factor);
     points.scale_exponent += exponent;
 }
 
@@ -113,6 +114,7 @@ Points takePoints(Cloud&& cloud) {
     points.sensor_of_point = gatherAndFree(cloud.sensor_of_point, points.input_index);
     points.sensors = std::move(cloud.sensors);
     points.radii = gatherAndFree(cloud.radii, points.input_index);
+    points.noise = gatherAndFree(cloud.noise, points.input_index);
     points.up = cloud.world.up.cast<float>();
     points.from_above = cloud.world.from_above;
     toUnitSize(points, bounds.longestEdge());
@@ -126,6 +128,7 @@ void keepPoints(Points& points, const std::vector<std::uint8_t>& keep) {
     keepFlagged(points.colors, keep);
     keepFlagged(points.sensor_of_point, keep);
     keepFlagged(points.radii, keep);
+    keepFlagged(points.noise, keep);
     keepFlagged(points.input_index, keep);
 }
 
@@ -141,6 +144,7 @@ bool refit(Points& points) {
     points.colors = gatherAndFree(points.colors, order);
     points.sensor_of_point = gatherAndFree(points.sensor_of_point, order);
     points.radii = gatherAndFree(points.radii, order);
+    points.noise = gatherAndFree(points.noise, order);
     points.input_index = gatherAndFree(points.input_index, order);
     toUnitSize(points, extent);
     return true;

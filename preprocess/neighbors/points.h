@@ -19,6 +19,7 @@ struct Points {
     std::vector<std::uint32_t> sensor_of_point; ///< index into sensors, or kNoSensor
     std::vector<Vec3f> sensors;                 ///< in the unit of positions
     std::vector<float> radii;                   ///< as given, in the unit of positions; 0 where missing
+    std::vector<float> noise;                   ///< as given, in the unit of positions; 0 where not known
     std::vector<std::uint32_t> input_index;     ///< index in the cloud
     Vec3f up = Vec3f::Zero();                   ///< zero: not known
     bool from_above = false;                    ///< every surface was seen from up

@@ -107,6 +107,7 @@ Points takePointsBut(Cloud&& cloud, const std::vector<std::uint32_t>& left_out) 
     leaveOut(cloud.colors, left_out);
     leaveOut(cloud.sensor_of_point, left_out);
     leaveOut(cloud.radii, left_out);
+    leaveOut(cloud.noise, left_out);
     Points points = takePoints(std::move(cloud));
     for (std::uint32_t& index : points.input_index) index = cloud_index[index];
     return points;
@@ -136,7 +137,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
     const bool normal_sides = cloud.normal_sides;
-    const std::size_t input_count = cloud.positions.size() - strays.size();
+    const std::size_t cloud_count = cloud.positions.size(), input_count = cloud_count - strays.size();
 
     Points points = takePointsBut(std::move(cloud), strays);
     report.duplicates_removed = input_count - points.size();
@@ -153,6 +154,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     }
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
     splats.origin = origin;
+    splats.input_count = std::uint32_t(cloud_count);
     splats.oriented = oriented;
     return splats;
 }

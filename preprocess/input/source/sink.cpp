@@ -379,7 +379,7 @@ void finishScan(Sink& sink, const Source& source, const std::string& title, Empt
     cloud.points_non_finite += sink.non_finite;
     cloud.points_filtered += sink.vertices - sink.non_finite - kept;
     sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
-    cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}});
+    cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}, sink.first_position});
     if (sink.sensor) setSensor(sink, sink.world_from_vertex * *sink.sensor);
 }
 
