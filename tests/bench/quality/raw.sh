@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Bakes raw range scans of the Dragon and the Bunny and holds what three cameras see of them against the meshes that
+# were made of the same scans by others.
+#   tests/bench/quality/raw.sh BIN_DIR DATA_DIR OUT [--quick] [--only dragon|bunny] [--kept]
+# Prints a table: outline IoU, normals (degrees, mean and 99th percentile), share off in depth, holes a million, false
+# surface, what of it floats; left of all pixels, right of those whose truth lies within 1 mm of a raw point. Then FLIP
+# of the default studio's picture against that of a million points sampled from the mesh.
+#   --quick  one camera, 512 pixels a side, no FLIP
+#   --kept   does not bake what OUT has baked already
+# The folder OUT keeps scenes, pictures and figures (NAME.json); the pictures of the meshes are made once.
+# BAKE_OPTIONS in the environment are handed to pointrt-bake; FLIP_ENVIRONMENT: flip.sh (default OUT/flip).
+set -euo pipefail
+[ $# -ge 3 ] || {
+    sed -n '3,14s/^# //p' "$0" >&2
+    exit 2
+}
+here=$(dirname "$(readlink -f "$0")")
+bin=$1 data=$2 out=$3
+shift 3
+only='' size=1024 quick='' kept=''
+while [ $# -gt 0 ]; do
+    case $1 in
+    --quick) quick=1 size=512 ;;
+    --only) only=$2 && shift ;;
+    --kept) kept=1 ;;
+    *) echo "raw.sh: $1: no such option" >&2 && exit 2 ;;
+    esac
+    shift
+done
+mkdir -p "$out"
+export FLIP_ENVIRONMENT=${FLIP_ENVIRONMENT:-$(readlink -f "$out")/flip}
+read -ra bake_options <<<"${BAKE_OPTIONS:-}"
+
+# view SCENE EYE FILE OPTIONS...
+view() {
+    "$bin/pointrt-view" -q "$1" --eye="$2" --target="$target" --fov 30 --up y --size "${size}x$size" "${@:4}" -o "$3"
+}
+
+# flip NAME MESH EYE...: mean over the cameras
+flip() {
+    local name=$1 mesh=$2 number=0 eye
+    shift 2
+    [ -e "$out/$name.mesh.pro" ] ||
+        "$bin/pointrt-bake" -q "$mesh" --sample 1000000 --force -o "$out/$name.mesh.pro"
+    for eye in "$@"; do
+        [ -e "$out/$name.mesh.$number.png" ] || view "$out/$name.mesh.pro" "$eye" "$out/$name.mesh.$number.png"
+        view "$out/$name.pro" "$eye" "$out/$name.$number.png"
+        "$here/flip.sh" "$out/$name.mesh.$number.png" "$out/$name.$number.png"
+        number=$((number + 1))
+    done | tee "$out/$name.flip.json" |
+        awk -F '[:,]' '{ sum += $4 } END { printf "%-24s    FLIP %.4f\n", "", sum / NR }'
+}
+
+# measure NAME SCAN RAW MESH EYE...
+measure() {
+    local name=$1 scan=$2 raw=$3 mesh=$4 pictures=() eyes=() eye
+    shift 4
+    [ -z "$only" ] || [ "$only" = "$name" ] || return 0
+    if [ ! -e "$scan" ] || [ ! -e "$mesh" ]; then
+        echo "$scan and $mesh: not both there, left out" >&2
+        return 0
+    fi
+    [ -z "$quick" ] || set -- "$1"
+    if [ -z "$kept" ] || [ ! -e "$out/$name.pro" ]; then
+        "$bin/pointrt-bake" -q "$scan" --force --stats "$out/$name.stats.json" "${bake_options[@]}" -o "$out/$name.pro"
+    fi
+    for eye in "$@"; do
+        pictures+=("$out/$name.${#pictures[@]}.exr")
+        eyes+=("--eye=$eye")
+        view "$out/$name.pro" "$eye" "${pictures[-1]}" --spp 1 --integrator normal
+    done
+    # 1.2 mm: 1% of half the meshes' diagonals, 133 and 125 mm, in one number for both
+    "$bin/compare_raw" "$mesh" "${pictures[@]}" --raw "$raw" "${eyes[@]}" --target="$target" --size "$size" \
+        --depth-tolerance 0.0012 --name "$name" --figures "$out/$name.json"
+    [ -n "$quick" ] || flip "$name" "$mesh" "$@"
+}
+
+target=-0.01,0.12,0
+measure dragon "$data/stanford_dragon_raw/dragonStandRight.conf" "$data/stanford_dragon_raw/merged.ply" \
+    "$data/stanford_models/dragon_vrip_res2.ply" 0.02,0.20,0.55 0.5,0.25,0.2 -0.4,0.2,0.3
+target=-0.02,0.11,0
+measure bunny "$data/stanford_bunny_raw/bun.conf" "$data/stanford_bunny_raw/merged.ply" \
+    "$data/stanford_bunny_recon/bun_zipper.ply" 0,0.15,0.5 0.35,0.2,0.3 -0.3,0.2,0.35

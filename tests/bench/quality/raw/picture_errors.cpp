@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/bench/quality/raw/picture_errors.h"
+
+#include <tbb/parallel_for.h>
+
+#include "tests/bench/quality/angles.h"
+
+namespace pointrt::quality {
+
+namespace {
+
+/// What has to be looked up for a pixel.
+struct Judgement {
+    bool seen = true, false_surface = false, floating = false;
+};
+
+Judgement judge(const Sight& truth, const Sight& picture, std::size_t pixel, const UnitCamera& camera,
+                const PictureTruth& against) {
+    Judgement judgement;
+    if (truth.hit()) judgement.seen = against.raw.isSampled(camera.place(pixel, truth.t), against.seen_reach);
+    if (!picture.hit() || picture.t >= truth.t) return judgement;
+    const Vec3f place = camera.place(pixel, picture.t);
+    const float limit = kFalseSpacings * against.raw.spacingAt(truth.hit() ? camera.place(pixel, truth.t) : place);
+    judgement.false_surface = truth.t - picture.t > limit;
+    judgement.floating = judgement.false_surface && against.tracing.distanceWithin(place, limit) >= limit;
+    return judgement;
+}
+
+/// Whether the truth is hit in the square of kEdgePixels around a pixel.
+bool isInside(const Sights& truth, std::size_t pixel, int size) {
+    const int row = static_cast<int>(pixel) / size, column = static_cast<int>(pixel) % size;
+    if (std::min(row, column) < kEdgePixels || std::max(row, column) >= size - kEdgePixels) return false;
+    for (int down = -kEdgePixels; down <= kEdgePixels; ++down)
+        for (int right = -kEdgePixels; right <= kEdgePixels; ++right)
+            if (!truth[static_cast<std::size_t>((row + down) * size + column + right)].hit()) return false;
+    return true;
+}
+
+void count(const Sight& truth, const Sight& picture, bool inside, const Judgement& judgement, float tolerance,
+           PictureErrors& errors) {
+    errors.truth += truth.hit();
+    errors.picture += picture.hit();
+    errors.either += truth.hit() || picture.hit();
+    errors.inside += inside;
+    errors.holes += inside && !picture.hit();
+    errors.false_surface += judgement.false_surface;
+    errors.floating += judgement.floating;
+    if (!truth.hit() || !picture.hit()) return;
+    ++errors.both;
+    errors.depth_off += std::abs(picture.t - truth.t) > tolerance;
+    const double degrees = degreesBetweenLines(truth.normal.cast<double>(), picture.normal.cast<double>());
+    errors.normal_degrees.push_back(static_cast<float>(degrees));
+}
+
+} // namespace
+
+AllAndSeen compareSights(const Sights& truth, const Sights& picture, const UnitCamera& camera,
+                         const PictureTruth& against) {
+    std::vector<Judgement> judgements(truth.size());
+    tbb::parallel_for(std::size_t{0}, truth.size(),
+                      [&](std::size_t i) { judgements[i] = judge(truth[i], picture[i], i, camera, against); });
+    AllAndSeen errors;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const bool inside = isInside(truth, i, camera.size());
+        count(truth[i], picture[i], inside, judgements[i], against.depth_tolerance, errors.all);
+        if (judgements[i].seen)
+            count(truth[i], picture[i], inside, judgements[i], against.depth_tolerance, errors.seen);
+    }
+    return errors;
+}
+
+} // namespace pointrt::quality
