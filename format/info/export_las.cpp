@@ -99,11 +99,10 @@ std::vector<char> recordsOf(const ProFile& file, const LasExport& plan, Splats s
     return records;
 }
 
-bool writeAll(const ProFile& file, const LasExport& plan, LasWriter& writer) {
-    const std::vector<std::uint32_t> splats = inputOrder(file);
+bool writeAll(const ProFile& file, const LasExport& plan, Splats splats, LasWriter& writer) {
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         const std::size_t count = std::min(kSplatsAtOnce, splats.size() - first);
-        const std::vector<char> records = recordsOf(file, plan, Splats(splats).subspan(first, count));
+        const std::vector<char> records = recordsOf(file, plan, splats.subspan(first, count));
         if (!writer.add(records.data(), count)) return false;
     }
     return writer.finish();
@@ -112,14 +111,16 @@ bool writeAll(const ProFile& file, const LasExport& plan, LasWriter& writer) {
 } // namespace
 
 void exportLas(const ProFile& file, const std::string& path, bool overwrite) {
-    const LasExport plan = planLas(file, path.ends_with(".laz"));
+    const std::vector<std::uint32_t> splats = inputOrder(file);
+    LasExport plan = planLas(file, path.ends_with(".laz"));
+    plan.description.header.point_count = splats.size();
     const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
     format::AtomicFile out;
     const LasTarget target{
         [&](const void* data, std::size_t bytes) { return out.write(data, bytes); },
         [&](std::uint64_t offset, const void* data, std::size_t bytes) { return out.overwrite(offset, data, bytes); }};
     LasWriter writer(plan.description, target);
-    if (!out.open(path, existing) || !writeAll(file, plan, writer) || !out.commit())
+    if (!out.open(path, existing) || !writeAll(file, plan, splats, writer) || !out.commit())
         throw Error(ExitCode::kCannotWrite,
                     path + ": " + out.error() + (out.nameIsTaken() ? "; --force overwrites it" : ""));
 }

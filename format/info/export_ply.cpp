@@ -45,10 +45,10 @@ std::string attributeLines(const ProFile& file) {
     return text;
 }
 
-std::string header(const ProFile& file) {
+std::string header(const ProFile& file, std::size_t splats) {
     const pro_info& info = file.info();
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment splats of a .pro file: oriented discs\n";
-    text += "element vertex " + std::to_string(info.splat_count) + "\n";
+    text += "element vertex " + std::to_string(splats) + "\n";
     for (const char* name : {"x", "y", "z"}) text += std::string("property double ") + name + "\n";
     for (const char* name : {"nx", "ny", "nz", "radius"}) text += std::string("property float ") + name + "\n";
     if (info.flags & PRO_FLAG_COLOR)
@@ -86,9 +86,9 @@ void appendAttributes(std::vector<char>& buffer, const ProFile& file, std::size_
 using Write = std::function<bool(const void* data, std::size_t bytes)>;
 
 bool writeAll(const Write& write, const ProFile& file) {
-    const std::string text = header(file);
-    if (!write(text.data(), text.size())) return false;
     const std::vector<std::uint32_t> splats = inputOrder(file);
+    const std::string text = header(file, splats.size());
+    if (!write(text.data(), text.size())) return false;
     std::vector<char> buffer;
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         buffer.clear();

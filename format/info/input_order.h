@@ -8,7 +8,8 @@
 
 namespace pointrt {
 
-/// Splat numbers in the order of their input points; in file order where the file does not know it.
+/// Splat numbers in the order of their input points; in file order where the file does not know it. Splats that fill
+/// gaps between points are left out.
 std::vector<std::uint32_t> inputOrder(const ProFile& file);
 
 } // namespace pointrt

@@ -255,7 +255,6 @@ LasExport planLas(const ProFile& file, bool packed) {
     LasHeader& header = plan.description.header;
     describe(file, metadata, source, plan.description);
     header.packed = packed;
-    header.point_count = file.info().splat_count;
     header.point_format = chooseFormat(file, source);
     header.record_bytes = lasRecordBytes(header.point_format);
     planColumns(file, source, plan);

@@ -122,6 +122,20 @@ std::string sensorsText(const pro_world& world) {
     return fmt::format("{} of {} scans", known, world.sensor_count);
 }
 
+/// Range and median, over the radius and in input units.
+std::string noiseText(const Summary& summary, const ProFile& file) {
+    const NoiseSummary& noise = summary.noise;
+    if (file.noise().empty()) return "none";
+    return fmt::format("{:.3g} to {:.3g} radii, {:.4g} to {:.4g} input units; median {:.3g} radii, {:.4g} input units",
+                       noise.low_radii, noise.high_radii, noise.low, noise.high, noise.median_radii,
+                       file.sampling().noise_median);
+}
+
+std::string filledText(const ProFile& file) {
+    const pro_sampling& sampling = file.sampling();
+    return fmt::format("{} splats fill gaps between {} points", sampling.filled_count, sampling.input_count);
+}
+
 Json vectorJson(const double v[3]) { return {v[0], v[1], v[2]}; }
 
 Json sectionsJson(const Summary& summary) {
@@ -199,6 +213,18 @@ Json sensorsJson(const pro_world& world) {
     return sensors;
 }
 
+/// Null where the scan is clean.
+Json noiseJson(const Summary& summary, const ProFile& file) {
+    if (file.noise().empty()) return nullptr;
+    const NoiseSummary& noise = summary.noise;
+    return {{"low", noise.low},
+            {"median", file.sampling().noise_median},
+            {"high", noise.high},
+            {"low_radii", noise.low_radii},
+            {"median_radii", noise.median_radii},
+            {"high_radii", noise.high_radii}};
+}
+
 Json flagsJson(const pro_info& info) {
     return {{"has_color", (info.flags & PRO_FLAG_COLOR) != 0},
             {"oriented", (info.flags & PRO_FLAG_ORIENTED) != 0},
@@ -233,6 +259,8 @@ std::string summaryText(const std::string& path, const Summary& s, const ProFile
     line("pruned", yesNo(info.flags, PRO_FLAG_PRUNED));
     line("up", upText(file.world()));
     line("input unit", unitText(file.world()));
+    if (info.version_minor > 2) line("noise", noiseText(s, file));
+    if (file.sampling().filled_count > 0) line("filled", filledText(file));
     if (file.world().sensor_count > 0) line("sensors", sensorsText(file.world()));
     text += attributesText(file) + levelsText(s) + sectionsText(s) + materialsText(file);
     if (!file.metadata().empty()) text += "\nmetadata " + dumpJson(parseMetadata(file.metadata()), true) + "\n";
@@ -261,6 +289,9 @@ std::string summaryJson(const Summary& s, const ProFile& file) {
     json["up"] = {world.up[0], world.up[1], world.up[2]};
     json["metres_per_unit"] = world.metres_per_unit;
     json["sensors"] = sensorsJson(world);
+    json["input_points"] = file.sampling().input_count > 0 ? Json(file.sampling().input_count) : Json();
+    json["filled"] = file.sampling().filled_count;
+    json["noise"] = noiseJson(s, file);
     json["attributes"] = attributesJson(file);
     json["blend_slab"] = info.blend_slab;
     json["radius_max"] = info.radius_max * info.scale;

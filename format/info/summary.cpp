@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string_view>
 
 namespace pointrt {
@@ -69,6 +70,28 @@ std::uint64_t countBorderLeaves(std::span<const std::uint32_t> leaves) {
     return count;
 }
 
+NoiseSummary summarizeNoise(const ProFile& file) {
+    NoiseSummary summary;
+    std::array<std::uint64_t, PRO_NOISE_CODE_MAX + 1> counts{};
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (std::size_t i = 0; i < file.noise().size(); ++i) {
+        const double sigma = file.noise()[i] / double{PRO_NOISE_STEPS} * double{file.splat(i).radius};
+        low = std::min(low, sigma);
+        high = std::max(high, sigma);
+        ++counts[file.noise()[i]];
+    }
+    if (file.noise().empty()) return summary;
+    // the code of the splat with so many before it
+    const auto codeAt = [&](std::uint64_t place) {
+        std::size_t code = 0;
+        for (std::uint64_t before = counts[0]; before <= place; before += counts[++code]) {
+        }
+        return static_cast<double>(code) / double{PRO_NOISE_STEPS};
+    };
+    const std::uint64_t count = file.noise().size();
+    return {codeAt(0), codeAt(count / 2), codeAt(count - 1), low * file.info().scale, high * file.info().scale};
+}
+
 } // namespace
 
 Summary summarize(const ProFile& file) {
@@ -77,6 +100,7 @@ Summary summarize(const ProFile& file) {
     summary.levels = countLevels(file.nodes());
     summary.sections = listSections(file.bytes());
     if (file.index()) summary.index_bytes = indexBytes(summary.sections);
+    summary.noise = summarizeNoise(file);
     summary.nodes = 1;
     for (const LevelSummary& level : summary.levels) {
         summary.nodes += PRO_GROUP_SIZE * level.inner;

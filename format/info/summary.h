@@ -22,6 +22,12 @@ struct SectionSummary {
     bool required = false;
 };
 
+/// Of NOIS, over the radius and in input units; zeros without it.
+struct NoiseSummary {
+    double low_radii = 0, median_radii = 0, high_radii = 0;
+    double low = 0, high = 0; ///< the median is in the header
+};
+
 struct Summary {
     pro_info info{};
     std::vector<LevelSummary> levels; ///< by depth, the root's first
@@ -31,6 +37,7 @@ struct Summary {
     std::uint64_t border_leaves = 0; ///< filled with references only
     std::uint64_t references = 0;    ///< members + refs
     std::uint64_t index_bytes = 0;   ///< of the tracing index's sections, 0 without one
+    NoiseSummary noise;
     double references_per_splat = 0, bytes_per_splat = 0;
     double position_error = 0; ///< largest distance of a stored from a given position, input units
     double radius_error = 0;   ///< largest growth of a radius, as a share of it

@@ -53,6 +53,7 @@ void checkContent(const pro_info& info, const Content& content, Level level, Fin
     if (leaves && refs) checkRefsOfLeaves(info, view, findings);
     if (tree && leaves && splats) checkCentres(info, view, findings);
     checkAttributeValues(info, content, findings);
+    if (splats) checkSampled(info, content, findings);
     if (view.metadata_bytes > 0 && !isUtf8({view.metadata, view.metadata_bytes}))
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
 }

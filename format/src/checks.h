@@ -53,6 +53,12 @@ void checkIndex(const pro_info& info, const pro_index& index, Findings& findings
 /// PRO_OFF_UP and what follows it in the header.
 void checkWorld(const pro_world& world, Findings& findings);
 
+/// PRO_OFF_INPUT_COUNT and what follows it in the header.
+void checkSampling(const pro_info& info, const pro_sampling& sampling, Findings& findings);
+
+/// The same against ORDR and NOIS. Needs a header that passed checkSampling, and splats that passed.
+void checkSampled(const pro_info& info, const Content& content, Findings& findings);
+
 /// SENS. Needs world.sensors.
 void checkSensors(const pro_world& world, Findings& findings);
 

@@ -28,6 +28,8 @@ enum class Finding : std::uint32_t {
     kGridFrame = 1015,
     kUp = 1016,
     kMetres = 1017,
+    kFilledCount = 1018,
+    kNoiseMedian = 1019,
 
     kTableShape = 2001,
     kRequiredUnknown = 2002,
@@ -92,6 +94,9 @@ enum class Finding : std::uint32_t {
     kAttributeValues = 9205,
 
     kSensor = 9301,
+
+    kFilledOrder = 9401,
+    kNoiseValues = 9402,
 };
 
 /// Receives findings. With stop_at_first only the first is passed on.

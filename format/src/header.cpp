@@ -87,6 +87,8 @@ void visitPointer(std::uint32_t kind, Visit&& visit) {
         return visit([](auto& content) -> auto& { return content.index.lists; });
     case PRO_KIND_BLND:
         return visit([](auto& content) -> auto& { return content.index.blend_ranges; });
+    case PRO_KIND_NOIS:
+        return visit([](auto& content) -> auto& { return content.sampling.noise; });
     case PRO_KIND_SENS:
         return visit([](auto& content) -> auto& { return content.world.sensors; });
     case PRO_KIND_ATTD:
@@ -109,6 +111,7 @@ std::uint64_t elementCount(std::uint32_t kind, const pro_info& info, const Conte
         return info.ref_count;
     case PRO_KIND_SPLT:
     case PRO_KIND_ORDR:
+    case PRO_KIND_NOIS:
         return info.splat_count;
     case PRO_KIND_MATL:
         return info.material_count;
@@ -207,6 +210,14 @@ void eachWorldField(World& world, const On& on) {
     on(world.metres_per_unit, PRO_OFF_METRES);
 }
 
+/// The same of the sampling.
+template <typename Sampling, typename On>
+void eachSamplingField(Sampling& sampling, const On& on) {
+    on(sampling.input_count, PRO_OFF_INPUT_COUNT);
+    on(sampling.filled_count, PRO_OFF_FILLED_COUNT);
+    on(sampling.noise_median, PRO_OFF_NOISE);
+}
+
 /// The same of a section's record in the table.
 template <typename Record, typename On>
 void eachSectionField(Record& section, const On& on) {
@@ -258,6 +269,14 @@ pro_world loadWorld(const std::byte* header) {
 }
 
 void storeWorld(std::byte* header, const pro_world& world) { eachWorldField(world, storeTo(header)); }
+
+pro_sampling loadSampling(const std::byte* header) {
+    pro_sampling sampling{};
+    eachSamplingField(sampling, loadFrom(header));
+    return sampling;
+}
+
+void storeSampling(std::byte* header, const pro_sampling& sampling) { eachSamplingField(sampling, storeTo(header)); }
 
 Section loadSection(const std::byte* header, std::uint32_t index) {
     Section section;

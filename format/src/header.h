@@ -29,7 +29,7 @@ struct KindRule {
     Presence presence;
     bool traced = true; ///< tracers with an index read it
 };
-inline constexpr std::array<KindRule, 16> kKindRules = {{
+inline constexpr std::array<KindRule, 17> kKindRules = {{
     {PRO_KIND_NODE, 4, Presence::kMandatory, false},
     {PRO_KIND_LEAF, 4 * PRO_LEAF_WORDS, Presence::kMandatory, false},
     {PRO_KIND_REFS, 4, Presence::kMandatory, false},
@@ -44,6 +44,7 @@ inline constexpr std::array<KindRule, 16> kKindRules = {{
     {PRO_KIND_NEAR, 2 * 4 * PRO_NEAR_WORDS, Presence::kIndex},
     {PRO_KIND_LIST, 4 * 4, Presence::kIndex},
     {PRO_KIND_BLND, 4 * PRO_BLEND_RANGE_WORDS, Presence::kIndex},
+    {PRO_KIND_NOIS, 1, Presence::kOptional},
     {PRO_KIND_SENS, 8 * PRO_SENSOR_DOUBLES, Presence::kOptional},
     {PRO_KIND_ATTD, PRO_ATTRIBUTE_BYTES, Presence::kOptional},
 }};
@@ -53,6 +54,7 @@ struct Content {
     pro_view view{};
     pro_index index{}; ///< its frame comes from the header
     pro_world world{};
+    pro_sampling sampling{};
     const std::byte* attribute_records = nullptr;   ///< ATTD
     std::size_t attribute_count = 0;                ///< records
     std::vector<const std::byte*> attribute_values; ///< ATTR, in the order of the table
@@ -86,6 +88,9 @@ void storeFrame(std::byte* header, const pro_index& index);
 /// What the header has of the world; sensors are null.
 pro_world loadWorld(const std::byte* header);
 void storeWorld(std::byte* header, const pro_world& world);
+/// What the header has of the sampling; noise is null.
+pro_sampling loadSampling(const std::byte* header);
+void storeSampling(std::byte* header, const pro_sampling& sampling);
 Section loadSection(const std::byte* header, std::uint32_t index);
 void storeSection(std::byte* header, std::uint32_t index, const Section& section);
 std::uint32_t loadU32(const std::byte* bytes, std::size_t offset);

@@ -105,6 +105,8 @@ int pro_get_index(const pro_file* file, pro_index* index) {
 
 void pro_get_world(const pro_file* file, pro_world* world) { *world = file->parsed.content.world; }
 
+void pro_get_sampling(const pro_file* file, pro_sampling* sampling) { *sampling = file->parsed.content.sampling; }
+
 uint32_t pro_attribute_count(const pro_file* file) {
     return static_cast<uint32_t>(file->parsed.content.attribute_count);
 }

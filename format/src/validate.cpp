@@ -43,7 +43,8 @@ bool checkIdentity(Bytes bytes, Findings& findings) {
 /// Where the header's fields end in files of a version.
 std::size_t fieldsEnd(std::uint32_t version_minor) {
     if (version_minor == 0) return PRO_FIELDS_END_1_0;
-    return version_minor == 1 ? PRO_FIELDS_END_1_1 : PRO_FIELDS_END;
+    if (version_minor == 1) return PRO_FIELDS_END_1_1;
+    return version_minor == 2 ? PRO_FIELDS_END_1_2 : PRO_FIELDS_END;
 }
 
 void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
@@ -267,8 +268,10 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     parsed.info = loadInfo(bytes.data());
     if (parsed.info.version_minor > 0) parsed.content.index = loadFrame(bytes.data());
     if (parsed.info.version_minor > 1) parsed.content.world = loadWorld(bytes.data());
+    if (parsed.info.version_minor > 2) parsed.content.sampling = loadSampling(bytes.data());
     checkHeader(bytes, parsed.info, findings);
     checkWorld(parsed.content.world, findings);
+    checkSampling(parsed.info, parsed.content.sampling, findings);
     if (findings.stopped()) return parsed;
     const std::vector<Section> table = loadTable(bytes, findings);
     if (parsed.info.version_minor <= PRO_VERSION_MINOR) checkTableReserved(bytes, table, findings);

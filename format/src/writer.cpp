@@ -8,6 +8,7 @@
 #include "format/src/attributes.h"
 #include "format/src/checks.h"
 #include "format/src/header.h"
+#include "format/src/sampling.h"
 
 using namespace pointrt::format;
 
@@ -63,6 +64,7 @@ Header makeHeader(pro_info info, const Content& content, const Plan& plan) {
     storeInfo(header.data(), info);
     storeFrame(header.data(), content.index);
     storeWorld(header.data(), content.world);
+    storeSampling(header.data(), content.sampling);
     storeU32(header.data(), PRO_OFF_SECTION_COUNT, static_cast<std::uint32_t>(plan.sections.size()));
     storeU32(header.data(), PRO_OFF_SECTION_STRIDE, PRO_SECTION_BYTES);
     for (std::uint32_t i = 0; i < plan.sections.size(); ++i) storeSection(header.data(), i, plan.sections[i]);
@@ -100,6 +102,7 @@ bool checkInput(const pro_info& info, const Content& content, pro_message* messa
         findings.add(Finding::kMetadataUtf8, "META is not UTF-8");
     if (isWhole(content.index)) checkIndexFrame(content.index, findings);
     checkWorld(content.world, findings);
+    checkSampling(info, content.sampling, findings);
     for (std::size_t i = 0; i < content.attribute_count; ++i) checkAttributeRecord(content, i, findings);
     checkAttributeNames(content, findings);
     if (!findings.stopped()) checkContent(info, content, Level::kOpen, findings);
@@ -150,9 +153,12 @@ void setAttributes(Content& to, const pro_content& from, std::vector<std::byte>&
     to.attribute_count = from.attribute_count;
 }
 
+bool isTold(const pro_sampling& sampling) { return sampling.noise || sampling.filled_count > 0; }
+
 /// What a reader of an earlier version would miss nothing of is of that version.
 std::uint32_t leastMinor(const pro_content& content) {
-    if (content.attribute_count > 0 || (content.world && isKnown(*content.world))) return PRO_VERSION_MINOR;
+    if (content.sampling && isTold(*content.sampling)) return 3;
+    if (content.attribute_count > 0 || (content.world && isKnown(*content.world))) return 2;
     return content.index ? 1 : 0;
 }
 
@@ -169,11 +175,14 @@ pro_result writeAs(Existing existing, const char* path, const pro_content& given
         content.view = *given.view;
         if (given.index) content.index = *given.index;
         if (given.world) content.world = *given.world;
+        if (given.sampling && isTold(*given.sampling)) content.sampling = *given.sampling;
         setAttributes(content, given, records);
         pro_info versioned = *given.info;
         versioned.version_major = PRO_VERSION_MAJOR;
         versioned.version_minor = leastMinor(given);
+        content.sampling.noise_median = 0; // found below, of radii and a scale that have passed
         if (!checkInput(versioned, content, message)) return PRO_BAD_ARGUMENT;
+        content.sampling.noise_median = medianNoise(versioned, content);
         return writeFile(path, existing, versioned, content, message);
     } catch (const std::exception&) {
         setMessage(message, 0, "out of memory");
@@ -189,12 +198,12 @@ pro_result pro_write(const char* path, const pro_info* info, const pro_view* vie
 
 pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                              pro_message* message) {
-    return writeAs(Existing::kReplaced, path, {info, view, index, nullptr, nullptr, 0}, message);
+    return writeAs(Existing::kReplaced, path, {info, view, index, nullptr, nullptr, 0, nullptr}, message);
 }
 
 pro_result pro_write_new(const char* path, const pro_info* info, const pro_view* view, const pro_index* index,
                          pro_message* message) {
-    return writeAs(Existing::kKept, path, {info, view, index, nullptr, nullptr, 0}, message);
+    return writeAs(Existing::kKept, path, {info, view, index, nullptr, nullptr, 0, nullptr}, message);
 }
 
 pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message) {

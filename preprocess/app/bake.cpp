@@ -118,7 +118,8 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
 
 void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
            BakeReport& report, BakeProgress& progress) {
-    content.attributes = carryAttributes(content.attributes, splats.input_index);
+    content.attributes = carryAttributes(content.attributes, pointsOfSplats(splats));
+    report.filled = splats.filled;
     content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
     content.metadata = metadataJson(options, report);
     content.pruned = options.prune;

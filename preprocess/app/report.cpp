@@ -56,6 +56,7 @@ Json toJson(const BakeReport& report) {
     json["normals_estimated"] = report.surface.normals_estimated;
     json["normals_flipped"] = report.surface.normals_flipped;
     json["splats"] = report.splats;
+    json["filled"] = report.filled;
     json["nodes"] = report.octree.nodes;
     json["filled_leaves"] = report.octree.filled_leaves;
     json["border_leaves"] = report.octree.border_leaves;
@@ -149,6 +150,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     for (const Scan& scan : report.scans)
         if (report.scans.size() > 1) json["scans"].push_back(withoutFolder(scan.name));
     if (isKnown(report.world)) json["world"] = worldJson(report.world);
+    if (report.filled > 0) json["filled"] = report.filled;
     const Json header = Json::parse(report.source_header, nullptr, false);
     if (header.is_object()) json["source_header"] = header;
     Json& settings = json["settings"];

@@ -24,6 +24,7 @@ struct BakeReport {
     SurfaceReport surface;
     std::uint64_t merged = 0; ///< splats at one quantised position
     std::uint64_t splats = 0;
+    std::uint64_t filled = 0;              ///< of these, those that fill gaps between points
     std::uint64_t references_unpruned = 0; ///< members included
     PruneReport pruning;                   ///< zeros without pruning
     double harm_allowed = 0;               ///< --prune-harm

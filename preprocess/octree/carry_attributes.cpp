@@ -49,13 +49,21 @@ void fitAttributes(Cloud& cloud) {
     }
 }
 
+std::vector<std::uint32_t> pointsOfSplats(const PackedSplats& splats) {
+    std::vector<std::uint32_t> points = splats.input_index;
+    if (splats.filled == 0) return points;
+    for (std::uint32_t& point : points)
+        if (point >= splats.input_count) point = splats.filled_from[point - splats.input_count];
+    return points;
+}
+
 std::vector<Attribute> carryAttributes(std::vector<Attribute>& attributes,
-                                       const std::vector<std::uint32_t>& input_index) {
+                                       const std::vector<std::uint32_t>& point_of_splat) {
     std::vector<Attribute> carried;
     for (Attribute& attribute : attributes) {
         Attribute& to = carried.emplace_back(Attribute{attribute.name, attribute.type, attribute.components, {}});
-        to.values.resize(input_index.size() * attribute.bytesEach());
-        gather(attribute, input_index, to.values.data());
+        to.values.resize(point_of_splat.size() * attribute.bytesEach());
+        gather(attribute, point_of_splat, to.values.data());
         std::vector<char>().swap(attribute.values);
     }
     return carried;

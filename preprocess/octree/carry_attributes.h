@@ -6,6 +6,7 @@
 
 #include "pointrt/pro.h"
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/octree/quantize.h"
 
 namespace pointrt {
 
@@ -13,9 +14,13 @@ namespace pointrt {
 /// 32 of them; what had to change or go is noted.
 void fitAttributes(Cloud& cloud);
 
-/// The values in the order of the splats: splat i is point input_index[i]. attributes is emptied array by array.
+/// The point whose attributes each splat carries, an index in the cloud: its own, or of one that fills a gap that of
+/// filled_from.
+std::vector<std::uint32_t> pointsOfSplats(const PackedSplats& splats);
+
+/// The values in the order of the splats: splat i has those of point_of_splat[i]. attributes is emptied array by array.
 std::vector<Attribute> carryAttributes(std::vector<Attribute>& attributes,
-                                       const std::vector<std::uint32_t>& input_index);
+                                       const std::vector<std::uint32_t>& point_of_splat);
 
 /// For pro_write_content; points into attributes, whose names must fit.
 std::vector<pro_attribute> attributeViews(const std::vector<Attribute>& attributes);

@@ -72,8 +72,10 @@ void fillFrame(const Splats& splats, pro_info& frame) {
 struct Keyed {
     std::uint64_t morton;
     std::uint32_t index;
+    bool fills;
     bool operator<(const Keyed& other) const {
-        return morton != other.morton ? morton < other.morton : index < other.index;
+        if (morton != other.morton) return morton < other.morton;
+        return fills != other.fills ? other.fills : index < other.index;
     }
 };
 
@@ -89,6 +91,29 @@ std::uint64_t mortonOf(const Vec3f& cube_position) {
     return mortonCode(code(cube_position.x()), code(cube_position.y()), code(cube_position.z()));
 }
 
+bool fillsGap(const Splats& splats, std::size_t i) {
+    return !splats.filled_from.empty() && splats.input_index[i] >= splats.input_count;
+}
+
+/// sigma: input units; radius: cube units, as readers decode it
+std::uint8_t noiseCode(float sigma, float radius, double scale) {
+    const double steps = std::round(double{sigma} / (double{radius} * scale) * double{PRO_NOISE_STEPS});
+    return static_cast<std::uint8_t>(std::clamp(steps, 0.0, double{PRO_NOISE_CODE_MAX}));
+}
+
+/// What the file says of how the packed splats were sampled; keys: their numbers in splats.
+void packSampling(const Splats& splats, const std::vector<Keyed>& keys, PackedSplats& packed) {
+    packed.input_count = splats.input_count;
+    packed.filled_from = splats.filled_from;
+    for (const Keyed& key : keys) packed.filled += key.fills;
+    packed.noise.resize(splats.noise.empty() ? 0 : keys.size());
+    tbb::parallel_for(std::size_t{0}, packed.noise.size(), [&](std::size_t k) {
+        packed.noise[k] = noiseCode(splats.noise[keys[k].index], packed.discs[k].radius, packed.frame.scale);
+    });
+    const bool clean = std::all_of(packed.noise.begin(), packed.noise.end(), [](auto code) { return code == 0; });
+    if (clean) std::vector<std::uint8_t>().swap(packed.noise);
+}
+
 } // namespace
 
 PackedSplats quantizeSplats(Splats&& splats) {
@@ -99,7 +124,8 @@ PackedSplats quantizeSplats(Splats&& splats) {
 
     std::vector<Keyed> keys(splats.positions.size());
     tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-        keys[i] = {mortonOf(cubePosition(splats.positions[i], shift, frame.scale)), static_cast<std::uint32_t>(i)};
+        keys[i] = {mortonOf(cubePosition(splats.positions[i], shift, frame.scale)), static_cast<std::uint32_t>(i),
+                   fillsGap(splats, i)};
     });
     tbb::parallel_sort(keys);
     const auto last =
@@ -133,6 +159,7 @@ PackedSplats quantizeSplats(Splats&& splats) {
         packed.input_index[k] = splats.input_index[i];
         if (has_colors) packed.colors[k] = color;
     });
+    packSampling(splats, keys, packed);
     splats = {};
     return packed;
 }

@@ -26,6 +26,10 @@ struct PackedSplats {
     std::vector<Rgb8> colors;               ///< sRGB, or empty
     std::vector<std::uint64_t> morton;      ///< codes of the positions (preprocess/cloud/morton.h)
     std::vector<std::uint32_t> input_index; ///< in the cloud as read
+    std::uint32_t input_count = 0;          ///< Splats::input_count
+    std::vector<std::uint32_t> filled_from; ///< Splats::filled_from
+    std::uint32_t filled = 0;               ///< splats that fill gaps between points
+    std::vector<std::uint8_t> noise;        ///< as in NOIS; empty where all of it is 0
     std::size_t merged = 0;                 ///< splats dropped because another has the same quantised position
 };
 
@@ -38,7 +42,8 @@ constexpr float kBlendSlab = 0.5f;
 /// radii): 1.66 at 8, 1.92 at 6, 2.47 at 4.
 constexpr double kLeafEdgeRadii = 8.0;
 
-/// splats is emptied. The cube is centred on the discs and holds all of them.
+/// splats is emptied. The cube is centred on the discs and holds all of them. Of splats at one quantised position the
+/// first stays that does not fill a gap, or the first one.
 PackedSplats quantizeSplats(Splats&& splats);
 
 } // namespace pointrt

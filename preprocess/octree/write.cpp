@@ -73,6 +73,7 @@ ProSections makeSections(const PackedSplats& splats, const Octree& octree, const
     view.metadata = content.metadata.data();
     view.metadata_bytes = content.metadata.size();
     sections.world = makeWorld(content);
+    sections.sampling = {splats.input_count, splats.filled, 0, splats.noise.empty() ? nullptr : splats.noise.data()};
     sections.attributes = attributeViews(content.attributes);
     return sections;
 }
@@ -84,7 +85,8 @@ OctreeCounts writePro(const std::string& path, bool overwrite, const ProSections
                               index,
                               &sections.world,
                               sections.attributes.data(),
-                              static_cast<std::uint32_t>(sections.attributes.size())};
+                              static_cast<std::uint32_t>(sections.attributes.size()),
+                              &sections.sampling};
     const pro_result result = pro_write_content(path.c_str(), &content, overwrite ? 1 : 0, &message);
     if (result == PRO_OUT_OF_MEMORY) throw std::bad_alloc();
     // what the writer refuses to write is a scan that no .pro can hold

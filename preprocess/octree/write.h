@@ -36,6 +36,7 @@ struct ProSections {
     pro_view view{};
     std::vector<std::uint32_t> nodes, leaves;
     pro_world world{};
+    pro_sampling sampling{};
     std::vector<pro_attribute> attributes;
 };
 ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content);

@@ -153,6 +153,9 @@ inline std::uint64_t touchSaid(const pro_info& info, const pro_file* file) {
     pro_world world;
     pro_get_world(file, &world);
     for (std::size_t i = 0; i < std::size_t{world.sensor_count} * PRO_SENSOR_DOUBLES; ++i) sum += world.sensors[i] > 0;
+    pro_sampling sampling;
+    pro_get_sampling(file, &sampling);
+    for (std::size_t i = 0; i < info.splat_count && sampling.noise; ++i) sum += sampling.noise[i];
     return static_cast<std::uint64_t>(sum);
 }
 

@@ -21,6 +21,7 @@ struct Said {
     std::array<std::uint16_t, 15> rgb16{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 65535};
     std::array<std::int64_t, 5> wide{std::numeric_limits<std::int64_t>::min(), 0, 1, 2, -3};
     std::vector<pro_attribute> attributes;
+    const pro_sampling* sampling = nullptr;
 
     Said() {
         world.up[2] = 1;
@@ -49,7 +50,8 @@ struct Said {
         Index index = tinyIndex();
         const pro_index pointers = index.view();
         const pro_content content{
-            &scene.info, &view, &pointers, &world, attributes.data(), static_cast<std::uint32_t>(attributes.size())};
+            &scene.info, &view, &pointers, &world, attributes.data(), static_cast<std::uint32_t>(attributes.size()),
+            sampling};
         return pro_write_content(path.c_str(), &content, 1, message);
     }
 };

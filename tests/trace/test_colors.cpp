@@ -28,7 +28,7 @@ struct ClassSphere {
             for (std::size_t i = 0; i < file.info().splat_count; ++i)
                 classes.push_back(file.splat(i).position[1] > 0.5f ? 6 : 2);
             pro_attribute attribute{"classification", PRO_TYPE_U8, 1, 0, 0, classes.data()};
-            const pro_content content{&file.info(), &file.view(), file.index(), nullptr, &attribute, 1};
+            const pro_content content{&file.info(), &file.view(), file.index(), nullptr, &attribute, 1, nullptr};
             EXPECT_EQ(pro_write_content(path.c_str(), &content, 1, nullptr), PRO_OK);
         }
         std::remove(bare.c_str());

@@ -101,6 +101,15 @@ typedef struct pro_world {
     const double* sensors;  /* [sensor_count][4]: position in input coordinates and 1, or zeros; NULL without SENS */
 } pro_world;
 
+/* How the splats came of the input's points, as far as is known. */
+typedef struct pro_sampling {
+    uint32_t input_count;  /* points of the input, as order numbers them; 0: not known */
+    uint32_t filled_count; /* splats that fill gaps between points: their order is input_count or above */
+    float noise_median;    /* of noise, input units, found by the writer; 0 without NOIS */
+    const uint8_t* noise;  /* [splat_count]: standard deviation of the surface around a splat, in steps of 1 /
+                              PRO_NOISE_STEPS of its radius; NULL without NOIS: clean */
+} pro_sampling;
+
 /* A splat in plain numbers: cube units, unit normal, sRGB bytes. */
 typedef struct pro_splat {
     float position[3];
@@ -132,6 +141,8 @@ PRO_API void pro_get_view(const pro_file* file, pro_view* view);
 PRO_API int pro_get_index(const pro_file* file, pro_index* index);
 /* What is not known is 0 in it, and all of it in files before 1.2. */
 PRO_API void pro_get_world(const pro_file* file, pro_world* world);
+/* What is not known is 0 in it, and all of it in files before 1.3. */
+PRO_API void pro_get_sampling(const pro_file* file, pro_sampling* sampling);
 /* Attributes, in the file's order; 0 of them before 1.2. With PRO_OPEN_TRACE their checksums are not compared. */
 PRO_API uint32_t pro_attribute_count(const pro_file* file);
 /* Returns 1, or 0 and zeros where there is no such attribute. */
@@ -175,10 +186,11 @@ typedef struct pro_content {
     const pro_world* world;
     const pro_attribute* attributes; /* low and high are found by the writer */
     uint32_t attribute_count;        /* at most PRO_ATTRIBUTE_MAX */
+    const pro_sampling* sampling;
 } pro_content;
 
-/* The same with what a scan says beside its points, which makes the file version 1.2. replace: 0 is as pro_write_new.
- */
+/* The same with what a scan says beside its points, which makes the file version 1.2, and with noise or filled splats,
+ * which make it version 1.3; without either of them nothing of sampling is written. replace: 0 is as pro_write_new. */
 PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */

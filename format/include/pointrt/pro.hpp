@@ -43,6 +43,7 @@ public:
         pro_get_view(file, &view_);
         has_index_ = pro_get_index(file, &index_) == 1;
         pro_get_world(file, &world_);
+        pro_get_sampling(file, &sampling_);
         attributes_.resize(pro_attribute_count(file));
         for (std::uint32_t i = 0; i < attributes_.size(); ++i) pro_get_attribute(file, i, &attributes_[i]);
     }
@@ -72,6 +73,10 @@ public:
     const pro_index* index() const { return has_index_ ? &index_ : nullptr; }
     /// How the scan lies in the world, as far as is known.
     const pro_world& world() const { return world_; }
+    /// How the splats came of the input's points, as far as is known.
+    const pro_sampling& sampling() const { return sampling_; }
+    /// Noise of each splat, in 1 / PRO_NOISE_STEPS of its radius; empty where the scan is clean.
+    std::span<const std::uint8_t> noise() const { return {sampling_.noise, sampling_.noise ? info_.splat_count : 0}; }
     /// What the scan says of each splat besides position, normal and colour.
     const std::vector<pro_attribute>& attributes() const { return attributes_; }
     /// nullptr where there is none of that name.
@@ -104,6 +109,7 @@ private:
     pro_index index_{};
     bool has_index_ = false;
     pro_world world_{};
+    pro_sampling sampling_{};
     std::vector<pro_attribute> attributes_;
 };
 

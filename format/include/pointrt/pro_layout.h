@@ -20,6 +20,8 @@
  *                   NEAR  uint32[][4]             near splats, two to an element
  *                   LIST  uint32[][4]             splats, four to an element
  *                   BLND  uint32[][2]             what only blends in each listed cell
+ *                 since 1.3:
+ *                   NOIS  uint8[splat_count]      how far the surface around each splat scatters
  *                 and, since 1.2, what scans say beside their points:
  *                   SENS  double[][4]             where the scanner stood, for each scan
  *                   ATTD  bytes[][64]             name, type and range of each attribute
@@ -32,7 +34,7 @@
 #define POINTRT_PRO_LAYOUT_H
 
 #define PRO_VERSION_MAJOR 1
-#define PRO_VERSION_MINOR 2
+#define PRO_VERSION_MINOR 3
 
 /* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
@@ -69,9 +71,13 @@
 #define PRO_OFF_BRICK_COUNT 192   /* uint32 */
 #define PRO_OFF_UP 196            /* float[3], since 1.2 like METRES: which way is up, unit length; 0 where not known */
 #define PRO_OFF_METRES 208        /* double, metres to an input unit; 0 where not known */
-#define PRO_FIELDS_END 216
+#define PRO_OFF_INPUT_COUNT 216   /* uint32, since 1.3 like what follows: points of the input; 0 where not known */
+#define PRO_OFF_FILLED_COUNT 220  /* uint32, splats that fill gaps between points */
+#define PRO_OFF_NOISE 224         /* float, median of NOIS in input units; 0 without it */
+#define PRO_FIELDS_END 228
 #define PRO_FIELDS_END_1_0 160 /* of version 1.0 */
 #define PRO_FIELDS_END_1_1 196 /* of version 1.1 */
+#define PRO_FIELDS_END_1_2 216 /* of version 1.2 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -107,6 +113,7 @@
 #define PRO_KIND_NEAR 0x5241454Eu
 #define PRO_KIND_LIST 0x5453494Cu
 #define PRO_KIND_BLND 0x444E4C42u
+#define PRO_KIND_NOIS 0x53494F4Eu
 #define PRO_KIND_SENS 0x534E4553u
 #define PRO_KIND_ATTD 0x44545441u
 #define PRO_KIND_ATTR 0x52545441u
@@ -178,6 +185,10 @@
 #define PRO_MAT_REFLECTIVITY 3u /* 0 matte to 1 perfect mirror */
 #define PRO_MAT_SPECULAR 4u     /* weight of the Phong highlight, 0 to 1 */
 #define PRO_MAT_SHININESS 5u    /* Phong exponent, 1 to 1000 */
+
+/* NOIS: a byte a splat, the standard deviation of the surface around it, in steps of this many to its radius. */
+#define PRO_NOISE_STEPS 32.0f
+#define PRO_NOISE_CODE_MAX 255u
 
 /* SENS: four doubles a scan: where the scanner stood, in input coordinates, and 1; or zeros where that is not known. */
 #define PRO_SENSOR_DOUBLES 4u

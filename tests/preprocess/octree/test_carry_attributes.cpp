@@ -20,6 +20,16 @@ TEST(CarryAttributes, FollowTheSplats) {
     EXPECT_TRUE(attributes[1].values.empty()) << "memory goes with each array";
 }
 
+TEST(CarryAttributes, SplatsThatFillGapsFollowAPoint) {
+    PackedSplats splats;
+    splats.input_index = {3, 102, 0, 100, 99};
+    EXPECT_EQ(pointsOfSplats(splats), splats.input_index) << "none of them fills a gap";
+    splats.input_count = 100;
+    splats.filled_from = {7, 8, 9};
+    splats.filled = 2;
+    EXPECT_EQ(pointsOfSplats(splats), (std::vector<std::uint32_t>{3, 9, 0, 7, 99}));
+}
+
 TEST(CarryAttributes, OfEverySize) {
     for (const Scalar type : {Scalar::kI8, Scalar::kU16, Scalar::kF32, Scalar::kF64}) {
         const std::size_t size = scalarSize(type);

@@ -146,6 +146,35 @@ TEST(Quantize, KeepsPositionsNormalsAndRadii) {
     EXPECT_TRUE(std::is_sorted(packed.morton.begin(), packed.morton.end()));
 }
 
+TEST(Quantize, PointsComeBeforeWhatFillsGaps) {
+    Splats splats = squareSplats(4, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
+    const float radius = splats.radii[0];
+    splats.input_count = 100;
+    for (std::uint32_t i = 0; i < 16; ++i) splats.input_index[i] = i;
+    splats.input_index[2] = 100; // fills a gap where point 5 is
+    splats.positions[2] = splats.positions[5];
+    splats.input_index[9] = 101;
+    splats.filled_from = {40, 41};
+    splats.noise.assign(16, 0.5f * radius);
+    splats.noise[2] = 7 * radius;
+    splats.noise[9] = 100 * radius;
+    const PackedSplats packed = quantizeSplats(std::move(splats));
+    ASSERT_EQ(packed.input_index.size(), 15u);
+    EXPECT_EQ(packed.merged, 1u);
+    EXPECT_EQ(packed.filled, 1u);
+    ASSERT_EQ(packed.noise.size(), 15u);
+    for (std::size_t k = 0; k < 15; ++k) {
+        EXPECT_NE(packed.input_index[k], 100u);
+        EXPECT_EQ(packed.noise[k], packed.input_index[k] == 101 ? PRO_NOISE_CODE_MAX : 16) << packed.input_index[k];
+    }
+}
+
+TEST(Quantize, NoiseBelowHalfAStepIsNone) {
+    Splats splats = squareSplats(4, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
+    splats.noise.assign(16, 0.4f / PRO_NOISE_STEPS * splats.radii[0]);
+    EXPECT_TRUE(quantizeSplats(std::move(splats)).noise.empty());
+}
+
 TEST(Quantize, MortonBitsRoundTrip) {
     for (const std::uint32_t v : {0u, 1u, 2u, 0x15555u, 0x1FFFFFu, 0x123456u}) EXPECT_EQ(collectBits(spreadBits(v)), v);
     EXPECT_EQ(spreadBits(3), 9u);

@@ -203,7 +203,8 @@ void writeSaid(const std::string& path) {
                               nullptr,
                               &said.world,
                               said.attributes.data(),
-                              static_cast<std::uint32_t>(said.attributes.size())};
+                              static_cast<std::uint32_t>(said.attributes.size()),
+                              nullptr};
     EXPECT_EQ(pro_write_content(path.c_str(), &content, 1, nullptr), PRO_OK);
 }
 
