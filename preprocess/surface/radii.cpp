@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "preprocess/neighbors/voronoi_cell.h"
+#include "preprocess/surface/dimension.h"
 
 namespace pointrt::surface {
 namespace {
@@ -48,6 +49,7 @@ struct RadiusJob {
     const Points& points;
     const NeighborLists& lists;
     const NearestSearch& search;
+    const std::vector<float>& sheets; ///< sheetShares, or empty: all are
     bool oriented;
 };
 
@@ -148,6 +150,13 @@ float ridgeDistance(const RadiusJob& job, std::size_t point, const TangentPlane&
     return nearest;
 }
 
+/// The radius of a point that a surface holds together only in part: what lies scattered stays as wide as half the way
+/// to its second neighbour.
+float towardsAlone(float radius, float half_way, float sheet) {
+    const float alone = std::min(radius, half_way);
+    return sheet < 1 ? alone + sheet * (radius - alone) : radius;
+}
+
 float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std::vector<float>& scratch) {
     const TangentPlane plane(job.points.positions[point], job.points.normals[point]);
     const float cap = kCapSpacings * commonSpacing(job.lists, point, scratch);
@@ -160,16 +169,22 @@ float discRadius(const RadiusJob& job, std::size_t point, VoronoiCell& cell, std
     const float closed = cell.closedReach(cap);
     const float widest = kOverlap * std::max(closed, half_way);
     const float least = std::max(kRimOverlap * closed, kOverlap * half_way);
-    return cell.isOpen() ? least : std::clamp(ridgeDistance(job, point, plane, widest / kOverlap), least, widest);
+    const float radius =
+        cell.isOpen() ? least : std::clamp(ridgeDistance(job, point, plane, widest / kOverlap), least, widest);
+    return job.sheets.empty() ? radius : towardsAlone(radius, half_way, job.sheets[point]);
 }
 
 } // namespace
 
 std::vector<float> discRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
                              bool oriented, const StageShare& share) {
-    const RadiusJob job{points, lists, search, oriented};
+    constexpr double kDimension = 0.2; // of the time
+    const std::vector<float> sheets = sheetShares(
+        points, lists, {share.progress, share.stage, share.from, share.from + kDimension * (share.to - share.from)});
+    const RadiusJob job{points, lists, search, sheets, oriented};
     std::vector<float> radii(points.size());
-    forRanges(points.size(), share, [&](std::size_t begin, std::size_t end) {
+    const StageShare rest{share.progress, share.stage, share.from + kDimension * (share.to - share.from), share.to};
+    forRanges(points.size(), rest, [&](std::size_t begin, std::size_t end) {
         VoronoiCell cell;
         std::vector<float> scratch;
         for (std::size_t i = begin; i < end; ++i) radii[i] = discRadius(job, i, cell, scratch);

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Radii of points that lie on no surface.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/preprocess/surface/shapes.h"
+
+namespace pointrt::test {
+namespace {
+
+/// Points spread evenly in a ball.
+Shape solidBall(std::size_t count, const Vec3d& center, double radius) {
+    Random random(31);
+    Shape shape;
+    while (shape.positions.size() < count) {
+        const Vec3d p = 2 * Vec3d(uniform(random), uniform(random), uniform(random)) - Vec3d::Ones();
+        if (p.norm() <= 1) shape.add(center + radius * p, Vec3d::UnitZ());
+    }
+    return shape;
+}
+
+/// Distance of a splat to its second neighbour.
+float toSecond(const Splats& splats, std::size_t splat) {
+    float first = 1e9f, second = 1e9f;
+    for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+        if (i == splat) continue;
+        const float distance = (splats.positions[i] - splats.positions[splat]).norm();
+        if (distance < first)
+            std::swap(first, second), first = distance;
+        else if (distance < second)
+            second = distance;
+    }
+    return second;
+}
+
+TEST(Dimension, ScatteredPointsReachHalfWayToTheirNeighbors) {
+    const Splats splats = estimate(solidBall(3000, Vec3d::Zero(), 1).cloud());
+    std::size_t small = 0;
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.501f * toSecond(splats, i);
+    EXPECT_GT(small, splats.radii.size() * 98 / 100); // measured: all; none without the rule
+}
+
+/// A plane of 10,000 points with a crown of 5000 over it.
+TEST(Dimension, SurfacesBesideScatteredPointsKeepTheirRadii) {
+    const Shape plane = gridPlane(100);
+    Shape both = plane;
+    both.append(solidBall(5000, Vec3d(0.5, 0.5, 1), 0.5));
+    const Splats alone = estimate(plane.cloud()), splats = estimate(both.cloud());
+    std::vector<float> radii(plane.positions.size());
+    for (std::size_t i = 0; i < alone.radii.size(); ++i) radii[alone.input_index[i]] = alone.radii[i];
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        if (splats.input_index[i] >= radii.size()) continue;
+        EXPECT_NEAR(splats.radii[i], radii[splats.input_index[i]], 1e-6f) << splats.positions[i].transpose();
+    }
+}
+
+/// A cube whose normals are given, with a crown over it: its discs overlap by 1.4, along the edges by 1.2.
+TEST(Dimension, EdgesAndCornersAreSurfaces) {
+    constexpr int kSteps = 30;
+    const Shape cube = gridCube(kSteps);
+    Shape both = cube;
+    both.append(solidBall(2000, Vec3d(0.5, 0.5, 3), 0.5));
+    Cloud cloud = both.cloud();
+    cloud.normals = cube.normals;
+    cloud.normals.resize(cloud.positions.size(), Vec3f::Zero());
+    const Splats splats = estimate(std::move(cloud));
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        if (splats.input_index[i] >= cube.positions.size()) continue;
+        EXPECT_GT(splats.radii[i] * kSteps * std::numbers::sqrt2, 1.199) << splats.positions[i].transpose();
+    }
+}
+
+} // namespace
+} // namespace pointrt::test
