@@ -16,6 +16,7 @@
 #include "preprocess/app/interrupt.h"
 #include "preprocess/octree/carry_attributes.h"
 #include "preprocess/octree/write.h"
+#include "preprocess/upright/find_up.h"
 
 namespace pointrt {
 
@@ -106,7 +107,11 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
     ProContent said;
     said.attributes = std::exchange(cloud.attributes, {});
     said.sensors = sensorRows(cloud.scans);
-    if (!options.up.isZero()) cloud.world.up = options.up;
+    if (!cloud.world.up.isZero()) report.up_from = "file";
+    if (!options.up.isZero()) {
+        cloud.world.up = options.up;
+        report.up_from = "option";
+    }
     said.world = report.world = cloud.world;
     for (const Attribute& each : said.attributes)
         report.attributes.push_back({each.name, each.type, each.components, {}});
@@ -114,6 +119,16 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
     report.source_header = std::move(cloud.source_header);
     report.notes = std::move(cloud.notes);
     return said;
+}
+
+/// Where neither the command line nor a file says what is up.
+void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
+    if (!report.up_from.empty()) return;
+    const FoundUp found = findUp(splats, report.scans);
+    if (found.up.isZero()) return;
+    world.up = report.world.up = found.up;
+    report.up_from = "data";
+    report.up_reason = found.reason;
 }
 
 void store(const BakeOptions& options, ProContent content, const PackedSplats& splats, const Octree& octree,
@@ -172,6 +187,7 @@ BakeReport bake(const BakeOptions& options) {
     for (const Note& note : report.notes) progress.note(noteLine(note));
 
     Splats splats = estimateNamed(std::move(cloud), options, report, progress);
+    findUpInData(splats, report, said.world);
     progress.begin("quantize", splats.positions.size());
     PackedSplats packed = quantizeSplats(std::move(splats));
     report.merged = packed.merged;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "format/base/axis_name.h"
 #include "format/base/error.h"
 #include "preprocess/input/source/source.h"
 #include "preprocess/input/source/text.h"
@@ -96,11 +97,9 @@ Eigen::Affine3d readTransform(const std::string& path) {
 
 Eigen::Vector3d parseUp(const std::string& text) {
     if (text == "auto") return Eigen::Vector3d::Zero();
-    const bool negative = text.starts_with('-');
-    const std::string axis = negative ? text.substr(1) : text;
-    if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
-        usage("--up: '" + text + "' is none of auto|x|y|z|-x|-y|-z");
-    return (negative ? -1 : 1) * Eigen::Vector3d::Unit(axis[0] - 'x');
+    const auto axis = directionNamed(text);
+    if (!axis) usage("--up: '" + text + "' is none of auto|x|y|z|-x|-y|-z");
+    return Eigen::Vector3d(axis->data());
 }
 
 } // namespace pointrt

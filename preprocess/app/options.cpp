@@ -151,7 +151,8 @@ void addFilterOptions(CLI::App& app, BakeOptions& options) {
     addParsed(app, "--transform", "A 4x4 matrix in a file that all inputs go through", [&](const std::string& text) {
         read.transform = readTransform(text);
     })->type_name("FILE");
-    addParsed(app, "--up", "Which way is up in the scan's coordinates (default auto: as the files say)",
+    addParsed(app, "--up",
+              "Which way is up in the scan's coordinates (default auto: as the files say, else as the surface shows)",
               [&](const std::string& text) { options.up = parseUp(text); })
         ->type_name("auto|x|y|z|-x|-y|-z");
     addParsed(app, "--attributes",

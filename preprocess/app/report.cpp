@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "format/base/axis_name.h"
 #include "format/base/report_file.h"
 
 namespace pointrt {
@@ -70,6 +71,8 @@ Json toJson(const BakeReport& report) {
                        {"harm", report.pruning.harm},
                        {"harm_bound", report.pruning.harm_bound}};
     json["up"] = vectorJson(report.world.up);
+    json["up_from"] = report.up_from;
+    json["up_reason"] = report.up_reason;
     json["attributes"] = attributeNames(report);
     json["files"] = filesJson(report);
     json["notes"] = Json::array();
@@ -103,6 +106,15 @@ std::string missedBound(const BakeReport& report) {
                        pruning.harm_bound, report.harm_allowed);
 }
 
+/// ", z is up: its ground" where that was found out; nothing where it was said.
+std::string foundUp(const BakeReport& report) {
+    if (report.up_from != "data") return {};
+    const Vec3d& up = report.world.up;
+    const std::string name = nameOfDirection({up.x(), up.y(), up.z()});
+    const std::string axis = name.empty() ? fmt::format("{:.2f},{:.2f},{:.2f}", up.x(), up.y(), up.z()) : name;
+    return fmt::format(", {} is up: {}", axis, report.up_reason);
+}
+
 bool isKnown(const WorldFrame& world) { return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty(); }
 
 /// "a/b.e57: Scan 1" as "b.e57: Scan 1".
@@ -131,7 +143,7 @@ std::string summaryLine(const BakeReport& report) {
                        report.input_points, leftOut(report), report.splats, report.octree.filled_leaves,
                        per_splat(report.references_unpruned), per_splat(report.octree.references),
                        report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total) +
-           missedBound(report);
+           foundUp(report) + missedBound(report);
 }
 
 std::string fileLine(const FileReport& file) {

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/scene/upright.h"
 
-#include <array>
-
+#include "format/base/axis_name.h"
 #include "format/base/error.h"
 #include "runtime/scene/camera.h"
 
 namespace pointrt {
 namespace {
-
-constexpr std::array kAxisNames = {Name{"x", Vec3{1, 0, 0}},   Name{"y", Vec3{0, 1, 0}},   Name{"z", Vec3{0, 0, 1}},
-                                   Name{"-x", Vec3{-1, 0, 0}}, Name{"-y", Vec3{0, -1, 0}}, Name{"-z", Vec3{0, 0, -1}}};
 
 /// Below this sine north is no direction along the ground: lengths that scene files take begin there.
 constexpr double kAlong = 1e-9;
@@ -33,12 +29,11 @@ void lookAtFront(CameraRequest& camera, Vec3 up) {
 
 } // namespace
 
-std::string axisName(Vec3 axis) { return nameOf(kAxisNames, axis); }
+std::string axisName(Vec3 axis) { return nameOfDirection({axis.x, axis.y, axis.z}); }
 
 std::optional<Vec3> axisNamed(const std::string& word) {
-    for (const auto& [name, axis] : kAxisNames)
-        if (word == name) return axis;
-    return std::nullopt;
+    const auto axis = directionNamed(word);
+    return axis ? std::optional(Vec3{(*axis)[0], (*axis)[1], (*axis)[2]}) : std::nullopt;
 }
 
 void standUpright(SceneDescription& scene, CameraRequest& camera, CameraRequest& staging,

@@ -125,26 +125,36 @@ EOF
         pointrt-view scene.toml -o out/a.png
 }
 
-# A file that knows its up is seen as with that option; one that does not as ever.
+# A file that knows its up is seen as with that option; of others the bake finds it, and what tells it nothing is as ever.
 case_stands_upright() {
     bakeHill
-    pointrt-bake -q hill.ply -o flat.pro --up y --outliers keep --orient none
-    pointrt-bake -q hill.ply -o silent.pro --outliers keep --orient none
+    sphere 2000 >ball.xyz
+    pointrt-bake -q ball.xyz -o silent.pro --orient none --stats silent.json
+    pointrt-bake -q ball.xyz -o known.pro --orient none --up z --stats known.json
+    pointrt-bake -q ball.xyz -o flat.pro --orient none --up y
+    pointrt-bake hill.ply -o found.pro --outliers keep --orient none --stats found.json 2>log
+    grep -q ', z is up: ' log || fail "the bake does not say that it found what is up"
+    [ "$(jsonValue found.json up_from)" = data ] || fail "the report does not say so"
+    [ "$(jsonValue known.json up_from)" = option ] || fail "the report does not say who said it"
+    [ -z "$(jsonValue silent.json up_from)" ] || fail "a ball has no up"
     local picture="--size 48x32 --spp 1"
     # shellcheck disable=SC2086
     {
-        expectDone pointrt-view -q hill.pro -o out/known.png $picture
+        expectDone pointrt-view -q hill.pro -o out/hill.png $picture
+        expectDone pointrt-view -q found.pro -o out/found.png $picture
+        expectDone pointrt-view -q known.pro -o out/known.png $picture
         expectDone pointrt-view -q silent.pro -o out/told.png $picture --up z
         expectDone pointrt-view -q silent.pro -o out/silent.png $picture
         expectDone pointrt-view -q flat.pro -o out/flat.png $picture
-        expectDone pointrt-view -q hill.pro -o out/again.png $picture --up y
-        printf '[[instance]]\nfile = "hill.pro"\n' >scene.toml
+        expectDone pointrt-view -q known.pro -o out/again.png $picture --up y
+        printf '[[instance]]\nfile = "known.pro"\n' >scene.toml
         expectDone pointrt-view -q scene.toml -o out/scene.png $picture
         printf 'up = "z"\n[[instance]]\nfile = "silent.pro"\n' >word.toml
         expectDone pointrt-view -q word.toml -o out/word.png $picture
         printf 'up = "auto"\n[[instance]]\nfile = "silent.pro"\n' >auto.toml
         expectDone pointrt-view -q auto.toml -o out/auto.png $picture
     }
+    cmp out/hill.png out/found.png || fail "found: not upright"
     local same
     for same in told scene word; do cmp out/known.png "out/$same.png" || fail "$same: not upright"; done
     for same in flat again auto; do cmp out/silent.png "out/$same.png" || fail "$same: not as ever"; done
