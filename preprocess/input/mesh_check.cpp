@@ -48,6 +48,11 @@ void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
     for (std::size_t i = 0; i < keep.size(); ++i) renumbered[i] = keep[i] ? next++ : next;
     for (auto& face : cloud.triangles)
         for (std::uint32_t& corner : face) corner = renumbered[corner];
+    for (Scan& scan : cloud.scans)
+        scan.first_point = scan.first_point < keep.size() ? renumbered[scan.first_point] : next;
+    for (RangeGrid& grid : cloud.grids)
+        for (std::uint32_t& cell : grid.point_of_cell)
+            if (cell < RangeGrid::kLeftOut) cell = keep[cell] ? renumbered[cell] : RangeGrid::kLeftOut;
     keepFlagged(cloud.positions, keep);
     keepFlagged(cloud.normals, keep);
     keepFlagged(cloud.colors, keep);

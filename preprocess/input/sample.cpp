@@ -95,6 +95,16 @@ void copyRange(const std::vector<Item>& from, const ScanRange& range, std::vecto
     to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(range.position_count));
 }
 
+/// The grids of a scan whose points come next.
+void copyGrids(const Cloud& from, std::size_t scan, Cloud& to) {
+    for (const RangeGrid& grid : from.grids) {
+        if (grid.scan != scan) continue;
+        const std::size_t fewer = from.scans[scan].first_point - to.positions.size();
+        for (std::uint32_t& cell : to.grids.emplace_back(grid).point_of_cell)
+            if (cell < RangeGrid::kLeftOut) cell -= static_cast<std::uint32_t>(fewer);
+    }
+}
+
 /// All but the vertices of meshes.
 Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans) {
     Cloud points;
@@ -108,8 +118,11 @@ Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans
     points.normal_sides = cloud.normal_sides;
     points.scans = cloud.scans;
     points.notes = cloud.notes;
-    for (const ScanRange& scan : scans) {
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const ScanRange& scan = scans[i];
+        points.scans[i].first_point = points.positions.size();
         if (scan.has_faces) continue;
+        copyGrids(cloud, i, points);
         copyRange(cloud.positions, scan, points.positions);
         copyRange(cloud.normals, scan, points.normals);
         copyRange(cloud.colors, scan, points.colors);

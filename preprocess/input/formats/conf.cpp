@@ -46,18 +46,6 @@ std::vector<Placement> parsePlacements(const Source& source) {
     return placements;
 }
 
-/// The scanner sweeps a sheet of light in parallel over the object and looks along -Z of the scan's frame. A sensor
-/// this many diagonals of the scan away sees all of it within 3 degrees of that direction (atan(0.5 / 10)).
-constexpr double kSensorDiagonals = 10;
-
-Vec3d sensorOf(const Cloud& cloud, const ScanRange& scan, const Eigen::Affine3d& world_from_scan) {
-    const Eigen::Affine3d scan_from_world = world_from_scan.inverse();
-    Eigen::AlignedBox3d box; // in the scan's frame
-    for (std::size_t i = 0; i < scan.position_count; ++i)
-        box.extend(scan_from_world * (cloud.origin + cloud.positions[scan.first_position + i].cast<double>()));
-    return world_from_scan * (box.center() + Vec3d(0, 0, kSensorDiagonals * box.diagonal().norm()));
-}
-
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuseScan(std::string_view name, const std::string& reason) {
@@ -98,7 +86,7 @@ void readScan(const Placement& placement, const fs::path& folder, NamedFiles& na
     if (&format.reader == &readers::kConf) refuse(scan, "a .conf file cannot be a scan of another");
     sink.world_from_scan = placement.world_from_scan;
     format.reader.read(scan, sink);
-    setSensor(sink, sensorOf(sink.cloud, sink.scans.back(), sink.world_from_vertex));
+    setSensorAlongZ(sink);
 }
 
 bool isMeshLine(std::string_view line, bool) { return nextWord(line) == "bmesh"; }

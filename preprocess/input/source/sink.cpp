@@ -291,6 +291,7 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     sink.wide_colors.clear();
     sink.rgb16.clear();
     sink.sensor.reset();
+    sink.grid = {};
     sink.first_position = cloud.positions.size();
     sink.first_triangle = cloud.triangles.size();
     placeScan(sink);
@@ -313,7 +314,7 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     beginAttributes(sink, source, traits, room);
 }
 
-void addVertex(Sink& sink, const Row& row, const char* values) {
+std::uint32_t addVertex(Sink& sink, const Row& row, const char* values) {
     const Vec3d position = sink.world_from_vertex * Vec3d(row[kX], row[kY], row[kZ]);
     const std::uint64_t index = sink.vertices++;
     constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
@@ -321,16 +322,20 @@ void addVertex(Sink& sink, const Row& row, const char* values) {
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
     if (index >= kMaxPoints)
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
-    if (sink.filter.drops() && position.allFinite() && !sink.filter.keeps(position, classOf(sink, values)))
-        return drop(sink, index);
+    if (sink.filter.drops() && position.allFinite() && !sink.filter.keeps(position, classOf(sink, values))) {
+        drop(sink, index);
+        return RangeGrid::kLeftOut;
+    }
     if (!addPosition(sink, position)) {
         ++sink.non_finite;
-        return drop(sink, index);
+        drop(sink, index);
+        return RangeGrid::kNoPoint;
     }
     if (sink.traits.normals) sink.cloud.normals.push_back(cleanNormal(sink, row));
     if (sink.traits.radii) sink.cloud.radii.push_back(cleanRadius(sink, row));
     if (sink.traits.colors) addColor(sink, row, values);
     if (!sink.columns.wanted.empty()) addValues(sink.columns, sink.cloud, values);
+    return static_cast<std::uint32_t>(sink.cloud.positions.size() - 1);
 }
 
 void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const char* const> columns) {
@@ -381,6 +386,7 @@ void finishScan(Sink& sink, const Source& source, const std::string& title, Empt
     sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
     cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}, sink.first_position});
     if (sink.sensor) setSensor(sink, sink.world_from_vertex * *sink.sensor);
+    finishGrid(sink, source);
 }
 
 void addNote(Cloud& cloud, const std::string& file, const std::string& text) {
@@ -425,6 +431,18 @@ void setSensor(Sink& sink, const Vec3d& world_position) {
     const auto first = cloud.sensor_of_point.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
     std::fill_n(first, scan.position_count, static_cast<std::uint32_t>(cloud.sensors.size()));
     cloud.sensors.push_back(local);
+}
+
+void setSensorAlongZ(Sink& sink) {
+    // So many diagonals of the scan away it sees all of it within 3 degrees of its direction (atan(0.5 / 10)).
+    constexpr double kSensorDiagonals = 10;
+    const Cloud& cloud = sink.cloud;
+    const ScanRange& scan = sink.scans.back();
+    const Eigen::Affine3d scan_from_world = sink.world_from_vertex.inverse();
+    Eigen::AlignedBox3d box; // in the scan's frame
+    for (std::size_t i = 0; i < scan.position_count; ++i)
+        box.extend(scan_from_world * (cloud.origin + cloud.positions[scan.first_position + i].cast<double>()));
+    setSensor(sink, sink.world_from_vertex * (box.center() + Vec3d(0, 0, kSensorDiagonals * box.diagonal().norm())));
 }
 
 } // namespace pointrt

@@ -11,6 +11,7 @@
 
 #include "preprocess/cloud/cloud.h"
 #include "preprocess/input/source/columns.h"
+#include "preprocess/input/source/grid.h"
 #include "preprocess/input/source/point_filter.h"
 #include "preprocess/input/source/roles.h"
 #include "preprocess/input/source/source.h"
@@ -84,6 +85,7 @@ struct Sink {
     std::vector<std::array<float, 3>> wide_colors; ///< of kept vertices, where the scale is known at the end only
     std::size_t first_position = 0, first_triangle = 0;
     std::optional<Vec3d> sensor; ///< scanner position in the scan's frame
+    GridBuilder grid;
 };
 
 /// Starts a scan: a file, or one of several in it. Throws Error when the cloud would have more points than its 32-bit
@@ -93,7 +95,9 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits);
 /// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, or
 /// 1e25 and more from zero is dropped and counted; so is, apart, one that the filter does not want.
 /// @param values of the traits' columns, packed in their types; null where there are none
-void addVertex(Sink& sink, const Row& row, const char* values = nullptr);
+/// @return its index in the cloud, or the mark of a range grid: kNoPoint where it is dropped, kLeftOut where the filter
+/// does not want it
+std::uint32_t addVertex(Sink& sink, const Row& row, const char* values = nullptr);
 
 /// Adds many vertices that have no normals, radii or faces, and colours of 16 bits or none: the same as adding them one
 /// by one, but several times as fast.
@@ -123,5 +127,9 @@ void addNote(Cloud& cloud, const std::string& file, const std::string& text);
 
 /// Makes world_position the sensor of the last finished scan; ignored when it is not finite.
 void setSensor(Sink& sink, const Vec3d& world_position);
+
+/// As setSensor, of a scanner that sweeps a sheet of light in parallel over the object and looks along -Z of the scan's
+/// frame, as those of the Stanford 3D Scanning Repository.
+void setSensorAlongZ(Sink& sink);
 
 } // namespace pointrt

@@ -169,11 +169,27 @@ Pose poseOf(const Source& source, const E57Scan& scan, const std::string& title)
     return {rotation.normalized().toRotationMatrix(), translation};
 }
 
+/// The columns of the grid's indices, where these are whole numbers.
+struct GridColumns {
+    std::size_t row, column;
+};
+
+std::optional<GridColumns> gridColumnsOf(const E57Scan& scan) {
+    std::optional<std::size_t> row, column;
+    for (std::size_t i = 0; i < scan.columns.size(); ++i) {
+        if (scan.columns[i].kind != E57Kind::kWhole) continue;
+        if (scan.columns[i].name == kE57RowIndex) row = i;
+        if (scan.columns[i].name == kE57ColumnIndex) column = i;
+    }
+    if (!row || !column) return std::nullopt;
+    return GridColumns{*row, *column};
+}
+
 /// Whether the frame's origin is where the scanner stood. Scans that were put together to one have coordinates of a
 /// common frame, and a pose that says nothing if any.
 bool isScannerFrame(const E57Scan& scan, const E57Plan& plan, const Pose& pose) {
     const auto is_index = [](const E57Column& column) {
-        return column.name == "rowIndex" || column.name == "columnIndex";
+        return column.name == kE57RowIndex || column.name == kE57ColumnIndex;
     };
     const bool is_grid = std::count_if(scan.columns.begin(), scan.columns.end(), is_index) == 2;
     return is_grid || plan.spherical || !pose.linear.isIdentity() || !pose.translation.isZero();
@@ -219,6 +235,77 @@ bool countsReturnsFromOne(const Source& source, const E57File& file, std::size_t
     return false;
 }
 
+/// The cells of a scan's indices.
+struct GridFrame {
+    std::int64_t first_row = 0, last_row = 0, first_column = 0, last_column = 0;
+
+    std::uint64_t rows() const {
+        return 1 + static_cast<std::uint64_t>(last_row) - static_cast<std::uint64_t>(first_row);
+    }
+    std::uint64_t columns() const {
+        return 1 + static_cast<std::uint64_t>(last_column) - static_cast<std::uint64_t>(first_column);
+    }
+
+    /// A grid has points in one of so many cells at least: a box of the street in the sphere of a scanner. That bounds
+    /// the memory by the size of the file.
+    bool fits(std::uint64_t points) const {
+        constexpr std::uint64_t kCellsPerPoint = 16;
+        std::uint64_t cells = 0;
+        return first_row <= last_row && first_column <= last_column && rows() > 0 && columns() > 0 &&
+               !__builtin_mul_overflow(rows(), columns(), &cells) && cells / kCellsPerPoint <= points;
+    }
+};
+
+/// As the points have them, for files whose limits say nothing: it takes one reading of these two columns.
+GridFrame readGridFrame(const Source& source, const E57File& file, std::size_t number, const GridColumns& indices) {
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(),
+                           kMost = std::numeric_limits<std::int64_t>::max();
+    std::array<std::int64_t, kBatch> rows, columns;
+    std::vector<void*> wanted(file.scans[number].columns.size());
+    wanted[indices.row] = rows.data();
+    wanted[indices.column] = columns.data();
+    GridFrame frame{kMost, kLeast, kMost, kLeast};
+    Stream stream(source, file, number);
+    while (const std::size_t count = stream.read(wanted))
+        for (std::size_t i = 0; i < count; ++i) {
+            frame.first_row = std::min(frame.first_row, rows[i]);
+            frame.last_row = std::max(frame.last_row, rows[i]);
+            frame.first_column = std::min(frame.first_column, columns[i]);
+            frame.last_column = std::max(frame.last_column, columns[i]);
+        }
+    return frame;
+}
+
+GridFrame gridFrameOf(const Source& source, const E57File& file, std::size_t number, const GridColumns& indices) {
+    const E57Scan& scan = file.scans[number];
+    const E57Column &row = scan.columns[indices.row], &column = scan.columns[indices.column];
+    const GridFrame by_limits{row.least, row.most, column.least, column.most};
+    return by_limits.fits(scan.points) ? by_limits : readGridFrame(source, file, number, indices);
+}
+
+/// Puts a scan's points into their cells.
+struct GridFiller {
+    std::optional<GridColumns> indices;
+    GridFrame frame;
+
+    /// Begins the grid, where the scan has one.
+    GridFiller(const Source& source, const E57File& file, std::size_t number, Sink& sink)
+        : indices(gridColumnsOf(file.scans[number])) {
+        if (indices) frame = gridFrameOf(source, file, number, *indices);
+        if (indices && !frame.fits(file.scans[number].points)) indices.reset();
+        if (indices) beginGrid(sink, frame.rows(), frame.columns());
+    }
+
+    void add(const Batch& batch, std::size_t i, std::uint32_t vertex, Sink& sink) const {
+        if (!indices) return;
+        const auto from = [](std::int64_t index, std::int64_t first) {
+            return static_cast<std::uint64_t>(index) - static_cast<std::uint64_t>(first);
+        };
+        setCell(sink, from(batch.raw[indices->row][i], frame.first_row),
+                from(batch.raw[indices->column][i], frame.first_column), vertex);
+    }
+};
+
 /// Arrays that grow scan by scan leave holes behind them, and are copied over and over.
 void makeRoomForAll(Sink& sink, std::size_t points) {
     Cloud& cloud = sink.cloud;
@@ -247,11 +334,12 @@ void readScan(const Source& source, const E57File& file, std::size_t number, std
     makeRoomForAll(sink, room);
     Batch batch(scan, plan);
     Reader reader(batch, counts);
+    const GridFiller grid = naming(source, title, [&] { return GridFiller(source, file, number, sink); });
     const auto next = [&] { return stream.read(batch.columns); };
     while (const std::size_t count = naming(source, title, next))
         for (std::size_t i = 0; i < count; ++i) {
             reader.read(i);
-            addVertex(sink, reader.row, reader.values.data());
+            grid.add(batch, i, addVertex(sink, reader.row, reader.values.data()), sink);
         }
     const bool alone = file.scans.size() == 1 && scan.name.empty();
     finishScan(sink, source, alone ? "" : scan.name.empty() ? title : scan.name, Emptiness::kAllowed);

@@ -23,8 +23,8 @@ struct KnownName {
 
 constexpr KnownName kKnown[] = {
     {"intensity", "intensity", "isIntensityInvalid"},
-    {"rowIndex", "row", "", true},
-    {"columnIndex", "column", "", true},
+    {kE57RowIndex, "row", "", true},
+    {kE57ColumnIndex, "column", "", true},
     {kE57ReturnIndex, "return_number"},
     {kE57ReturnCount, "number_of_returns"},
     {"timeStamp", "time_stamp", "isTimeStampInvalid"},

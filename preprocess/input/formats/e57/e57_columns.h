@@ -14,7 +14,8 @@
 namespace pointrt {
 
 /// Names of the standard. Returns are counted from 0.
-inline constexpr std::string_view kE57ReturnIndex = "returnIndex", kE57ReturnCount = "returnCount";
+inline constexpr std::string_view kE57ReturnIndex = "returnIndex", kE57ReturnCount = "returnCount",
+                                  kE57RowIndex = "rowIndex", kE57ColumnIndex = "columnIndex";
 
 /// Three columns that belong together, by their numbers.
 using E57Triple = std::array<std::size_t, 3>;

@@ -40,6 +40,10 @@ bool readWord(const PcdField& field, std::uint64_t component, std::string_view w
     return true;
 }
 
+void addPoint(Sink& sink, const PcdHeader& header, std::uint64_t index, const Row& row, const char* packed) {
+    setCell(sink, index / header.grid_columns, index % header.grid_columns, addVertex(sink, row, packed));
+}
+
 void readAscii(const Source& source, const PcdHeader& header, Sink& sink) {
     std::string_view rest = header.body;
     Row row{};
@@ -54,7 +58,7 @@ void readAscii(const Source& source, const PcdHeader& header, Sink& sink) {
                     refuseLine(source, word.data(), fmt::format("{} is no number", quoted(word)));
             }
         }
-        addVertex(sink, row, packed.data());
+        addPoint(sink, header, i, row, packed.data());
     }
     if (!exact) addNote(sink.cloud, source.name, "has numbers that their types do not hold: the nearest ones are read");
 }
@@ -92,7 +96,7 @@ void readBytes(const PcdHeader& header, const char* bytes, Sink& sink) {
             else
                 row[field.field->role] = loadScalar(at, field.field->scalar, false);
         }
-        addVertex(sink, row, packed.data());
+        addPoint(sink, header, i, row, packed.data());
     }
 }
 
@@ -156,6 +160,7 @@ void readPcd(const Source& source, Sink& sink) {
                 "fields of more than 4 numbers, or whose name is another's, are not read: " + header.unread);
     beginScan(sink, source, traitsOf(header));
     sink.sensor = header.sensor;
+    beginGrid(sink, header.grid_rows, header.grid_columns);
     if (header.data == PcdData::kAscii)
         readAscii(source, header, sink);
     else

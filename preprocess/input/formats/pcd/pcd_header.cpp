@@ -174,6 +174,8 @@ PcdHeader readPcdHeader(const Source& source) {
         settleFields(source, header);
         settleAttributes(header);
         header.points = pointCount(source, entries);
+        header.grid_rows = entries.width ? entries.height.value_or(1) : 1;
+        header.grid_columns = entries.width.value_or(header.points);
         header.sensor = sensorOf(entries);
         return header;
     }

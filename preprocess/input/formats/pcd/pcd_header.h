@@ -31,7 +31,8 @@ struct PcdField {
 struct PcdHeader {
     std::vector<PcdField> fields;
     std::uint64_t points = 0;
-    std::size_t point_size = 0; ///< bytes
+    std::uint64_t grid_rows = 1, grid_columns = 0; ///< of organised points, one row after the other; else 1 row
+    std::size_t point_size = 0;                    ///< bytes
     PcdData data = PcdData::kAscii;
     std::optional<Vec3d> sensor; ///< VIEWPOINT, where it means something
     std::string_view body;

@@ -11,6 +11,14 @@
 namespace pointrt {
 namespace {
 
+/// Of the Stanford 3D Scanning Repository: each cell takes a byte of the file at least.
+bool isRangeGrid(const PlyHeader& header, const PlyElement& element) {
+    std::uint64_t cells = 0;
+    return element.name == "range_grid" && element.properties.size() == 1 && element.properties.front().is_list &&
+           !__builtin_mul_overflow(header.grid_rows, header.grid_columns, &cells) && cells > 0 &&
+           cells == element.count;
+}
+
 /// The elements of one file, read with one kind of values.
 template <typename Values>
 struct Reader {
@@ -18,10 +26,12 @@ struct Reader {
     Sink& sink;
     PlyBody<Values> body;
     std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> vertices; ///< as addVertex returned them, where a grid asks for them
 
     void readVertices(const PlyElement& element) {
         Row row{};
         std::vector<char> packed(header.packed_size);
+        const bool for_grid = header.grid_rows > 0;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             for (const PlyProperty& property : element.properties) {
                 if (property.is_list)
@@ -32,7 +42,8 @@ struct Reader {
                     body.value(element, i, property.type, row[property.role]);
             }
             if (header.harmonic_colors) evaluateHarmonics(row);
-            addVertex(sink, row, packed.data());
+            const std::uint32_t vertex = addVertex(sink, row, packed.data());
+            if (for_grid) vertices.push_back(vertex);
         }
     }
 
@@ -85,12 +96,30 @@ struct Reader {
             }
     }
 
+    /// A list of a vertex or none for each cell, row by row; what names vertices that are not there is no grid.
+    void readGrid(const PlyElement& element) {
+        beginGrid(sink, header.grid_rows, header.grid_columns);
+        const PlyProperty& cell = element.properties.front();
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            const std::uint64_t row = i / header.grid_columns, column = i % header.grid_columns;
+            for (std::uint64_t k = body.listLength(element, i, cell); k > 0; --k) {
+                double vertex = 0;
+                body.value(element, i, cell.type, vertex);
+                const bool known = vertex >= 0 && vertex < static_cast<double>(vertices.size());
+                setCell(sink, known ? row : header.grid_rows, column,
+                        known ? vertices[static_cast<std::size_t>(vertex)] : RangeGrid::kLeftOut);
+            }
+        }
+    }
+
     void read() {
         for (const PlyElement& element : header.elements) {
             if (element.name == "vertex")
                 readVertices(element);
             else if (element.name == "face" || element.name == "tristrips")
                 readFaces(element, element.name == "tristrips");
+            else if (isRangeGrid(header, element))
+                readGrid(element);
             else
                 body.skipElement(element);
         }
@@ -130,12 +159,15 @@ void readPly(const Source& source, Sink& sink) {
                 "properties that are lists, or whose name is another's, are not read: " + unread);
     beginScan(sink, source, traitsOf(header));
     withPlyBody(source, header, [&]<typename Values>(const PlyBody<Values>& body) {
-        Reader<Values> reader{header, sink, body, {}};
+        Reader<Values> reader{header, sink, body, {}, {}};
         reader.read();
         if (!reader.body.exact)
             addNote(sink.cloud, source.name, "has numbers that their types do not hold: the nearest ones are read");
     });
+    const std::size_t grids = sink.cloud.grids.size();
     finishScan(sink, source);
+    const bool has_grid = sink.cloud.grids.size() > grids;
+    if (has_grid && !sink.world_from_scan) setSensorAlongZ(sink); // whoever places a scan knows its sensor
 }
 
 } // namespace

@@ -92,6 +92,13 @@ void setFormat(const Source& source, std::string_view line, PlyHeader& header) {
         refuseLine(source, place, fmt::format("unknown PLY format {}", quoted(name)));
 }
 
+/// "obj_info num_cols 512"; what no number follows is for others.
+void readInfo(std::string_view line, PlyHeader& header) {
+    const std::string_view name = nextWord(line);
+    if (name == "num_rows") wholeInteger(nextWord(line), header.grid_rows);
+    if (name == "num_cols") wholeInteger(nextWord(line), header.grid_columns);
+}
+
 void parseLines(const Source& source, HeaderLines& lines, PlyHeader& header) {
     bool has_format = false;
     std::string_view line;
@@ -105,6 +112,8 @@ void parseLines(const Source& source, HeaderLines& lines, PlyHeader& header) {
             addElement(source, rest, header);
         } else if (keyword == "property") {
             addProperty(source, rest, header);
+        } else if (keyword == "obj_info") {
+            readInfo(rest, header);
         } else if (keyword == "end_header") {
             if (!has_format) refuse(source, "the PLY header has no format line");
             header.body = lines.rest.data();

@@ -40,8 +40,9 @@ struct PlyHeader {
     const char* body = nullptr;   ///< the first byte after the header
     bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
     PlyGaussians gaussians = PlyGaussians::kNone;
-    std::vector<ColumnTraits> columns; ///< what a vertex's packed values are
-    std::size_t packed_size = 0;       ///< their bytes
+    std::vector<ColumnTraits> columns;             ///< what a vertex's packed values are
+    std::size_t packed_size = 0;                   ///< their bytes
+    std::uint64_t grid_rows = 0, grid_columns = 0; ///< of a range_grid, as lines of obj_info say
 };
 
 /// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of

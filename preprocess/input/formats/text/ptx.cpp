@@ -198,7 +198,7 @@ Cells readCells(const Source& source, const Header& header, const Shape& shape, 
         packed.row = static_cast<std::uint32_t>(i % header.rows);
         packed.column = static_cast<std::uint32_t>(i / header.rows);
         if (position.allFinite()) cells.box.extend(position);
-        addVertex(sink, row, values);
+        setCell(sink, packed.row, packed.column, addVertex(sink, row, values));
     }
     return cells;
 }
@@ -227,6 +227,7 @@ std::uint64_t readScan(const Source& source, const Header& header, std::size_t n
     const Shape shape = shapeOf(source, lines, header.cells);
     sink.world_from_scan = header.world_from_scan;
     beginScan(sink, source, traitsOf(header, shape));
+    beginGrid(sink, header.rows, header.columns);
     const Cells cells = readCells(source, header, shape, lines, sink);
     sink.sensor = sensorOf(header, cells);
     Lines after = lines;
