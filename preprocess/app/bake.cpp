@@ -115,7 +115,7 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
     said.world = report.world = cloud.world;
     for (const Attribute& each : said.attributes)
         report.attributes.push_back({each.name, each.type, each.components, {}});
-    report.scans = std::move(cloud.scans);
+    report.scans = cloud.scans;
     report.source_header = std::move(cloud.source_header);
     report.notes = std::move(cloud.notes);
     return said;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/app/filter_options.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "format/base/axis_name.h"
@@ -100,6 +101,17 @@ Eigen::Vector3d parseUp(const std::string& text) {
     const auto axis = directionNamed(text);
     if (!axis) usage("--up: '" + text + "' is none of auto|x|y|z|-x|-y|-z");
     return Eigen::Vector3d(axis->data());
+}
+
+double parseClean(const std::string& text) {
+    if (text == "auto") return 1;
+    if (text == "off") return 0;
+    double strength = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), strength);
+    constexpr double kLeast = 0.1, kMost = 10; // reaches of a fraction of a spacing, and of more than any feature
+    if (error != std::errc() || end != text.data() + text.size() || !(strength >= kLeast && strength <= kMost))
+        usage("--clean: '" + text + "' is none of auto, off and a number from 0.1 to 10");
+    return strength;
 }
 
 } // namespace pointrt

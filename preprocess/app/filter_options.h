@@ -29,4 +29,7 @@ Eigen::Affine3d readTransform(const std::string& path);
 /// A unit vector of "x" to "-z"; zero of "auto". Throws Error (kBadUsage).
 Eigen::Vector3d parseUp(const std::string& text);
 
+/// Strength of cleaning: "auto" is 1, "off" 0, or a number from 0.1 to 10.
+double parseClean(const std::string& text);
+
 } // namespace pointrt

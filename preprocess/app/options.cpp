@@ -177,6 +177,9 @@ void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
         ->check(range(0.01, 100.0))
         ->type_name("S");
     addChoice(app, "--outliers", surface.remove_outliers, kOutlierModes, "Points far off any surface (default remove)");
+    addParsed(app, "--clean", "Noise: auto smooths scans that have some, a number that much stronger (default auto)",
+              [&](const std::string& text) { surface.clean = parseClean(text); })
+        ->type_name("auto|off|STRENGTH");
     app.add_option("--reflectivity", options.reflectivity, "Of the material, 0 matte to 1 mirror (default 0)")
         ->check(range(0.0, 1.0))
         ->type_name("R");

@@ -40,6 +40,22 @@ Json filesJson(const BakeReport& report) {
     return files;
 }
 
+/// "a/b.e57: Scan 1" as "b.e57: Scan 1".
+std::string withoutFolder(const std::string& scan) {
+    const std::size_t title = scan.find(": ");
+    const std::size_t slash = scan.rfind('/', title);
+    return slash == std::string::npos ? scan : scan.substr(slash + 1);
+}
+
+/// Of each scan its noise over the spacing of its points, before cleaning.
+Json noiseJson(const BakeReport& report) {
+    Json scans = Json::array();
+    for (std::size_t i = 0; i < report.surface.noise.size(); ++i)
+        scans.push_back({{"scan", i < report.scans.size() ? withoutFolder(report.scans[i].name) : ""},
+                         {"over_spacing", report.surface.noise[i]}});
+    return scans;
+}
+
 Json attributeNames(const BakeReport& report) {
     Json names = Json::array();
     for (const Attribute& attribute : report.attributes) names.push_back(attribute.name);
@@ -74,6 +90,8 @@ Json toJson(const BakeReport& report) {
     json["up_from"] = report.up_from;
     json["up_reason"] = report.up_reason;
     json["attributes"] = attributeNames(report);
+    json["noise"] = noiseJson(report);
+    json["cleaned"] = {{"dropped", report.surface.clean_dropped}, {"moved", report.surface.clean_moved}};
     json["files"] = filesJson(report);
     json["notes"] = Json::array();
     for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
@@ -116,13 +134,6 @@ std::string foundUp(const BakeReport& report) {
 }
 
 bool isKnown(const WorldFrame& world) { return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty(); }
-
-/// "a/b.e57: Scan 1" as "b.e57: Scan 1".
-std::string withoutFolder(const std::string& scan) {
-    const std::size_t title = scan.find(": ");
-    const std::size_t slash = scan.rfind('/', title);
-    return slash == std::string::npos ? scan : scan.substr(slash + 1);
-}
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "format/base/error.h"
+#include "preprocess/cleaning/clean.h"
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/neighbors/points.h"
 #include "preprocess/neighbors/stages.h"
@@ -53,8 +54,8 @@ NeighborLists connect(Points& points, std::optional<NearestSearch>& search, cons
 }
 
 /// Gives points their normals, on the right side; returns whether the side is known.
-bool shape(Points& points, const NeighborLists& lists, bool normal_sides, const SurfaceOptions& options,
-           SurfaceReport& report, const StageProgress& progress) {
+bool shape(Points& points, const NeighborLists& lists, const NearestSearch& search, bool normal_sides,
+           const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
     std::vector<std::uint8_t> given;
     {
         const Stopwatch watch(report.seconds_normals);
@@ -63,7 +64,34 @@ bool shape(Points& points, const NeighborLists& lists, bool normal_sides, const 
     }
     if (!normal_sides) std::fill(given.begin(), given.end(), std::uint8_t{0});
     const Stopwatch watch(report.seconds_orient);
-    return orientNormals(points, lists, given, options.orient, report.normals_flipped, progress);
+    return orientNormals(points, lists, search, given, options.orient, report.normals_flipped, progress);
+}
+
+/// The scan of each point by the first points of all scans; empty where there is one.
+std::vector<std::uint32_t> scansOf(const Points& points, const std::vector<std::size_t>& first_points) {
+    if (first_points.size() < 2) return {};
+    std::vector<std::uint32_t> scans(points.size());
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const auto after = std::upper_bound(first_points.begin(), first_points.end(), points.input_index[i]);
+        scans[i] = std::uint32_t(std::max<std::ptrdiff_t>(after - first_points.begin(), 1) - 1);
+    }
+    return scans;
+}
+
+/// Returns what is left of the noise, in the unit of the points; empty where all is clean.
+std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
+                         const std::vector<std::size_t>& first_points, const SurfaceOptions& options,
+                         SurfaceReport& report, const StageProgress& progress) {
+    if (options.clean == 0) return {};
+    const Stopwatch watch(report.seconds_clean);
+    CleanInput input{
+        float(options.clean), scansOf(points, first_points), std::max<std::size_t>(first_points.size(), 1), {}};
+    CleanReport cleaned = cleanPoints(points, lists, search, std::move(input), progress);
+    if (cleaned.moved > 0) spreadLines(lists, points, *search, {progress, "cleaning", 1, 1});
+    report.noise = std::move(cleaned.noise);
+    report.clean_dropped = cleaned.dropped;
+    report.clean_moved = cleaned.moved;
+    return std::move(cleaned.sigma);
 }
 
 /// Back to the cloud's unit.
@@ -137,6 +165,8 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
     const bool normal_sides = cloud.normal_sides;
+    std::vector<std::size_t> first_points;
+    for (const Scan& scan : cloud.scans) first_points.push_back(scan.first_point);
     const std::size_t cloud_count = cloud.positions.size(), input_count = cloud_count - strays.size();
 
     Points points = takePointsBut(std::move(cloud), strays);
@@ -144,7 +174,9 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     std::optional<NearestSearch> search;
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
-    const bool oriented = shape(points, lists, normal_sides, options, report, progress);
+    const bool oriented = shape(points, lists, *search, normal_sides, options, report, progress);
+    std::vector<float> noise;
+    if (oriented) noise = clean(points, lists, search, first_points, options, report, progress);
     std::vector<float> radii;
     {
         const Stopwatch watch(report.seconds_radii);
@@ -152,10 +184,13 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         limitRadii(radii);
         keepGivenRadii(points, radii);
     }
+    const double unit = std::ldexp(1.0, points.scale_exponent);
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
     splats.origin = origin;
     splats.input_count = std::uint32_t(cloud_count);
     splats.oriented = oriented;
+    splats.noise = std::move(noise);
+    for (float& sigma : splats.noise) sigma = float(double(sigma) * unit);
     return splats;
 }
 

@@ -14,7 +14,10 @@ struct SurfaceReport {
     std::size_t outliers_removed = 0;
     std::size_t normals_estimated = 0;
     std::size_t normals_flipped = 0; ///< turned by orientation
-    double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_radii = 0;
+    std::vector<float> noise; ///< [scans], standard deviation across the surface over the spacing; empty: not measured
+    std::size_t clean_dropped = 0; ///< by cleaning: rims of range grids, points on no surface
+    std::size_t clean_moved = 0;
+    double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
 };
 
 /// Turns the points of cloud (finite, fewer than 2^31) into splats.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/orient.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <tbb/parallel_for.h>
 
@@ -158,15 +161,96 @@ void turnComponents(Components& components, Points& points, const NeighborLists&
     }
 }
 
-void followNeighbors(Points& points, const NeighborLists& lists, const Flags& known, const StageShare& share) {
+/// How two components lie to each other: above 0 the same side is out, below 0 one is to be turned.
+using SheetVotes = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
+
+/// Votes of a sample of the points that see another component along their normal, a few spacings away. Those of the
+/// component with the largest area are not asked: all others are.
+SheetVotes voteOnSheets(const Components& components, const Points& points, const NearestSearch& search) {
+    constexpr std::size_t kStep = 16;   // one point in
+    constexpr std::size_t kAround = 64; // up to 4.5 spacings away
+    std::array<std::uint32_t, kAround> found;
+    std::array<float, kAround> squared;
+    SheetVotes votes;
+    const auto by_area = [](const Component& a, const Component& b) { return a.area < b.area; };
+    const auto largest =
+        std::uint32_t(std::max_element(components.all.begin(), components.all.end(), by_area) - components.all.begin());
+    for (std::uint32_t i = 0; i < points.size(); i += kStep) {
+        const std::uint32_t own = components.of_point[i];
+        if (own == largest) continue;
+        const std::size_t count = search.nearest(points.positions[i], found, squared);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t other = components.of_point[found[k]];
+            if (other == own) continue;
+            const Agreement agreement = agreementOf(points, i, found[k]);
+            if (agreement.sheets) votes[std::minmax(own, other)] += agreement.opposite ? -1 : 1;
+        }
+    }
+    return votes;
+}
+
+/// Components that lie back to back as sets; the one of number size of all stands for known sides.
+ParitySets setsOfSheets(const Components& components, const SheetVotes& votes) {
+    std::vector<std::pair<int, std::pair<std::uint32_t, std::uint32_t>>> clearest;
+    for (const auto& [pair, vote] : votes)
+        if (vote != 0) clearest.push_back({-std::abs(vote), pair});
+    std::sort(clearest.begin(), clearest.end());
+    const auto known = std::uint32_t(components.all.size());
+    ParitySets sets(known + 1);
+    for (std::uint32_t i = 0; i < known; ++i)
+        if (components.all[i].has_known_side) sets.join(known, i, false);
+    for (const auto& [weight, pair] : clearest) sets.join(pair.first, pair.second, votes.at(pair) < 0);
+    return sets;
+}
+
+/// Adds what is known of one component to another's.
+void absorb(Component& into, const Component& from) {
+    const double area = into.area + from.area;
+    into.centroid = (into.centroid * into.area + from.centroid * from.area) / area;
+    into.area = area;
+    into.has_known_side |= from.has_known_side;
+}
+
+/// Makes components that lie back to back one, turned accordingly.
+void joinSheets(Components& components, Points& points, const NearestSearch& search) {
+    if (components.all.size() < 2) return;
+    const SheetVotes votes = voteOnSheets(components, points, search);
+    if (votes.empty()) return;
+    ParitySets sets = setsOfSheets(components, votes);
+    const auto known = std::uint32_t(components.all.size());
+    const auto [known_root, known_flipped] = sets.find(known);
+    std::vector<std::uint8_t> flipped(known);
+    std::vector<std::uint32_t> body(known), first(known + 1, known);
+    for (std::uint32_t i = 0; i < known; ++i) {
+        const auto [root, is_flipped] = sets.find(i);
+        flipped[i] = is_flipped != (root == known_root && known_flipped);
+        components.all[i].has_known_side |= root == known_root;
+        if (first[root] == known)
+            first[root] = i;
+        else
+            absorb(components.all[first[root]], components.all[i]);
+        body[i] = first[root];
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        std::uint32_t& component = components.of_point[i];
+        if (flipped[component]) points.normals[i] = -points.normals[i];
+        component = body[component];
+    }
+}
+
+void followNeighbors(Points& points, const NeighborLists& lists, const NearestSearch& search, const Flags& known,
+                     const StageShare& share) {
     Components components = findComponents(lists, points.size());
     placeComponents(components, points, lists, known);
     const Flags sources = addSources(components, points, known);
     share.report(0.2); // of the time, as measured
-    if (points.size() <= kCgalPoints)
+    // CGAL's tree knows nothing of sheets
+    const EdgeKinds kinds = edgeKinds(points, lists);
+    if (points.size() <= kCgalPoints && !kinds.sheets)
         orientByCgal(points, lists, sources);
     else
-        orientByKruskal(points, lists, sources);
+        orientByKruskal(points, lists, kinds, sources);
+    joinSheets(components, points, search);
     turnComponents(components, points, lists);
 }
 
@@ -178,8 +262,9 @@ std::size_t countTurned(const std::vector<Vec3f>& before, const std::vector<Vec3
 
 } // namespace
 
-bool orientNormals(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& given, OrientMode mode,
-                   std::size_t& flipped_count, const StageProgress& progress) {
+bool orientNormals(Points& points, const NeighborLists& lists, const NearestSearch& search,
+                   const std::vector<std::uint8_t>& given, OrientMode mode, std::size_t& flipped_count,
+                   const StageProgress& progress) {
     const StageShare share{progress, "orientation"};
     const auto all = [](const Flags& flags) { return std::find(flags.begin(), flags.end(), 0) == flags.end(); };
     if (mode == OrientMode::kNone) return all(given);
@@ -187,7 +272,7 @@ bool orientNormals(Points& points, const NeighborLists& lists, const std::vector
 
     const std::vector<Vec3f> before = points.normals;
     const Flags known = turnKnown(points, given, mode);
-    if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, known, share);
+    if (mode != OrientMode::kSensor && !all(known)) followNeighbors(points, lists, search, known, share);
     flipped_count = countTurned(before, points.normals);
     share.report(1);
     return true;

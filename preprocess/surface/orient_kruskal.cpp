@@ -2,6 +2,7 @@
 #include "preprocess/surface/orient_tree.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -13,13 +14,45 @@
 namespace pointrt::surface {
 namespace {
 
+/// One normal of an edge, mirrored in the plane half way along it, against the other.
+struct Mirror {
+    float cosine; ///< of the normals as they are
+    float scaled; ///< of the mirrored one, times length_squared
+    float length_squared;
+
+    /// Out of the surface by more than 27 degrees, where the mirror takes 0.6 of a normal's agreement with itself.
+    bool isAslant() const { return scaled * cosine < 0.6f * cosine * cosine * length_squared; }
+    /// The normals are alike, and yet the points lie behind each other.
+    bool isBetween() const { return scaled * cosine < 0 && std::abs(cosine) > 0.5f; }
+};
+
+Mirror mirrorOf(const Points& points, std::size_t a, std::size_t b) {
+    const Vec3f edge = points.positions[b] - points.positions[a];
+    const float cosine = points.normals[a].dot(points.normals[b]), squared = edge.squaredNorm();
+    return {cosine, cosine * squared - 2 * edge.dot(points.normals[a]) * edge.dot(points.normals[b]), squared};
+}
+
 // An edge is one number that sorts by weight: the weight in 2^24 steps above the slot of lists.indices that holds it.
 // 40 bits hold the slots of 2^31 points with 255 neighbours each.
 constexpr int kSlotBits = 40;
 constexpr double kWeightSteps = (1 << 24) - 1;
 
-std::uint64_t edgeOf(const Points& points, std::size_t a, std::uint32_t b, std::size_t slot) {
-    const double agreement = std::min(1.0, std::abs(double(points.normals[a].dot(points.normals[b]))));
+/// The edges to choose from.
+struct Graph {
+    const Points& points;
+    const NeighborLists& lists;
+    const EdgeKinds& kinds;
+
+    /// How a neighbour agrees: by the normals alone where its edge lies in the surface, which spares a look at places.
+    Agreement agreement(std::size_t a, std::uint32_t b) const {
+        if (kinds.aslant[a] || kinds.aslant[b]) return agreementOf(points, a, b);
+        const float cosine = points.normals[a].dot(points.normals[b]);
+        return {std::abs(cosine), cosine < 0};
+    }
+};
+
+std::uint64_t edgeOf(const Graph& graph, std::size_t a, std::uint32_t b, std::size_t slot) {
+    const double agreement = std::min(1.0, double(graph.agreement(a, b).sure));
     return std::uint64_t((1 - agreement) * kWeightSteps) << kSlotBits | slot;
 }
 
@@ -36,12 +69,13 @@ bool listedByNeighbor(const NeighborLists& lists, std::size_t point, std::uint32
 constexpr double kCuts[] = {0.25, 0.5, 0.75};
 
 /// Edges at the cuts, by a sample of one point in 64; the end of all edges last.
-std::vector<std::uint64_t> cutEdges(const Points& points, const NeighborLists& lists) {
+std::vector<std::uint64_t> cutEdges(const Graph& graph) {
+    const NeighborLists& lists = graph.lists;
     constexpr std::size_t kStep = 64;
     std::vector<std::uint64_t> sample;
-    for (std::size_t i = 0; i < points.size(); i += kStep)
+    for (std::size_t i = 0; i < graph.points.size(); i += kStep)
         for (std::size_t slot = i * lists.k; slot < (i + 1) * lists.k; ++slot)
-            sample.push_back(edgeOf(points, i, lists.indices[slot], slot));
+            sample.push_back(edgeOf(graph, i, lists.indices[slot], slot));
     std::sort(sample.begin(), sample.end());
     std::vector<std::uint64_t> cuts;
     for (const double cut : kCuts) cuts.push_back(sample[std::size_t(cut * double(sample.size()))]);
@@ -50,16 +84,17 @@ std::vector<std::uint64_t> cutEdges(const Points& points, const NeighborLists& l
 }
 
 /// The edges in [from, to) that join two sets of tree, each once, lightest first.
-std::vector<std::uint64_t> joiningEdges(const Points& points, const NeighborLists& lists, const ParitySets& tree,
-                                        std::uint64_t from, std::uint64_t to) {
+std::vector<std::uint64_t> joiningEdges(const Graph& graph, const ParitySets& tree, std::uint64_t from,
+                                        std::uint64_t to) {
+    const NeighborLists& lists = graph.lists;
     tbb::enumerable_thread_specific<std::vector<std::uint64_t>> found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, graph.points.size()), [&](const auto& range) {
         std::vector<std::uint64_t>& mine = found.local();
         for (std::size_t slot = range.begin() * lists.k; slot < range.end() * lists.k; ++slot) {
             const std::size_t point = slot / lists.k;
             const std::uint32_t neighbor = lists.indices[slot];
             if (tree.rootOf(std::uint32_t(point)) == tree.rootOf(neighbor)) continue;
-            const std::uint64_t edge = edgeOf(points, point, neighbor, slot);
+            const std::uint64_t edge = edgeOf(graph, point, neighbor, slot);
             if (edge >= from && edge < to && !listedByNeighbor(lists, point, neighbor)) mine.push_back(edge);
         }
     });
@@ -75,28 +110,55 @@ std::vector<std::uint64_t> joiningEdges(const Points& points, const NeighborList
     return edges;
 }
 
-void joinAlong(const std::vector<std::uint64_t>& edges, const Points& points, const NeighborLists& lists,
-               ParitySets& tree) {
+void joinAlong(const std::vector<std::uint64_t>& edges, const Graph& graph, ParitySets& tree) {
     constexpr std::uint64_t kSlotMask = (std::uint64_t(1) << kSlotBits) - 1;
     for (const std::uint64_t edge : edges) {
         const std::size_t slot = edge & kSlotMask;
-        const auto a = std::uint32_t(slot / lists.k), b = lists.indices[slot];
-        tree.join(a, b, points.normals[a].dot(points.normals[b]) < 0);
+        const auto a = std::uint32_t(slot / graph.lists.k), b = graph.lists.indices[slot];
+        tree.join(a, b, graph.agreement(a, b).opposite);
     }
     tree.flatten();
 }
 
 } // namespace
 
-void orientByKruskal(Points& points, const NeighborLists& lists, const std::vector<std::uint8_t>& sources) {
+Agreement agreementOf(const Points& points, std::size_t a, std::size_t b) {
+    // Between sheets, or by noise: after the edges along a surface, whose squares fall below it when they are 37
+    // degrees out of its plane, but before those that run from sheet to sheet across corners.
+    constexpr float kBetween = 0.4f;
+    const Mirror mirror = mirrorOf(points, a, b);
+    const float mirrored = mirror.scaled / mirror.length_squared;
+    return {(mirror.isBetween() ? kBetween : 1) * mirrored * mirrored, mirrored < 0, mirror.isBetween()};
+}
+
+EdgeKinds edgeKinds(const Points& points, const NeighborLists& lists) {
+    EdgeKinds kinds{std::vector<std::uint8_t>(points.size(), 0)};
+    std::atomic<bool> sheets = false;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size()), [&](const auto& range) {
+        bool found = false;
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            for (const std::uint32_t neighbor : lists.of(i)) {
+                const Mirror mirror = mirrorOf(points, i, neighbor);
+                kinds.aslant[i] |= mirror.isAslant();
+                found |= mirror.isBetween();
+            }
+        if (found) sheets = true;
+    });
+    kinds.sheets = sheets;
+    return kinds;
+}
+
+void orientByKruskal(Points& points, const NeighborLists& lists, const EdgeKinds& kinds,
+                     const std::vector<std::uint8_t>& sources) {
+    const Graph graph{points, lists, kinds};
     ParitySets tree(points.size() + 1);
     const auto root = std::uint32_t(points.size()); // stands for all that is known
     for (std::uint32_t i = 0; i < root; ++i)
         if (sources[i]) tree.join(root, i, false);
 
     std::uint64_t from = 0;
-    for (const std::uint64_t to : cutEdges(points, lists)) {
-        joinAlong(joiningEdges(points, lists, tree, from, to), points, lists, tree);
+    for (const std::uint64_t to : cutEdges(graph)) {
+        joinAlong(joiningEdges(graph, tree, from, to), graph, tree);
         from = to;
     }
 

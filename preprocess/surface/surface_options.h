@@ -24,6 +24,7 @@ struct SurfaceOptions {
     int neighbors = 16;        ///< K of the normal estimation, 3 to 255; all but the point itself in smaller clouds
     double radius_scale = 1.0; ///< multiplies every radius, above 0
     bool remove_outliers = true;
+    double clean = 1.0; ///< strength of cleaning, 0: none
 };
 
 } // namespace pointrt

@@ -38,6 +38,19 @@ using Random = std::mt19937_64;
 /// Uniform in [0, 1), the same on every machine.
 inline double uniform(Random& random) { return double(random() >> 11) * 0x1p-53; }
 
+/// Standard normal, by Box and Muller: the same on every machine, which the standard library's is not.
+inline double gaussian(Random& random) {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform(random)));
+    return radius * std::cos(2 * std::numbers::pi * uniform(random));
+}
+
+/// Moves the points along their normals.
+inline void addNoise(Shape& shape, double sigma, std::uint64_t seed = 11) {
+    Random random(seed);
+    for (std::size_t i = 0; i < shape.positions.size(); ++i)
+        shape.positions[i] += float(sigma * gaussian(random)) * shape.normals[i];
+}
+
 inline Shape randomSphere(std::size_t count, const Vec3d& center = Vec3d::Zero(), double radius = 1,
                           std::uint64_t seed = 1) {
     Random random(seed);
@@ -80,6 +93,25 @@ inline Shape gridPlane(int steps, double z = 0, const Vec3d& normal = Vec3d::Uni
     Shape shape;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) shape.add(Vec3d((i + 0.5) / steps, (j + 0.5) / steps, z), normal);
+    return shape;
+}
+
+/// The same, each point anywhere in its square.
+inline Shape jitteredPlane(int steps, double z, const Vec3d& normal, std::uint64_t seed) {
+    Random random(seed);
+    Shape shape;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const double x = (i + uniform(random)) / steps, y = (j + uniform(random)) / steps;
+            shape.add(Vec3d(x, y, z), normal);
+        }
+    return shape;
+}
+
+/// Two sheets back to back, a distance of so many spacings apart, nothing at their rims.
+inline Shape thinPlate(int steps, double spacings) {
+    Shape shape = jitteredPlane(steps, 0, -Vec3d::UnitZ(), 5);
+    shape.append(jitteredPlane(steps, spacings / steps, Vec3d::UnitZ(), 6));
     return shape;
 }
 

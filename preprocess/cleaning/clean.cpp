@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/cleaning/clean.h"
+
+#include <algorithm>
+
+#include "preprocess/cleaning/project.h"
+
+namespace pointrt::surface {
+namespace {
+
+constexpr const char* kStage = "cleaning";
+
+/// Shares of the stage's time, as measured.
+constexpr double kMeasured = 0.2, kProjected = 0.85;
+
+std::uint32_t scanOf(const CleanInput& input, std::size_t point) {
+    return input.scan_of_point.empty() ? 0 : input.scan_of_point[point];
+}
+
+/// 1 for points to keep.
+std::vector<std::uint8_t> withoutRims(const CleanInput& input, const std::vector<float>& noise, std::size_t count) {
+    std::vector<std::uint8_t> keep(count, 1);
+    for (std::size_t i = 0; i < input.rims.size(); ++i)
+        keep[i] = !(input.rims[i] && noise[scanOf(input, i)] > kCleanNoise);
+    return keep;
+}
+
+template <typename Value>
+void keepFlagged(std::vector<Value>& values, const std::vector<std::uint8_t>& keep) {
+    if (values.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i)
+        if (keep[i]) values[kept++] = values[i];
+    values.resize(kept);
+}
+
+void dropRims(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
+              CleanReport& report) {
+    const std::vector<std::uint8_t> keep = withoutRims(input, report.noise, points.size());
+    const auto dropped = std::size_t(std::count(keep.begin(), keep.end(), 0));
+    if (dropped == 0) return;
+    report.dropped += dropped;
+    keepPoints(points, keep);
+    keepFlagged(input.scan_of_point, keep);
+    search.emplace(points.positions);
+    keepNeighbors(lists, keep, points, *search);
+}
+
+/// noiseOfPlaces, but 0 where the scan or the place is clean.
+std::vector<float> noiseToSmooth(const Points& points, const NeighborLists& lists, const CleanInput& input,
+                                 const std::vector<float>& noise, const StageShare& share) {
+    std::vector<float> sigma = noiseOfPlaces(points, lists, share);
+    for (std::size_t i = 0; i < sigma.size(); ++i) {
+        const bool noisy = noise[scanOf(input, i)] > kCleanNoise && sigma[i] > kCleanNoise * lists.spacings[i];
+        if (!noisy) sigma[i] = 0;
+    }
+    return sigma;
+}
+
+} // namespace
+
+CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput&& input,
+                        const StageProgress& progress) {
+    CleanReport report;
+    constexpr std::size_t kFewPoints = 1000; // too few to tell noise from shape
+    if (points.size() < kFewPoints) return report;
+    report.noise = noiseOfScans(points, lists, input.scan_of_point, input.scan_count);
+    if (std::all_of(report.noise.begin(), report.noise.end(), [](float noise) { return noise <= kCleanNoise; }))
+        return report;
+    dropRims(points, lists, search, input, report);
+    const std::vector<float> sigma =
+        noiseToSmooth(points, lists, input, report.noise, {progress, kStage, 0, kMeasured});
+    ProjectionReport projected =
+        projectPoints(points, lists, *search, sigma, input.strength, {progress, kStage, kMeasured, kProjected});
+    report.moved = projected.moved;
+    report.sigma = std::move(projected.sigma);
+
+    std::vector<std::uint8_t> sound(points.size());
+    for (std::size_t i = 0; i < sound.size(); ++i) sound[i] = !projected.lost[i];
+    report.dropped += std::size_t(std::count(sound.begin(), sound.end(), 0));
+    keepPoints(points, sound);
+    keepFlagged(report.sigma, sound);
+    search.emplace(points.positions);
+    lists = findNeighbors(points, *search, lists.k, {progress, kStage, kProjected, 1});
+    return report;
+}
+
+} // namespace pointrt::surface
