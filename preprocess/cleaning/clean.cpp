@@ -59,7 +59,7 @@ std::vector<float> noiseToSmooth(const Points& points, const NeighborLists& list
 
 } // namespace
 
-CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput&& input,
+CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
                         const StageProgress& progress) {
     CleanReport report;
     constexpr std::size_t kFewPoints = 1000; // too few to tell noise from shape

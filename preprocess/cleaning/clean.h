@@ -25,7 +25,8 @@ struct CleanReport {
 /// Measures the noise, of clouds of 1000 points and more; of scans that have some (kCleanNoise) drops the rims of their
 /// grids and moves the points onto the surface among them. lists and search are made anew where anything was dropped or
 /// moved; else nothing changes.
-CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput&& input,
+/// The arrays of input lose what points lose.
+CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
                         const StageProgress& progress);
 
 } // namespace pointrt::surface

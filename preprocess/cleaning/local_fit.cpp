@@ -52,11 +52,13 @@ AlgebraicSphere fitSphere(const Surroundings& around, const AlgebraicSphere& fro
     return normalized(sphere);
 }
 
-float supportOf(const Surroundings& around, const AlgebraicSphere& sphere, float sigma) {
-    Lanes weight = Lanes::Zero();
-    for (std::size_t group = 0; group < around.laneGroups(); ++group)
-        weight += robustWeights(around, group, sphere, 1 / (sigma * sigma));
-    return weight.sum() / around.weight_sum;
+float supportOf(const Surroundings& around, const AlgebraicSphere& sphere, float distance) {
+    Lanes near = Lanes::Zero();
+    for (std::size_t group = 0; group < around.laneGroups(); ++group) {
+        const Lanes off = distancesFrom(around, group, sphere).abs();
+        near += (off < distance && Surroundings::lanes(around.weight, group) > 0).cast<float>();
+    }
+    return near.sum() / float(around.count);
 }
 
 Vec3f projectOrigin(const AlgebraicSphere& sphere) {

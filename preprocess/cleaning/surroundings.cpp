@@ -87,7 +87,6 @@ void Gatherer::gather(std::size_t point) {
 void Gatherer::fill(std::size_t point) {
     const Vec3f& from = points_.positions[point];
     const float inverse = 1 / reaches_[point];
-    around_.weight_sum = 0;
     for (std::size_t i = 0; i < around_.count; ++i) {
         const std::uint32_t place = around_.indices[i], index = found_[place];
         around_.indices[i] = index;
@@ -98,7 +97,6 @@ void Gatherer::fill(std::size_t point) {
         around_.nx[i] = normal.x(), around_.ny[i] = normal.y(), around_.nz[i] = normal.z();
         const float near = std::max(1 - squared_[place] * inverse * inverse, 0.0f), square = near * near;
         around_.weight[i] = square * square;
-        around_.weight_sum += around_.weight[i];
     }
     for (std::size_t i = around_.count; i < roundedUp(around_.count); ++i) {
         for (auto* values :

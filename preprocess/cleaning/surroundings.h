@@ -22,7 +22,6 @@ struct Surroundings {
     std::vector<float> x, y, z, nx, ny, nz;
     /// (1 - d^2)^4 of the distance d: 0 with all its slopes at the reach (Guennebaud and Gross 2007).
     std::vector<float> weight;
-    float weight_sum = 0;
     std::vector<std::uint32_t> indices; ///< [count]
 
     std::size_t laneGroups() const { return (count + kLaneCount - 1) / kLaneCount; }

@@ -78,15 +78,18 @@ std::vector<std::uint32_t> scansOf(const Points& points, const std::vector<std::
     return scans;
 }
 
-/// Returns what is left of the noise, in the unit of the points; empty where all is clean.
+/// Returns what is left of the noise, in the unit of the points; empty where all is clean. sheets lose what points
+/// lose.
 std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
                          const std::vector<std::size_t>& first_points, const SurfaceOptions& options,
                          SurfaceReport& report, const StageProgress& progress) {
     if (options.clean == 0) return {};
     const Stopwatch watch(report.seconds_clean);
-    CleanInput input{
-        float(options.clean), scansOf(points, first_points), std::max<std::size_t>(first_points.size(), 1), {}};
-    CleanReport cleaned = cleanPoints(points, lists, search, std::move(input), progress);
+    CleanInput input;
+    input.strength = float(options.clean);
+    input.scan_of_point = scansOf(points, first_points);
+    input.scan_count = std::max<std::size_t>(first_points.size(), 1);
+    CleanReport cleaned = cleanPoints(points, lists, search, input, progress);
     if (cleaned.moved > 0) spreadLines(lists, points, *search, {progress, "cleaning", 1, 1});
     report.noise = std::move(cleaned.noise);
     report.clean_dropped = cleaned.dropped;

@@ -20,7 +20,7 @@ Surroundings surroundings(const Shape& shape) {
         const Vec3f &p = shape.positions[i], &n = shape.normals[i];
         around.x[i] = p.x(), around.y[i] = p.y(), around.z[i] = p.z();
         around.nx[i] = n.x(), around.ny[i] = n.y(), around.nz[i] = n.z();
-        around.weight_sum += around.weight[i] = 1;
+        around.weight[i] = 1;
     }
     return around;
 }

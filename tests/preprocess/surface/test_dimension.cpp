@@ -35,7 +35,9 @@ float toSecond(const Splats& splats, std::size_t splat) {
 }
 
 TEST(Dimension, ScatteredPointsReachHalfWayToTheirNeighbors) {
-    const Splats splats = estimate(solidBall(3000, Vec3d::Zero(), 1).cloud());
+    SurfaceOptions options;
+    options.clean = 0; // which moves some of them
+    const Splats splats = estimate(solidBall(3000, Vec3d::Zero(), 1).cloud(), options);
     std::size_t small = 0;
     for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.501f * toSecond(splats, i);
     EXPECT_GT(small, splats.radii.size() * 98 / 100); // measured: all; none without the rule
