@@ -12,6 +12,7 @@
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/neighbors/points.h"
 #include "preprocess/neighbors/stages.h"
+#include "preprocess/range/rims.h"
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/lines.h"
 #include "preprocess/surface/normals.h"
@@ -67,6 +68,23 @@ bool shape(Points& points, const NeighborLists& lists, const NearestSearch& sear
     return orientNormals(points, lists, search, given, options.orient, report.normals_flipped, progress);
 }
 
+/// What scans say of their points, by the points' indices in the cloud.
+struct Known {
+    std::vector<std::size_t> first_points; ///< [scans]
+    std::vector<std::uint8_t> rims;        ///< flagRims
+};
+
+/// Levels what is stepped and takes down what only the cloud knows.
+Known learn(Cloud& cloud, const SurfaceOptions& options, SurfaceReport& report) {
+    Known known;
+    for (const Scan& scan : cloud.scans) known.first_points.push_back(scan.first_point);
+    if (options.clean == 0 || cloud.grids.empty()) return known;
+    const Stopwatch watch(report.seconds_clean);
+    report.steps = levelSteps(cloud);
+    known.rims = flagRims(cloud);
+    return known;
+}
+
 /// The scan of each point by the first points of all scans; empty where there is one.
 std::vector<std::uint32_t> scansOf(const Points& points, const std::vector<std::size_t>& first_points) {
     if (first_points.size() < 2) return {};
@@ -80,20 +98,24 @@ std::vector<std::uint32_t> scansOf(const Points& points, const std::vector<std::
 
 /// Returns what is left of the noise, in the unit of the points; empty where all is clean. sheets lose what points
 /// lose.
-std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
-                         const std::vector<std::size_t>& first_points, const SurfaceOptions& options,
-                         SurfaceReport& report, const StageProgress& progress) {
+std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, const Known& known,
+                         const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
     if (options.clean == 0) return {};
     const Stopwatch watch(report.seconds_clean);
     CleanInput input;
+    for (std::size_t i = 0; i < points.size() && !known.rims.empty(); ++i)
+        input.rims.push_back(known.rims[points.input_index[i]]);
     input.strength = float(options.clean);
-    input.scan_of_point = scansOf(points, first_points);
-    input.scan_count = std::max<std::size_t>(first_points.size(), 1);
+    input.scan_of_point = scansOf(points, known.first_points);
+    input.scan_count = std::max<std::size_t>(known.first_points.size(), 1);
     CleanReport cleaned = cleanPoints(points, lists, search, input, progress);
     if (cleaned.moved > 0) spreadLines(lists, points, *search, {progress, "cleaning", 1, 1});
     report.noise = std::move(cleaned.noise);
     report.clean_dropped = cleaned.dropped;
-    report.clean_moved = cleaned.moved;
+    for (const LevelReport::OfScan& each : report.steps.scans)
+        if (each.scan < report.noise.size())
+            report.noise[each.scan] = std::max(report.noise[each.scan], float(each.noise_over_spacing));
+    report.clean_moved = std::max(cleaned.moved, report.steps.moved);
     return std::move(cleaned.sigma);
 }
 
@@ -168,8 +190,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
     const bool normal_sides = cloud.normal_sides;
-    std::vector<std::size_t> first_points;
-    for (const Scan& scan : cloud.scans) first_points.push_back(scan.first_point);
+    const Known known = learn(cloud, options, report);
     const std::size_t cloud_count = cloud.positions.size(), input_count = cloud_count - strays.size();
 
     Points points = takePointsBut(std::move(cloud), strays);
@@ -179,7 +200,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, options, report, progress);
     std::vector<float> noise;
-    if (oriented) noise = clean(points, lists, search, first_points, options, report, progress);
+    if (oriented) noise = clean(points, lists, search, known, options, report, progress);
     std::vector<float> radii;
     {
         const Stopwatch watch(report.seconds_radii);

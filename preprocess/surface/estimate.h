@@ -4,6 +4,7 @@
 
 #include "preprocess/cloud/splats.h"
 #include "preprocess/cloud/stage_progress.h"
+#include "preprocess/range/steps.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt {
@@ -15,6 +16,7 @@ struct SurfaceReport {
     std::size_t normals_estimated = 0;
     std::size_t normals_flipped = 0; ///< turned by orientation
     std::vector<float> noise; ///< [scans], standard deviation across the surface over the spacing; empty: not measured
+    LevelReport steps;        ///< of depth cameras
     std::size_t clean_dropped = 0; ///< by cleaning: rims of range grids, points on no surface
     std::size_t clean_moved = 0;
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
