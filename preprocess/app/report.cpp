@@ -47,6 +47,16 @@ std::string withoutFolder(const std::string& scan) {
     return slash == std::string::npos ? scan : scan.substr(slash + 1);
 }
 
+Json cleanedJson(const BakeReport& report) {
+    return {
+        {"dropped", report.surface.clean_dropped}, {"moved", report.surface.clean_moved}, {"filled", report.filled}};
+}
+
+/// Whether the splats are other than the scans' points.
+bool isChanged(const BakeReport& report) {
+    return report.surface.clean_dropped > 0 || report.surface.clean_moved > 0 || report.filled > 0;
+}
+
 /// Of each scan its noise over the spacing of its points, before cleaning.
 Json noiseJson(const BakeReport& report) {
     Json scans = Json::array();
@@ -73,7 +83,6 @@ Json toJson(const BakeReport& report) {
     json["normals_estimated"] = report.surface.normals_estimated;
     json["normals_flipped"] = report.surface.normals_flipped;
     json["splats"] = report.splats;
-    json["filled"] = report.filled;
     json["nodes"] = report.octree.nodes;
     json["filled_leaves"] = report.octree.filled_leaves;
     json["border_leaves"] = report.octree.border_leaves;
@@ -91,7 +100,7 @@ Json toJson(const BakeReport& report) {
     json["up_reason"] = report.up_reason;
     json["attributes"] = attributeNames(report);
     json["noise"] = noiseJson(report);
-    json["cleaned"] = {{"dropped", report.surface.clean_dropped}, {"moved", report.surface.clean_moved}};
+    json["cleaned"] = cleanedJson(report);
     json["files"] = filesJson(report);
     json["notes"] = Json::array();
     for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
@@ -105,15 +114,21 @@ Json toJson(const BakeReport& report) {
 /// " (left out: 2 not finite, 1 stray)", or nothing.
 std::string leftOut(const BakeReport& report) {
     const std::pair<std::uint64_t, const char*> reasons[] = {
-        {report.points_non_finite, "not finite"},
-        {report.points_unused, "used by no face"},
-        {report.points_filtered, "not asked for"},
-        {report.surface.duplicates_removed + report.merged, "duplicate"},
-        {report.surface.outliers_removed, "stray"}};
+        {report.points_non_finite, "not finite"},   {report.points_unused, "used by no face"},
+        {report.points_filtered, "not asked for"},  {report.surface.duplicates_removed + report.merged, "duplicate"},
+        {report.surface.outliers_removed, "stray"}, {report.surface.clean_dropped, "off the surface"}};
     std::string text;
     for (const auto& [count, reason] : reasons)
         if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, reason);
     return text.empty() ? text : " (left out: " + text + ")";
+}
+
+/// ", 463007 smoothed, 120 added in gaps", or nothing.
+std::string moved(const BakeReport& report) {
+    std::string text;
+    if (report.surface.clean_moved > 0) text += fmt::format(", {} smoothed", report.surface.clean_moved);
+    if (report.filled > 0) text += fmt::format(", {} added in gaps", report.filled);
+    return text;
 }
 
 /// What to say where pruning harms more than it was allowed to; nothing otherwise.
@@ -149,9 +164,9 @@ std::string noteLine(const Note& note) {
 
 std::string summaryLine(const BakeReport& report) {
     const auto per_splat = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(report.splats); };
-    return fmt::format("{} points{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
+    return fmt::format("{} points{}{}, {} splats, {} filled leaves, references per splat {:.2f} -> {:.2f}, "
                        "{} bytes ({:.1f} per splat), {:.2f} s",
-                       report.input_points, leftOut(report), report.splats, report.octree.filled_leaves,
+                       report.input_points, leftOut(report), moved(report), report.splats, report.octree.filled_leaves,
                        per_splat(report.references_unpruned), per_splat(report.octree.references),
                        report.octree.file_bytes, per_splat(report.octree.file_bytes), report.seconds_total) +
            foundUp(report) + missedBound(report);
@@ -173,7 +188,11 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     for (const Scan& scan : report.scans)
         if (report.scans.size() > 1) json["scans"].push_back(withoutFolder(scan.name));
     if (isKnown(report.world)) json["world"] = worldJson(report.world);
-    if (report.filled > 0) json["filled"] = report.filled;
+    if (isChanged(report)) { // else nothing, so that a clean scan's file is the same with and without cleaning
+        json["noise"] = noiseJson(report);
+        json["cleaned"] = cleanedJson(report);
+        json["settings"]["clean"] = options.surface.clean;
+    }
     const Json header = Json::parse(report.source_header, nullptr, false);
     if (header.is_object()) json["source_header"] = header;
     Json& settings = json["settings"];

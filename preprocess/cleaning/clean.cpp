@@ -70,11 +70,13 @@ CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<Near
     dropRims(points, lists, search, input, report);
     const std::vector<float> sigma =
         noiseToSmooth(points, lists, input, report.noise, {progress, kStage, 0, kMeasured});
+    const std::vector<Vec3f> normals = input.keep_normals ? points.normals : std::vector<Vec3f>();
     ProjectionReport projected =
         projectPoints(points, lists, *search, sigma, input.strength, {progress, kStage, kMeasured, kProjected});
     report.moved = projected.moved;
     report.sigma = std::move(projected.sigma);
 
+    if (input.keep_normals) points.normals = normals;
     std::vector<std::uint8_t> sound(points.size());
     for (std::size_t i = 0; i < sound.size(); ++i) sound[i] = !projected.lost[i];
     report.dropped += std::size_t(std::count(sound.begin(), sound.end(), 0));

@@ -11,6 +11,7 @@ namespace pointrt::surface {
 /// What is known of points beside themselves.
 struct CleanInput {
     float strength = 1;                       ///< multiplies the reach of smoothing, above 0
+    bool keep_normals = false;                ///< as they are; else they are those of the surface that is found
     std::vector<std::uint32_t> scan_of_point; ///< [points], or empty where all are of one scan
     std::size_t scan_count = 1;
     std::vector<std::uint8_t> rims; ///< [points], 1: at the rim of its scan's grid; or empty

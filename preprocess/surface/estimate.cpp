@@ -105,6 +105,7 @@ std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<Nea
     CleanInput input;
     for (std::size_t i = 0; i < points.size() && !known.rims.empty(); ++i)
         input.rims.push_back(known.rims[points.input_index[i]]);
+    input.keep_normals = options.normals == NormalSource::kKeep;
     input.strength = float(options.clean);
     input.scan_of_point = scansOf(points, known.first_points);
     input.scan_count = std::max<std::size_t>(known.first_points.size(), 1);

@@ -86,6 +86,19 @@ TEST(Cleaning, OffMovesNothing) {
         ASSERT_EQ(result.splats.positions[i], shape.positions[result.splats.input_index[i]]);
 }
 
+TEST(Cleaning, NormalsStayWhereThatIsAskedFor) {
+    const Shape shape = noisySphere(0.3);
+    Cloud cloud = shape.cloud();
+    cloud.normals = shape.normals;
+    SurfaceOptions options;
+    options.normals = NormalSource::kKeep;
+    SurfaceReport report;
+    const Splats splats = estimateSplats(std::move(cloud), options, report);
+    EXPECT_GT(report.clean_moved, 39'000u);
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        ASSERT_LT((splats.normals[i] - shape.normals[splats.input_index[i]]).norm(), 1e-5f);
+}
+
 TEST(Cleaning, NoisySphereComesBack) {
     const Shape shape = noisySphere(0.3);
     const Cleaned before = cleaned(shape.cloud(), 0), after = cleaned(shape.cloud());
