@@ -89,6 +89,7 @@ std::optional<DepthFrame> depthFrameOf(const Cloud& cloud, const RangeGrid& grid
         const std::uint32_t cell = grid.point_of_cell[i];
         if (cell >= RangeGrid::kLeftOut) continue;
         const Vec3d from_sensor = cloud.positions[cell].cast<double>() - frame.sensor;
+        if (from_sensor.isZero(0)) continue; // as some programs write what has no depth
         const double depth = from_sensor.dot(frame.axis);
         if (!(depth > kWidestCosine * from_sensor.norm())) return std::nullopt;
         frame.inverse[i] = 1 / depth;

@@ -117,12 +117,13 @@ double noiseOverSpacing(const Leveller& leveller, const Cloud& cloud) {
     for (std::uint32_t row = 0; row < frame.rows; ++row)
         for (std::uint32_t column = 1; column < frame.columns; ++column) {
             const std::uint32_t a = leveller.grid.at(row, column - 1), b = leveller.grid.at(row, column);
-            if (std::max(a, b) >= RangeGrid::kLeftOut) continue;
+            const double before = frame.inverse[frame.cell(row, column - 1)],
+                         inverse = frame.inverse[frame.cell(row, column)];
+            if (before == 0 || inverse == 0) continue;
             const Vec3d u = cloud.positions[a].cast<double>() - frame.sensor,
                         v = cloud.positions[b].cast<double>() - frame.sensor;
             const double spacing = u.cross(v).norm() / u.norm();
-            if (spacing > 0)
-                ratios.push_back(float(noiseAt(leveller, v, frame.inverse[frame.cell(row, column)]) / spacing));
+            if (spacing > 0) ratios.push_back(float(noiseAt(leveller, v, inverse) / spacing));
         }
     return double(medianOf(std::move(ratios)));
 }
@@ -134,8 +135,8 @@ std::size_t movePoints(const Leveller& leveller, std::uint32_t first, std::uint3
     std::size_t moved = 0;
     for (std::size_t i = 0; i < levelled.size(); ++i) {
         const std::uint32_t point = leveller.grid.point_of_cell[from + i];
-        if (point >= RangeGrid::kLeftOut) continue;
         const double inverse = leveller.frame.inverse[from + i];
+        if (inverse == 0) continue;
         const Vec3d from_sensor = cloud.positions[point].cast<double>() - leveller.frame.sensor;
         cloud.noise[point] = float(noiseAt(leveller, from_sensor, inverse));
         if (levelled[i] == inverse) continue;

@@ -81,6 +81,17 @@ TEST(Steps, AQuantisedWallIsFlatAgain) {
     EXPECT_NEAR(cloud.noise[middle], 4 * kStep / std::sqrt(12), 0.1 * 4 * kStep / std::sqrt(12));
 }
 
+TEST(Steps, PointsInTheCameraAreNone) {
+    Cloud cloud = depthFrame(kRows, kColumns, kPixel, [](double u, double v) {
+        return std::abs(u) < 0.02 && std::abs(v) < 0.02 ? 0.0 : inSteps(wall(u, v)); // no depth there
+    });
+    ASSERT_EQ(levelSteps(cloud).scans.size(), 1u);
+    const std::uint32_t none = cloud.grids[0].at(kRows / 2, kColumns / 2);
+    EXPECT_EQ(cloud.positions[none], Vec3f(0, 0, 0));
+    EXPECT_EQ(cloud.noise[none], 0);
+    EXPECT_LT(meanAngle(cloud, kWallNormal, 0, kColumns / 3), 1);
+}
+
 TEST(Steps, NoiseBesideTheStepsIsMeasured) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, 0.6 * kStep);
@@ -102,13 +113,14 @@ TEST(Steps, AnEdgeOfTenStepsStaysAnEdge) {
 }
 
 TEST(Steps, NothingMovesFurtherThanItsUncertainty) {
-    // ripples of two steps, a few pixels wide: no plane says what they are
-    const auto ripples = [](double u, double v) {
-        return inSteps(1 / (0.5 + 2 * kStep * std::sin(u * 300) * std::sin(v * 300)));
+    // single samples two steps in front of a wall, whose planes fit very well without them
+    const auto spikes = [](double u, double v) {
+        const bool spike = std::lround(2 * u / kPixel) % 41 == 0 && std::lround(2 * v / kPixel) % 41 == 0;
+        return inSteps(1 / (1 / wall(u, v) + (spike ? 2 * kStep : 0)));
     };
-    const Cloud before = depthFrame(kRows, kColumns, kPixel, ripples);
+    const Cloud before = depthFrame(kRows, kColumns, kPixel, spikes);
     Cloud cloud = before;
-    levelSteps(cloud);
+    ASSERT_EQ(levelSteps(cloud).scans.size(), 1u);
     for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
         const double depth = before.positions[i].z();
         const double moved = std::abs(1 / double(cloud.positions[i].z()) - 1 / depth);
