@@ -206,6 +206,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     {
         const Stopwatch watch(report.seconds_radii);
         radii = discRadii(points, lists, *search, oriented, {progress, "radii"});
+        tightenSmoothed(radii, noise);
         limitRadii(radii);
         keepGivenRadii(points, radii);
     }

@@ -192,6 +192,14 @@ std::vector<float> discRadii(const Points& points, const NeighborLists& lists, c
     return radii;
 }
 
+void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise) {
+    // An overlap of 1.2 instead of 1.4. Of the raw Dragon's outline the share shared with the true one goes from 0.968
+    // to 0.973, holes from 108 to 226 a million; at 1.1 those are 272, and nothing is won.
+    constexpr float kSmoothed = kRimOverlap / kOverlap;
+    for (std::size_t i = 0; i < noise.size(); ++i)
+        if (noise[i] > 0) radii[i] *= kSmoothed;
+}
+
 void limitRadii(std::vector<float>& radii) {
     if (radii.size() < kMinLimitPoints) return;
     std::vector<float> sorted = radii;

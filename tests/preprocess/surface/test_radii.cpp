@@ -168,11 +168,25 @@ TEST(Radii, NoiseIsNoRidge) {
     Shape shape = gridPlane(100);
     Random random(5);
     for (Vec3f& p : shape.positions) p.z() = float(0.5 / 100 * (2 * uniform(random) - 1)); // half a spacing each way
-    const Splats splats = estimate(shape.cloud());
+    SurfaceOptions options;
+    options.clean = 0;
+    const Splats splats = estimate(shape.cloud(), options);
     for (std::size_t i = 0; i < splats.radii.size(); ++i) {
         const Vec3f& p = splats.positions[i];
         if (onRim(p, 100)) continue;
-        EXPECT_GT(splats.radii[i], 1.35 / 100 * std::numbers::sqrt2 / 2) << p.transpose();
+        ASSERT_GT(splats.radii[i], 1.35 / 100 * std::numbers::sqrt2 / 2) << p.transpose();
+    }
+}
+
+/// The same grid, smoothed: its cells are those of the plane, and its discs overlap by 1.2.
+TEST(Radii, SmoothedPointsOverlapLess) {
+    Shape shape = gridPlane(100);
+    addNoise(shape, 0.1 / 100);
+    const Splats splats = estimate(shape.cloud());
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) {
+        const Vec3f& p = splats.positions[i];
+        if (onRim(p, 100) || splats.noise[i] == 0) continue; // a place that happens to be clean
+        ASSERT_NEAR(splats.radii[i], 1.2 / 100 * std::numbers::sqrt2 / 2, 0.02 / 100) << p.transpose();
     }
 }
 
