@@ -56,6 +56,20 @@ void uploadSplats(Device& device, DeviceScan& scan) {
     uploadSection(device, scan, kScanBuffers[kIndexBuffers], scan.view.splats, bytes);
 }
 
+constexpr std::uint32_t kBlank[4] = {}; // a texel: it may become device memory as it is
+constexpr std::uint64_t kTexelBytes = sizeof kBlank;
+
+/// Whole texels: a section's last page has room for them.
+void uploadNoise(Device& device, DeviceScan& scan) {
+    pro_sampling sampling;
+    pro_get_sampling(scan.file, &sampling);
+    scan.noisy = sampling.noise != nullptr;
+    const std::uint64_t texels = scan.noisy ? (scan.info.splat_count + kTexelBytes - 1) / kTexelBytes : 1;
+    const void* const data = scan.noisy ? static_cast<const void*>(sampling.noise) : kBlank;
+    scan.noise = createTexelBuffer(device, "noise buffer", data, texels * kTexelBytes, VK_FORMAT_R32G32B32A32_UINT);
+    if (scan.noisy) scan.device_bytes += texels * kTexelBytes;
+}
+
 /// In the order of kScanBuffers.
 std::array<std::span<const std::uint32_t>, kIndexBuffers> wordsOf(const pro_index& index) {
     const auto words = [](const std::uint32_t* data, std::uint64_t count, std::uint32_t each) {
@@ -98,6 +112,7 @@ void buildAndUploadIndex(Device& device, DeviceScan& scan) {
 void upload(Device& device, DeviceScan& scan) {
     try {
         uploadSplats(device, scan);
+        uploadNoise(device, scan);
         if (pro_get_index(scan.file, &scan.index))
             uploadIndex(device, scan);
         else
@@ -127,17 +142,17 @@ DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
 
 DeviceScan blankScan(Device& device) {
     DeviceScan scan;
-    static constexpr std::uint32_t kZeros[4] = {}; // it may become device memory as it is
     const auto blank = [&](VkFormat format) {
-        return createTexelBuffer(device, "blank buffer", kZeros, sizeof kZeros, format);
+        return createTexelBuffer(device, "blank buffer", kBlank, kTexelBytes, format);
     };
     scan.grid_words = blank(VK_FORMAT_R32_UINT);
+    scan.noise = blank(VK_FORMAT_R32G32B32A32_UINT);
     for (const ScanBuffer& each : kScanBuffers) (scan.*each.buffer).pages = {blank(each.format)};
     return scan;
 }
 
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan) {
-    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &scan.grid_words}};
+    std::vector<BufferBinding> bindings{{BINDING_GRID_WORDS, &scan.grid_words}, {BINDING_NOISE, &scan.noise}};
     for (const ScanBuffer& each : kScanBuffers) bindings.push_back({each.first, &(scan.*each.buffer).pages[0]});
     return bindings;
 }
@@ -151,6 +166,7 @@ PagedBuffers pagedBuffers(const DeviceScan& scan) {
 void destroyScan(Device& device, DeviceScan& scan) {
     for (const ScanBuffer& each : kScanBuffers) destroyPagedBuffer(device, scan.*each.buffer);
     destroyBuffer(device, scan.grid_words);
+    destroyBuffer(device, scan.noise);
     scan.built = {};
     scan.index = {};
     if (scan.file) pro_close(scan.file);

@@ -25,6 +25,8 @@ struct DeviceScan {
     Buffer grid_words;  ///< too few for pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, lists, blend_ranges;
     PageCounts pages; ///< of those
+    Buffer noise;     ///< bytes; of a clean scan a blank texel
+    bool noisy = false;
     std::uint64_t device_bytes = 0;
 };
 

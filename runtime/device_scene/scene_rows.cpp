@@ -159,6 +159,9 @@ std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
 SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings) {
     SceneRows rows = RowMaker(scene, description, settings).rows;
     rows.features = featuresOf(rows, settings.integrator);
+    const bool noisy = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                   [&](const Instance& each) { return scene.files[each.file].noisy; });
+    if (noisy) rows.features |= FEATURE_NOISE;
     return rows;
 }
 

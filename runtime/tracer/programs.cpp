@@ -39,8 +39,9 @@ struct Constants {
 
 std::vector<SpecConstant> listed(const Constants& c) {
     std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven}, {SPEC_ORIENTED, c.instance.oriented},
-                                     {SPEC_SKY_IMAGE, c.sky_image},    {SPEC_INTEGRATOR, c.integrator},
-                                     {SPEC_FEATURES, c.features},      {SPEC_CAMERA_PASS, c.camera_pass}};
+                                     {SPEC_NOISY, c.instance.noisy},   {SPEC_SKY_IMAGE, c.sky_image},
+                                     {SPEC_INTEGRATOR, c.integrator},  {SPEC_FEATURES, c.features},
+                                     {SPEC_CAMERA_PASS, c.camera_pass}};
     if (!isPaged(c.instance.pages)) return values;
     for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
     return values;
@@ -65,7 +66,7 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
 
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
     const DeviceScan& file = scene.files[instance.file];
-    return {file.index.uneven != 0, instance.oriented, isPaged(file.pages) ? file.pages : PageCounts{}};
+    return {file.index.uneven != 0, instance.oriented, file.noisy, isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,

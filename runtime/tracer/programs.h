@@ -15,10 +15,10 @@ namespace pointrt {
 struct CausticMap;
 struct FrameBuffers;
 
-/// What programs know of an instance: whether it is uneven and oriented (shaders/trace/instance.glsl), and where it has
-/// several, its pages (shaders/frame/pages.glsl).
+/// What programs know of an instance: whether it is uneven, oriented and noisy (shaders/trace/instance.glsl), and where
+/// it has several, its pages (shaders/frame/pages.glsl).
 struct InstanceTraits {
-    bool uneven = false, oriented = false;
+    bool uneven = false, oriented = false, noisy = false;
     PageCounts pages; ///< all 0 where each buffer has one
     auto operator<=>(const InstanceTraits&) const = default;
 };

@@ -21,6 +21,7 @@ layout(binding = BINDING_CELLS) uniform usamplerBuffer cell_words;
 layout(binding = BINDING_CELL_DISCS, rgba32ui) uniform readonly uimageBuffer disc_words;
 layout(binding = BINDING_BLEND_RANGES) uniform usamplerBuffer blend_range_words;
 layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
+layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // bytes, 16 to a texel: one page holds 2^31
 layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
 
 // The scene's.
@@ -72,6 +73,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
 #define loadSplat(i) imageLoad(splat_words, int(i))
 #endif
+#define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
 #define loadGrid(i) imageLoad(grid_words, int(i)).x
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
 #define loadPhotonWord(i) texelFetch(photon_buckets, int(i)).x

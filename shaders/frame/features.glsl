@@ -16,6 +16,7 @@ layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
+const bool kHasNoise = (kFeatures & FEATURE_NOISE) != 0u;
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
 #define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)
 #define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)

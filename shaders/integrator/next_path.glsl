@@ -13,7 +13,7 @@ PathState pathAfter(SurfaceInteraction point, PathState path, NextRay ray, uint 
     bool crosses = dot(point.normal, ray.direction) < 0.0;
     float own_t;
     vec3 side = crosses ? -point.normal : point.normal;
-    vec3 origin = leaveSurface(point.position, side, point.radius, ray.direction, own_t);
+    vec3 origin = leaveSurface(point.position, side, point.radius, point.bits, ray.direction, own_t);
     Material row = loadMaterial(materialOf(point));
     uint before = path.bits;
     uint bits = bounceOf(before) + 1u | waiting << PATH_DEFERRED_SHIFT | before & PATH_INSIDE |

@@ -22,7 +22,8 @@ const bool kMayDefer = kMayRefract && !integratorHas(kIntegrator, INTEGRATOR_BY_
 void appendLightQuery(bool wants, uint index, SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
     appendEntry(APPEND_LIGHT_QUERY, wants, index);
     if (!wants) return;
-    light_queries[index] = DirectLightQuery(point.position, point.radius, point.normal, materialOf(point), point.albedo,
+    uint material = point.bits & (SURFACE_MATERIAL_MASK | SURFACE_REACH_MASK << SURFACE_REACH_SHIFT);
+    light_queries[index] = DirectLightQuery(point.position, point.radius, point.normal, material, point.albedo,
                                             point.owner, weight, bounce, view, isBack(point) ? -1.0 : 1.0);
 }
 

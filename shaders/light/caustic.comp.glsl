@@ -12,7 +12,7 @@ void main() {
     DirectLightQuery query = currentLightQuery(path);
     if (path == NO_INDEX) return;
     vec3 normal = query.normal;
-    Material row = loadMaterial(query.material);
+    Material row = loadMaterial(query.material & SURFACE_MATERIAL_MASK);
     Bsdf bsdf = makeBsdf(row, query.albedo, false, dot(normal, query.view));
     if (!isClassic()) bsdf.mirrored = 0.0; // no rays of its own stand for a part of the glossy lobe
     vec3 irradiance = causticIrradiance(query.position, normal);

@@ -22,7 +22,7 @@ void main() {
     if (path == NO_INDEX) return;
     uint turns = lightTurns(), mask = light_masks[path];
     vec3 normal = query.normal, view = query.view;
-    Bsdf bsdf = makeBsdf(loadMaterial(query.material), query.albedo, false, dot(normal, view));
+    Bsdf bsdf = makeBsdf(loadMaterial(query.material & SURFACE_MATERIAL_MASK), query.albedo, false, dot(normal, view));
     float chance = lightChance();
     vec3 light_sum = vec3(0.0);
     for (uint turn = 0u; turn < turns; turn++) {

@@ -10,7 +10,7 @@
 
 bool isShadowed(DirectLightQuery query, LightSample to, bool asks) {
     float own_t;
-    vec3 origin = leaveSurface(query.position, query.normal, query.radius, to.direction, own_t);
+    vec3 origin = leaveSurface(query.position, query.normal, query.radius, query.material, to.direction, own_t);
     bool own = query.owner == instance.materials.x;
     float t_max = asks ? to.distance * kBeforeLamp * cubeScale() : -1.0;
     vec3 stored_normal = query.normal * query.side;

@@ -31,7 +31,7 @@ void main() {
         LightSample to = sampleTurn(query, live ? path : 0u, turn, light);
         bool faces = live && facesLight(query, to);
         float own_t;
-        vec3 origin = leaveSurface(query.position, query.normal, query.radius, to.direction, own_t);
+        vec3 origin = leaveSurface(query.position, query.normal, query.radius, query.material, to.direction, own_t);
         bool dark = !faces || (shadows && shapesHide(origin, on_shape, to, lampOf(light)));
         mask |= dark ? 1u << turn : 0u;
         asked += faces && shadows ? 1u : 0u;

@@ -28,6 +28,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_BLEND_RANGES POINTRT_BINDING(16)
 #define BINDING_SLABS POINTRT_BINDING(21)
 #define BINDING_INSTANCE POINTRT_BINDING(22)
+#define BINDING_NOISE POINTRT_BINDING(54)
 
 // The scene's (runtime/device_scene/device_scene.cpp).
 #define BINDING_MATERIALS POINTRT_BINDING(5)

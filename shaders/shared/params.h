@@ -24,6 +24,7 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
+#define FEATURE_NOISE (1u << 30)   // some scan is noisy
 #define FEATURE_GOES_ON (1u << 31) // some surface may send rays on
 
 #define OPTION_BLEND 1u
@@ -130,7 +131,7 @@ struct PathState {
 // What a ray has hit, as shading sees it. Of splats it is kept between two dispatches.
 struct SurfaceInteraction {
     vec3 position;
-    float radius; // mean of the splats around, 0 on shapes
+    float radius; // mean of the splats around, more where they are noisy (ownRadius), 0 on shapes
     vec3 normal;  // towards the viewer
     uint bits;    // material and SURFACE_*
     vec3 albedo;  // linear
@@ -142,6 +143,8 @@ struct SurfaceInteraction {
 };
 #define SURFACE_VECTORS 4
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
+#define SURFACE_REACH_SHIFT 24u // how far rays that leave it may meet it again (shaders/trace/offset.glsl)
+#define SURFACE_REACH_MASK 31u
 #define SURFACE_CASTS 0x20000000u // caustics: photons go by way of it
 #define SURFACE_SIDED 0x40000000u // normals tell inside from outside; scans without oriented normals do not
 #define SURFACE_BACK 0x80000000u  // seen from the inside
@@ -149,9 +152,9 @@ struct SurfaceInteraction {
 // A point of a surface that asks for the light of lamps.
 struct DirectLightQuery {
     vec3 position;
-    float radius; // of the splats around
-    vec3 normal;  // towards the viewer
-    uint material;
+    float radius;  // as of the surface
+    vec3 normal;   // towards the viewer
+    uint material; // and its SURFACE_REACH
     vec3 albedo;
     uint owner;
     vec3 throughput;

@@ -31,6 +31,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_LIST_PAGES POINTRT_SPEC(11)
 #define SPEC_BLEND_RANGE_PAGES POINTRT_SPEC(12)
 #define SPEC_SPLAT_PAGES POINTRT_SPEC(13)
+// Whether the instance has noise.
+#define SPEC_NOISY POINTRT_SPEC(17)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

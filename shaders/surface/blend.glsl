@@ -21,6 +21,7 @@ struct BlendedSurface {
     uint material;
     uint splat; // hit first
     bool back;  // seen from behind, where normals tell
+    float noise; // standard deviation of the surface around that splat; 0 in clean scans
 };
 
 // Lengths in position codes.
@@ -138,6 +139,37 @@ Field evaluateField(uint cell_index, uvec4 first, Probe probe) {
     return field;
 }
 
+// The normals of a turn's splats that face the viewer, by their weights at the point.
+vec3 frontsOfTurn(uvec4 first, uvec4 second, bvec2 there, vec4 coding, vec3 point, vec3 direction) {
+    VectorPair position = positionCodes(first, second), normal = normalCodes(first, second);
+    VectorPair offset = VectorPair(point.x - position.x, point.y - position.y, point.z - position.z);
+    vec2 inverse_length = inversesqrt(dots(normal, normal));
+    vec2 radius = vec2(splatRadius(first, coding), splatRadius(second, coding)), inverse = 1.0 / (radius * radius);
+    vec2 height = dots(normal, offset) * inverse_length, squared = height * height;
+    vec2 in_plane = 1.0 - (dots(offset, offset) - squared) * inverse, in_slab = 1.0 - squared * inverse * coding.z;
+    bvec2 front = lessThan(dots(normal, direction), vec2(0.0));
+    bool first_counts = there.x && front.x && BLEND_IS_IN_REACH(in_plane.x, in_slab.x);
+    bool second_counts = there.y && front.y && BLEND_IS_IN_REACH(in_plane.y, in_slab.y);
+    vec2 weight = mix(vec2(0.0), BLEND_WEIGHT(in_plane, in_slab), bvec2(first_counts, second_counts)) * inverse_length;
+    return vec3(dot(weight, normal.x), dot(weight, normal.y), dot(weight, normal.z));
+}
+
+// The sum of the normals of those that face the viewer and whose slabs hold the point; 0 where there are none. asks:
+// whether this lane wants to know.
+vec3 frontsAt(uint cell_index, bool asks, vec3 point, vec3 direction) {
+    Turns turns = turnsOf(cell_index);
+    vec4 coding = codingInCodes();
+    vec3 sum = vec3(0.0);
+    uint turn = 0u, end = asks ? turns.all : 0u;
+    while (turn < end) {
+        bvec2 there;
+        uvec2 splats = splatsOf(turns, turn, there);
+        sum += frontsOfTurn(loadSplat(splats.x), loadSplat(splats.y), there, coding, point, direction);
+        turn++;
+    }
+    return sum;
+}
+
 // The step along the ray to the field's zero, at most one radius: at grazing angles the field says little.
 float newtonStep(Field field, vec3 direction, float radius) {
     float slope = dot(field.normal, direction);
@@ -148,8 +180,10 @@ float newtonStep(Field field, vec3 direction, float radius) {
 BlendedSurface flatSurface(uint splat, uvec4 words, float t, vec3 direction) {
     vec3 normal = normalize(splatDirection(words));
     bool back = dot(normal, direction) > 0.0;
-    return BlendedSurface(t, back ? -normal : normal, splatColor(words), splatRadius(words, instance.splat),
-                          splatMaterial(words), splat, back && kOriented);
+    float radius = splatRadius(words, instance.splat);
+    float noise = kNoisy ? radius * float(loadNoise(splat)) / PRO_NOISE_STEPS : 0.0;
+    return BlendedSurface(t, back ? -normal : normal, splatColor(words), radius,
+                          splatMaterial(words), splat, back && kOriented, noise);
 }
 
 // At rims the blended normal may lean away from the viewer, who sees the surface all the same: it is brought back to
@@ -162,7 +196,12 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
 }
 
 // The surface at a traced hit, its words as stored, of the ray.
-BlendedSurface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
+//
+// A back that a front covers is no surface. Where a body turns away from the viewer, the discs beyond its outline stick
+// out over it, and rays that pass the front ones by their rims meet those from behind, where no light is. Such a hit is
+// the rim of the front whose slab holds it, and has its side. Hits nearer than own_t of the surface that the ray left are
+// what they are: from within a body, or a hollow, rays meet backs at grazing angles beside fronts of that surface.
+BlendedSurface surfaceAt(vec3 origin, vec3 direction, float own_t, uvec4 hit) {
     uint splat = loadListed(hit.z);
     uvec4 words = loadSplat(splat);
     float t = exactDistance(hit, words, origin, direction);
@@ -175,6 +214,13 @@ BlendedSurface surfaceAt(vec3 origin, vec3 direction, uvec4 hit) {
     vec3 point = origin + t * direction;
     uint cell = cellAt(point);
     cell = cell == NO_INDEX ? hit.y : cell; // the disc reaches into a cell that lists none
+    if (kOriented) {
+        vec3 fronts = frontsAt(cell, surface.back && t > own_t, codesOf(point), direction);
+        bool covered = dot(fronts, fronts) > 0.0;
+        side = covered ? normalize(fronts) : side;
+        front = covered ? 1.0 : front;
+        surface.back = surface.back && !covered;
+    }
     Field field = evaluateField(cell, words, Probe(codesOf(point), side, front));
     float t_blended = t + newtonStep(field, direction, radius);
     point = origin + t_blended * direction;

@@ -5,6 +5,7 @@
 #include "shaders/frame/path.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/surface/blend.glsl"
+#include "shaders/trace/offset.glsl"
 #include "shaders/math/color.glsl"
 
 bool between(vec3 v, uint low, uint high) {
@@ -32,14 +33,16 @@ void main() {
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
-    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), hit);
+    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.own_t * cubeScale(), hit);
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
     Material row = loadMaterial(material);
     vec3 albedo = row.base.rgb * (usesSplatColor(row) ? linearFromSrgb(surface.color) : vec3(1.0));
     uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
     uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
-    surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, surface.radius / cubeScale(),
-                                         renderDirection(surface.normal), material | sides | casts, albedo, t, hit.w,
-                                         surface.splat, 0u, 0u);
+    uint reach = 0u;
+    float radius = kNoisy ? ownRadius(surface.radius, surface.noise, reach) : surface.radius;
+    surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
+                                         renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
+                                         hit.w, surface.splat, 0u, 0u);
 }

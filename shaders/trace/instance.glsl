@@ -9,6 +9,8 @@
 layout(constant_id = SPEC_UNEVEN) const bool kUneven = false;
 // Whether normals point outwards: then the two sides of a thin sheet are told apart.
 layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
+// Whether it says how far its surface scatters.
+layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
 
 vec3 cubePoint(vec3 render_point) {
     vec4 p = vec4(render_point, 1.0);

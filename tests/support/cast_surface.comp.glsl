@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface at traced hits, as shading sees it: first_hits gets normal and t, film.x the radius around.
+// The surface at traced hits, as shading sees it: first_hits gets normal and t, film.x the radius around, film.y 1 where it is a back.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "tests/support/cast_hit.glsl"
@@ -9,7 +9,7 @@ void main() {
     uint i;
     uvec4 hit;
     if (!isRay(i) || !castHit(i, hit)) return;
-    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, hit);
+    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, paths[i].own_t, hit);
     first_hits[i] = vec4(surface.normal, surface.t);
-    film[i] = vec4(surface.radius);
+    film[i] = vec4(surface.radius, surface.back ? 1.0 : 0.0, 0.0, 0.0);
 }

@@ -112,6 +112,7 @@ struct RayCaster::State {
     void createPrograms() {
         const SpecConstant traits[] = {{SPEC_UNEVEN, file().index.uneven},
                                        {SPEC_ORIENTED, scene.instances[0].oriented},
+                                       {SPEC_NOISY, file().noisy},
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0}};
@@ -285,6 +286,7 @@ struct RayCaster::State {
             out[i].t_blended = blended[i].w;
             out[i].normal = vec(blended[i]);
             out[i].radius = radii[i].x;
+            out[i].back = radii[i].y != 0;
         }
     }
 };

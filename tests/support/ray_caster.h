@@ -24,6 +24,7 @@ struct CastHit {
     double t_blended = 0; ///< to the blended surface there
     Vec3 normal;          ///< of the blended surface, unit length, towards the ray's origin
     float radius = 0;     ///< weighted mean of the splats' radii around, cube units
+    bool back = false;    ///< the surface is seen from behind
     bool hit() const { return splat != kNoSplat; }
 };
 

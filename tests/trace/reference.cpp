@@ -39,6 +39,20 @@ Sums gather(const Reference& scene, const ReferenceSplat& first, Vec3 point, Vec
     return sums;
 }
 
+/// The normals of the splats that face the viewer and whose slabs hold point, by weight.
+Vec3 frontsAt(const Reference& scene, Vec3 point, Vec3 direction) {
+    Vec3 sum;
+    for (const ReferenceSplat& splat : scene.splats) {
+        if (dot(splat.normal, direction) >= 0) continue;
+        const Vec3 offset = point - splat.center;
+        const double height = dot(splat.normal, offset), slab = scene.blend_slab * splat.radius;
+        const double d2 = (dot(offset, offset) - height * height) / (splat.radius * splat.radius);
+        const double h2 = height * height / (slab * slab);
+        if (d2 < 1 && h2 < 1) sum = sum + (1 - d2) * (1 - d2) * (1 - h2) * (1 - h2) * splat.normal;
+    }
+    return sum;
+}
+
 Vec3 facing(Vec3 normal, Vec3 direction) { return dot(normal, direction) > 0 ? -1.0 * normal : normal; }
 
 double newton(const Sums& sums, Vec3 direction, double limit) {
@@ -83,8 +97,11 @@ std::optional<ReferenceHit> firstSurface(const Reference& scene, Vec3 origin, Ve
     auto hit = firstDisc(scene, origin, direction);
     if (!hit) return hit;
     const ReferenceSplat& first = scene.splats[hit->splat];
-    const Vec3 side = hit->normal;
-    const double front = dot(side, first.normal) < 0 ? -1 : 1;
+    Vec3 side = hit->normal;
+    double front = dot(side, first.normal) < 0 ? -1 : 1;
+    // a back that fronts cover is their rim
+    const Vec3 fronts = scene.oriented && front < 0 ? frontsAt(scene, hit->position, direction) : Vec3{};
+    if (dot(fronts, fronts) > 0) side = normalize(fronts), front = 1;
     const double t_first = hit->t;
     Sums sums = gather(scene, first, origin + t_first * direction, side, front);
     double t = t_first + newton(sums, direction, first.radius);

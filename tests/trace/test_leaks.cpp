@@ -110,9 +110,8 @@ struct Leaving {
 };
 
 /// As leaveSurface (shaders/trace/offset.glsl) and pathAfter (shaders/integrator/shade.comp.glsl) have it.
-Leaving leave(const Ray& ray, const CastHit& hit, const std::vector<CubeSplat>& splats, Kind kind, Random& random) {
-    const Vec3 stored = splats[hit.splat].normal;
-    const bool back = dot(stored, ray.direction) > 0;
+Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
+    const bool back = hit.back;
     Leaving leaving;
     leaving.kind = kind;
     leaving.radius = double{hit.radius};
@@ -185,13 +184,13 @@ void judge(const Leaving& leaving, const CastHit& hit, const Course& course, dou
 
 /// Rays from all these hits that are on the body, one a hit, of the kinds in turn.
 std::vector<Leaving> leaveAll(const Body& body, const Geometry& geometry, std::span<const Ray> rays,
-                              const std::vector<CastHit>& hits, const std::vector<CubeSplat>& splats, Random& random) {
+                              const std::vector<CastHit>& hits, Random& random) {
     std::vector<Leaving> all;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i].hit()) continue;
         if (!isWithin(geometry.input(rays[i].origin + hits[i].t_blended * rays[i].direction), 0.7 * body.edge))
             continue;
-        all.push_back(leave(rays[i], hits[i], splats, static_cast<Kind>(all.size() % kKinds), random));
+        all.push_back(leave(rays[i], hits[i], static_cast<Kind>(all.size() % kKinds), random));
     }
     return all;
 }
@@ -238,10 +237,10 @@ void checkBody(const Body& body) {
     std::size_t rays = 0;
     while (rays < kRays) {
         const std::vector<Ray> primary = aimedRays(splats, 200000, random);
-        const std::vector<Leaving> first = leaveAll(body, geometry, primary, caster.cast(primary), splats, random);
+        const std::vector<Leaving> first = leaveAll(body, geometry, primary, caster.cast(primary), random);
         const std::vector<CastHit> hits = judgeAll(caster, geometry, first, errors);
         const std::vector<Ray> first_rays = raysOf(first);
-        const std::vector<Leaving> second = leaveAll(body, geometry, first_rays, hits, splats, random);
+        const std::vector<Leaving> second = leaveAll(body, geometry, first_rays, hits, random);
         judgeAll(caster, geometry, second, errors);
         rays += first.size() + second.size();
         ASSERT_GT(first.size(), primary.size() / 4);

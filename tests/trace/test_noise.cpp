@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light at grazing angles on scans that scatter: an even plane is evenly lit, and what stands above it still casts its
+// shadow.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/support/splat_scenes.h"
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+
+namespace {
+
+constexpr double kElevation = 10; ///< degrees, of the sun
+constexpr std::size_t kSide = 120;
+constexpr float kSpacing = 2.0f / kSide, kRadius = 1.5f * kSpacing; ///< as the bake has it for even clouds, about
+
+/// The square [-1, 1]^2 with its normals along z; its splats stand off by gaussian noise, in spacings.
+Splats noisyPlane(float sigma, bool told) {
+    Splats splats = squareSplats(kSide, Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0), kRadius / kSpacing);
+    std::mt19937 random(5);
+    std::normal_distribution<float> gauss(0, sigma * kSpacing);
+    for (Vec3f& position : splats.positions) position.z() += gauss(random);
+    if (told) splats.noise.assign(splats.positions.size(), sigma * kSpacing);
+    return splats;
+}
+
+/// What a sun lights, white, seen from above over the middle.
+Film litFromThere(Splats splats, Vec3 towards, Integrator integrator) {
+    const std::string path = temporaryPath("noisy.pro");
+    writeScene(path, std::move(splats), {});
+    MaterialDescription white;
+    white.color = {1, 1, 1};
+    SceneDescription scene = splatBody(path, white);
+    scene.lights = {SunLight{normalize(towards), 0, {1, 1, 1}}};
+    RenderSettings settings = square(128);
+    settings.camera.eye = Vec3{0, 0, 6};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.up = Vec3{0, 1, 0};
+    settings.camera.fov_deg = 2 * std::atan(0.6 / 6) * 180 / std::numbers::pi;
+    settings.integrator = integrator;
+    settings.bounces = 0;
+    settings.caustics = false;
+    Film film = renderScene(std::move(scene), settings).film;
+    std::remove(path.c_str());
+    return film;
+}
+
+struct Evenness {
+    double mean = 0, deviation = 0; ///< over what an even plane shows
+    double dark = 0;                ///< share of pixels below half of that
+};
+
+Evenness evennessOf(const Film& film, double expected) {
+    Evenness result;
+    const std::size_t pixels = film.rgba.size() / 4;
+    double squared = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const double value = double{film.rgba[4 * i]} / expected;
+        result.mean += value / static_cast<double>(pixels);
+        squared += value * value / static_cast<double>(pixels);
+        result.dark += value < 0.5 ? 1.0 / static_cast<double>(pixels) : 0;
+    }
+    result.deviation = std::sqrt(std::max(0.0, squared - result.mean * result.mean));
+    return result;
+}
+
+Vec3 lowSun() {
+    const double angle = kElevation * std::numbers::pi / 180;
+    return {std::cos(angle) * 0.8, std::cos(angle) * 0.6, std::sin(angle)};
+}
+
+/// A plane whose normals are known is as bright as a plane, whatever its points' heights.
+Evenness litPlane(float sigma, bool told) {
+    const double expected = std::sin(kElevation * std::numbers::pi / 180) / std::numbers::pi;
+    const Evenness lit = evennessOf(litFromThere(noisyPlane(sigma, told), lowSun(), Integrator::kPath), expected);
+    std::printf("noise of %.1f spacings, %s: mean %.4f, deviation %.4f, dark %.5f\n", double{sigma},
+                told ? "told" : "not told", lit.mean, lit.deviation, lit.dark);
+    return lit;
+}
+
+TEST(Noise, PlanesUnderALowSunAreEvenlyLit) {
+    for (const float sigma : {0.2f, 0.4f, 0.7f, 1.0f}) {
+        const Evenness lit = litPlane(sigma, true);
+        EXPECT_NEAR(lit.mean, 1, 0.004) << sigma; // stored normals are 0.04 degrees off, at a slope of tan 80 degrees
+        EXPECT_LT(lit.deviation, 0.005) << sigma;
+        EXPECT_EQ(lit.dark, 0) << sigma;
+    }
+}
+
+TEST(Noise, ItIsTheFileThatKnows) { EXPECT_GT(litPlane(1.0f, false).dark, 0.004) << "else there is nothing to mend"; }
+
+/// A ball of ten radii over the middle of the plane, up by so many radii.
+Splats withBall(Splats plane, float height, bool oriented) {
+    const float size = 10 * kRadius;
+    Splats ball = sphereSplats(4000, Vec3f(0, 0, size + height * kRadius), size);
+    ball.noise.assign(plane.noise.empty() ? 0 : ball.positions.size(), plane.noise.empty() ? 0 : plane.noise[0]);
+    Splats both = joinSplats(plane, ball);
+    both.noise = plane.noise;
+    both.noise.insert(both.noise.end(), ball.noise.begin(), ball.noise.end());
+    both.oriented = oriented;
+    return both;
+}
+
+/// Of the plane's points around what is straight under the ball, seen from aside, the share that a sun overhead
+/// reaches.
+double litUnderTheBall(float sigma, bool oriented) {
+    Splats scene = withBall(noisyPlane(sigma, true), 6, oriented);
+    const std::string path = temporaryPath("ball.pro");
+    writeScene(path, std::move(scene), {});
+    MaterialDescription white;
+    SceneDescription described = splatBody(path, white);
+    described.lights = {SunLight{{0, 0, 1}, 0, {1, 1, 1}}};
+    RenderSettings settings = square(64);
+    settings.camera.eye = Vec3{0, -3, 1.2};
+    settings.camera.target = Vec3{0, 0, 0};
+    settings.camera.up = Vec3{0, 0, 1};
+    settings.camera.fov_deg = 20;
+    settings.integrator = Integrator::kPath;
+    settings.bounces = 0;
+    settings.caustics = false;
+    const Film film = renderScene(std::move(described), settings).film;
+    std::remove(path.c_str());
+    std::size_t seen = 0, lit = 0;
+    for (std::size_t i = 0; i < film.samples.size(); ++i) {
+        const float* at = film.position.data() + 3 * i;
+        const bool under = std::hypot(at[0], at[1]) < 8 * kRadius && std::abs(at[2]) < 5 * sigma * kSpacing + kRadius;
+        if (!under || !std::isfinite(film.depth[i])) continue;
+        ++seen;
+        lit += film.rgba[4 * i] > 0.01f;
+    }
+    EXPECT_GT(seen, 20u);
+    return static_cast<double>(lit) / static_cast<double>(seen);
+}
+
+TEST(Noise, ShadowsOfWhatStandsSixRadiiAboveStay) {
+    for (const bool oriented : {true, false})
+        for (const float sigma : {0.3f, 1.0f}) EXPECT_EQ(litUnderTheBall(sigma, oriented), 0) << sigma << oriented;
+}
+
+} // namespace
+
+} // namespace pointrt::test
