@@ -17,8 +17,8 @@ namespace pointrt::surface {
 std::vector<float> discRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
                              bool oriented, const StageShare& share);
 
-/// Shrinks the radii of points that were moved out of noise, of a deviation above 0: they lie one behind the other where
-/// they were read, so that a surface has more of them than its spacing says.
+/// Shrinks the radii of points that were moved out of noise, of a deviation above 0: they lie one behind the other
+/// where they were read, so that a surface has more of them than its spacing says.
 void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise);
 
 /// Shrinks the few radii far above all others. Points far apart are each other's neighbours, and no local rule tells
