@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/renderer/loaded_scene.h"
 
+#include <algorithm>
+
+#include "runtime/device_scene/gather_sample.h"
+#include "runtime/framing/framing.h"
 #include "runtime/scene/camera.h"
-#include "runtime/scene/default_lighting.h"
 #include "runtime/scene/upright.h"
 
 namespace pointrt {
@@ -12,9 +15,27 @@ namespace {
 // index in the file, on a CPU.
 constexpr double kFilesShare = 0.0, kRowsShare = 0.15, kProgramsShare = 0.2, kPhotonsShare = 0.6;
 
+double aspectOf(const RenderSettings& settings) { return static_cast<double>(settings.width) / settings.height; }
+
 Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
-    return frameCamera(request, loaded.scene.bounds.lo, loaded.scene.bounds.hi,
-                       static_cast<double>(loaded.settings.width) / loaded.settings.height);
+    return frameCamera(request, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspectOf(loaded.settings));
+}
+
+/// What a request comes to in the scene as it stands.
+FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, const LoadRequest& load) {
+    const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
+    return frameScene(request, loaded.sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
+}
+
+/// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit.
+Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
+    if (sample.splats.empty() || scene.instances.empty()) return scene.bounds;
+    constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
+    const SampleBox box = boxWithoutStrays(sample);
+    const Vec3 margin = kMargin * (box.high - box.low), low = box.low - margin, high = box.high + margin;
+    const Bounds& all = scene.bounds;
+    return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},
+            {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
 }
 
 /// Puts up what stands around the scene, and all tables.
@@ -22,11 +43,23 @@ void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
     CameraRequest staging = request.staging;
     standUpright(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
+    loaded.sample = gatherSample(scene);
+    loaded.free_share = request.free_share;
+    loaded.shown = shownBounds(scene, loaded.sample);
+    // what is up in a view from above is not so in the scene
+    if (loaded.settings.camera.view && !scene.description.up)
+        scene.description.up = sceneUp(scene.description, loaded.settings);
     loaded.described = scene.description;
-    loaded.camera = framedCamera(loaded, loaded.settings.camera);
-    const Camera stage = framedCamera(loaded, staging);
+    const FramedRequest view = framed(loaded, loaded.settings.camera, request);
+    loaded.settings.camera = view.camera;
+    loaded.pivot = view.pivot;
+    loaded.aside = view.aside;
+    const FramedRequest stage_view = framed(loaded, staging, request);
+    loaded.subject = {brightReflectance(loaded.sample), stage_view.within};
+    loaded.camera = framedCamera(loaded, view.camera);
+    const Camera stage = framedCamera(loaded, stage_view.camera);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
-    addSurroundings(scene.description, loaded.settings, stage, scene.bounds.lo, scene.bounds.hi);
+    addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
     uploadSceneTables(device, scene, loaded.settings);
 }
 

@@ -9,8 +9,10 @@
 #include <optional>
 
 #include "runtime/device_scene/device_scene.h"
+#include "runtime/framing/scene_sample.h"
 #include "runtime/gpu/device.h"
 #include "runtime/renderer/frame_tiling.h"
+#include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/tracer/band_tracer.h"
 
@@ -37,9 +39,15 @@ struct LoadedScene {
     Device& device;
     SceneDescription
         described; ///< as its file has it, standing upright; scene.description has what stands around it besides
-    RenderSettings settings; ///< that its tables are made for
-    Camera camera;           ///< the first
-    Vec3 staged_for;         ///< the eye that its surroundings were put up for, world frame
+    RenderSettings settings;   ///< that its tables are made for
+    Camera camera;             ///< the first
+    Vec3 staged_for;           ///< the eye that its surroundings were put up for, world frame
+    SceneSample sample;        ///< of its scans
+    Bounds shown;              ///< of the scene without strays
+    std::optional<Vec3> pivot; ///< in the middle of what the first camera shows, where it was framed for that
+    StudioSubject subject;
+    double free_share = 1; ///< LoadRequest::free_share
+    double aside = 0;      ///< how far that is left of the picture's middle, in heights of the picture
     DeviceScene scene;
     BandTracer tracer; ///< for ProgressiveRenderer
     ProgramKinds program_kinds;
@@ -52,6 +60,8 @@ struct LoadRequest {
     CameraRequest staging;           ///< what surroundings are put up for: the settings' camera, were there no view
     std::optional<TracerSize> size;  ///< of the tracer; none: for whole frames of the settings' size
     std::optional<Vec3> fallback_up; ///< where neither scene nor scans say it; none: what the camera has
+    bool fov_is_free = false;        ///< nobody has said it: it may become wider
+    double free_share = 1;           ///< of the picture's width, from the left: nothing covers it
     bool verbose = false;
 };
 

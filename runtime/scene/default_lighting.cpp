@@ -116,10 +116,40 @@ constexpr float kStudioFloor = 0.42f;
 /// Of the sky's brightness at the horizon, where it is the floor's: dark above, so that it lights little by itself.
 constexpr float kStudioZenith = 0.35f;
 
-void addStudio(SceneDescription& scene, const Staging& staging) {
+/// The brightest and the darkest that the studio's lamps are made for, and the most that they are opened.
+constexpr double kBright = 0.75, kDark = 0.25, kMostGain = 2.5;
+
+/// What multiplies the lamps for a subject.
+float lampGain(double reflectance) {
+    if (reflectance > kBright) return static_cast<float>(kBright / reflectance);
+    return static_cast<float>(std::clamp(kDark / std::max(reflectance, 1e-6), 1.0, kMostGain));
+}
+
+/// A lamp by the eye gives what lies at the middle's distance this, as radiance of a white surface. The rest comes from
+/// all sides, this share of a sky as dark as the studio's, so that neither what is near nor what is far is lost.
+constexpr float kEyeLamp = 0.55f, kAllAround = 0.9f;
+constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings are told apart
+
+void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
+    const double distance = std::max(length(staging.center - staging.eye), 0.25 * staging.radius);
+    // above and left of the eye, as far as hands reach: what is seen has shading
+    const Vec3 place = staging.eye + 0.1 * distance * (staging.up - staging.right);
+    const auto intensity = static_cast<float>(pi * kEyeLamp * gain * distance * distance);
+    scene.lights.push_back(PointLight{place, {intensity, intensity, intensity}});
+    SkyDescription sky;
+    sky.ambient = std::min(1.0f, kAllAround * gain);
+    sky.zenith = {kAbove, kAbove, kAbove};
+    sky.horizon = {kAcross, kAcross, kAcross};
+    sky.ground = {kBelow, kBelow, kBelow};
+    scene.sky = sky;
+}
+
+void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
+    const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
+    if (subject.around_eye) return addEyeLamp(scene, staging, gain);
     MaterialDescription floor;
     floor.name = "studio floor";
-    floor.color = {kStudioFloor, kStudioFloor, kStudioFloor};
+    floor.color = {grey, grey, grey};
     ShapeDescription plane{ShapeKind::kPlane, staging.center + staging.floor * staging.up,
                            staging.right,     -1.0 * staging.towards_eye,
                            staging.up,        addMaterial(scene, floor)};
@@ -132,7 +162,7 @@ void addStudio(SceneDescription& scene, const Staging& staging) {
         const Vec3 across = std::cos(angle) * staging.towards_eye + std::sin(angle) * staging.right;
         SunLight light{std::cos(height) * across + std::sin(height) * staging.up, lamp.radius_deg, lamp.light};
         for (int c = 0; c < 3; ++c) {
-            light.irradiance[c] = static_cast<float>(pi) * lamp.light[c];
+            light.irradiance[c] = static_cast<float>(pi) * lamp.light[c] * gain;
             sky.horizon[c] += kStudioFloor * lamp.light[c] * static_cast<float>(std::sin(height));
         }
         scene.lights.push_back(light);
@@ -152,13 +182,13 @@ Vec3 sceneUp(const SceneDescription& scene, const RenderSettings& settings) {
     return nearestAxis(settings.camera.up.value_or(Vec3{0, 1, 0}));
 }
 
-void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low,
-                     Vec3 high) {
+void addSurroundings(SceneDescription& scene, const RenderSettings& settings, const Camera& camera, Vec3 low, Vec3 high,
+                     const StudioSubject& subject) {
     const std::optional<Room> room = settings.room ? settings.room : scene.render.room;
     const Vec3 eye = scene.staged_for.value_or(camera.eye);
     const Staging staging = stageBounds(sceneUp(scene, settings), eye, low, high);
     const bool bare = scene.lights.empty() && scene.shapes.empty() && !scene.sky;
-    if (bare && !room && !settings.lights && showsLight(settings.integrator)) return addStudio(scene, staging);
+    if (bare && !room && !settings.lights && showsLight(settings.integrator)) return addStudio(scene, staging, subject);
     if (room && *room != Room::kNone) addRoom(scene, staging, *room);
     if (scene.lights.empty() && !scene.sky) addRing(scene, staging, settings.lights.value_or(kRingLights));
 }

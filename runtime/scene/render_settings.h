@@ -9,6 +9,7 @@
 
 #include "runtime/coloring/color_map.h"
 #include "runtime/scene/integrator.h"
+#include "runtime/scene/standard_view.h"
 #include "runtime/util/names.h"
 #include "runtime/util/pixel_size.h"
 #include "runtime/util/vec.h"
@@ -31,6 +32,8 @@ struct CameraRequest {
     /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
     std::optional<double> ortho_height;
     Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, where no eye is given
+    /// Where neither eye nor target is given: what frameScene (runtime/framing) looks from, in place of its own choice.
+    std::optional<StandardView> view;
     bool operator==(const CameraRequest&) const = default;
 };
 

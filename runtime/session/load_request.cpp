@@ -12,8 +12,10 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     LoadRequest request;
     request.settings = resolveSettings(options, scene);
     Options without_view = options;
-    without_view.view.clear();
+    // lamps are put up for the camera that a scene has of its own, else for the side that was asked for
+    if (!standardView(options, scene) || scene.camera.eye) without_view.view.clear();
     request.staging = resolveSettings(without_view, scene).camera;
+    request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's, which may be tilted
     request.verbose = options.verbose;

@@ -87,11 +87,13 @@ OptionGroup qualityOptions() {
 OptionGroup cameraOptions() {
     return {
         "Camera (in the coordinates of the input scan)",
-        {{"--view", "NAME", "A view of the scene file, in place of its camera; the options below overrule it",
+        {{"--view", "NAME",
+          "A view of the scene file in place of its camera, or of any scene " + joinedNames(kStandardViewNames, ", ") +
+              "; the options below overrule it",
           [](Options& o, const std::string& text) { o.view = text; }},
          {"--eye", "X,Y,Z",
-          "Where it stands (default: far enough to see all of the scene, along +Z, or at its front where --up or the "
-          "scan say what is up)",
+          "Where it stands (default: at the side that shows most, as near as all of the scene but strays fits; where "
+          "one scanner saw all, there)",
           [](Options& o, const std::string& text) { o.camera.eye = parseVector(text); }},
          {"--target", "X,Y,Z", "What it looks at (default: the centre of the scene)",
           [](Options& o, const std::string& text) { o.camera.target = parseVector(text); }},

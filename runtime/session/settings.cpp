@@ -17,8 +17,9 @@ const NamedView& viewNamed(const SceneDescription& scene, const std::string& nam
         if (view.name == name) return view;
         known += (known.empty() ? "" : ", ") + view.name;
     }
-    throw Error{ExitCode::kBadUsage,
-                "--view: " + scene.path + " has no view \"" + name + "\"; it has " + (known.empty() ? "none" : known)};
+    throw Error{ExitCode::kBadUsage, "--view: " + scene.path + " has no view \"" + name + "\"; it has " +
+                                         (known.empty() ? "none" : known) + ", and every scene has " +
+                                         joinedNames(kStandardViewNames, ", ")};
 }
 
 /// Part by part, options' word or else filed's.
@@ -30,6 +31,7 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
         camera.up = filed.up;
         camera.side = filed.side;
     }
+    camera.view = filed.view;
     camera.fov_deg = options.fov_deg.value_or(filed.fov_deg);
     if (!camera.ortho && !camera.ortho_height && !options.fov_deg) {
         camera.ortho = filed.ortho;
@@ -38,7 +40,30 @@ CameraRequest resolveCamera(const Options& options, const CameraRequest& filed) 
     return camera;
 }
 
+/// Of the scene's camera only the lens.
+CameraRequest lookingFrom(StandardView view, const CameraRequest& filed) {
+    CameraRequest camera = filed;
+    camera.eye.reset();
+    camera.target.reset();
+    camera.view = view;
+    return camera;
+}
+
+CameraRequest filedCamera(const Options& options, const SceneDescription& scene) {
+    if (options.view.empty()) return scene.camera;
+    if (const auto view = standardView(options, scene)) return lookingFrom(*view, scene.camera);
+    return viewNamed(scene, options.view).camera;
+}
+
 } // namespace
+
+std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene) {
+    for (const NamedView& view : scene.views)
+        if (view.name == options.view) return std::nullopt;
+    for (const auto& [name, view] : kStandardViewNames)
+        if (options.view == name) return view;
+    return std::nullopt;
+}
 
 bool isNoisy(const RenderSettings& settings, const SceneDescription& scene) {
     if (hasTrait(settings.integrator, INTEGRATOR_BY_CHANCE)) return true;
@@ -66,8 +91,7 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
     applyChoices(filed, settings);
     applyChoices(options.choices, settings);
     settings.first_hits = options.output.ends_with(".exr");
-    const NamedView* view = options.view.empty() ? nullptr : &viewNamed(scene, options.view);
-    settings.camera = resolveCamera(options, view ? view->camera : scene.camera);
+    settings.camera = resolveCamera(options, filedCamera(options, scene));
     return settings;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
@@ -20,6 +21,9 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
 /// The other way round: scene with all that settings say in it, so that its file shows the same picture. scene: without
 /// what addSurroundings has added for the eye staged_for.
 SceneDescription describeRun(SceneDescription scene, const RenderSettings& settings, Vec3 staged_for);
+
+/// The side of every scene that options.view names, but for a view of the scene that has that name.
+std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene);
 
 /// From here on noise is hardly seen, and what the denoiser takes off is detail.
 constexpr std::uint32_t kCleanSamplesOfLight = 256;

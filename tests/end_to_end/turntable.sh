@@ -93,9 +93,9 @@ case_views() {
     }
     ! cmp -s out/camera.png out/side.png || fail "--view changes nothing"
     cmp out/a.png out/b.png
-    expectError 2 'scene.toml has no view "back"; it has side, top view' \
-        pointrt-view scene.toml -q --view back -o out/c.png
-    expectError 2 'half.pro has no view "side"; it has none' pointrt-view half.pro -q --view side -o out/c.png
+    expectError 2 'scene.toml has no view "inside"; it has side, top view, and every scene has front, back' \
+        pointrt-view scene.toml -q --view inside -o out/c.png
+    expectError 2 'half.pro has no view "side"; it has none, and' pointrt-view half.pro -q --view side -o out/c.png
 }
 
 runCase "$@"

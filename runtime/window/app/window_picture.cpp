@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the scene to the picture on the screen and to files.
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "runtime/window/files/free_name.h"
 #include "runtime/window/jobs/save_job.h"
 #include "runtime/window/jobs/turntable_job.h"
+#include "runtime/window/ui/panel_ui.h"
 
 namespace pointrt {
 namespace {
@@ -26,8 +28,15 @@ constexpr double kUndrawn_s = 0.1;
 constexpr std::size_t kPicks = 2;
 
 OpenedScene openedScene(const LoadedScene& loaded) {
-    return {loaded.described,  loaded.scene.description, loaded.settings,        loaded.camera,
-            loaded.staged_for, loaded.scene.bounds.lo,   loaded.scene.bounds.hi, loaded.scene.space.scale};
+    return {loaded.described, loaded.scene.description, loaded.settings,         loaded.camera,  loaded.staged_for,
+            loaded.shown.lo,  loaded.shown.hi,          loaded.sample,           loaded.subject, loaded.pivot,
+            loaded.aside,     loaded.free_share,        loaded.scene.space.scale};
+}
+
+/// Of the window's width, what the panel leaves.
+double freeShare(Host& host) {
+    const double width = std::max(1.0, double(host.size().width));
+    return 1 - double(panelWidth(float(width), host.textScale())) / width;
 }
 
 ImageRequest imageRequest(const Workspace& work, PixelSize pixels) {
@@ -77,8 +86,8 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
     host_.setTitle(std::filesystem::path(path).filename().string() + " - pointrt");
     // of files that are dropped on an empty window there may be others; not of what the command line names
     return startedJob<LoadJob>(
-        std::make_unique<LoadJob>(host_.device(), options), [this](LoadJob& load) { showLoaded(load.take()); },
-        first ? throwIfFailed : std::function<void(const Job&)>());
+        std::make_unique<LoadJob>(host_.device(), options, freeShare(host_)),
+        [this](LoadJob& load) { showLoaded(load.take()); }, first ? throwIfFailed : std::function<void(const Job&)>());
 }
 
 void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {

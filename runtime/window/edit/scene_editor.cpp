@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "runtime/framing/framing.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/session/settings.h"
@@ -50,6 +51,7 @@ void SceneEditor::open(OpenedScene opened, std::uint32_t samples) {
     work_.picks.clear();
     work_.camera = viewOf(scene.camera, scene.settings.camera.target.value_or(centre), scene.bounds_min,
                           scene.bounds_max, work_.scene_up);
+    if (scene.pivot && scene.aside != 0) work_.camera = puttingAside(work_.camera, scene.aside);
     work_.look = {SHOWN_BEAUTY, scene.settings.exposure, 4 * length(size), scene.scale};
     work_.samples_wanted = samples;
     work_.denoise = wantsFilter(scene.settings, scene.staged);
@@ -90,7 +92,7 @@ void SceneEditor::putUp() {
     Camera camera = opened_->camera;
     camera.eye = opened_->staged_for;
     dropUnused(scene, fewest);
-    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max);
+    addSurroundings(scene, work_.settings, camera, work_.scene_min, work_.scene_max, opened_->subject);
     work_.scene = opened_->staged = std::move(scene);
     for (const Lamps& each : lamps_)
         if (!hasOwnLight() && each.room == work_.settings.room) {
@@ -106,9 +108,19 @@ void SceneEditor::setUp(Vec3 up, ViewCamera& home, double aspect) {
     request.eye = centre + length(home.eye - centre) * frontSide(up);
     request.target = centre;
     request.up = up;
-    home = framedView(request, work_.scene_min, work_.scene_max, up, aspect);
+    double aside = 0;
+    if (!opened_->sample.splats.empty()) { // framed anew, with the lens that home has
+        request.eye.reset();
+        request.target.reset();
+        request.ortho_height.reset();
+        const FramedRequest framed = frameScene(request, opened_->sample, up, {aspect, opened_->free_share}, true);
+        request = framed.camera;
+        aside = framed.aside;
+        opened_->subject.around_eye = framed.within;
+    }
+    home = puttingAside(framedView(request, work_.scene_min, work_.scene_max, up, aspect), aside);
     opened_->described.up = work_.scene_up = up;
-    opened_->staged_for = home.eye;
+    opened_->staged_for = cameraOf(home).eye;
     opened_->camera = cameraOf(home);
     opened_->staged = work_.scene; // lamps that were changed are not kept
     lamps_.clear();

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/framing/scene_sample.h"
+#include "runtime/scene/default_lighting.h"
 #include "runtime/window/edit/workspace.h"
 
 namespace pointrt {
@@ -17,7 +19,12 @@ struct OpenedScene {
     Camera camera;               ///< the first
     Vec3 staged_for;             ///< the eye that its surroundings were put up for, world frame
     Vec3 bounds_min, bounds_max; ///< of the scan, input coordinates
-    double scale = 1;            ///< input units in a render unit
+    SceneSample sample;          ///< of its scans
+    StudioSubject subject;
+    std::optional<Vec3> pivot; ///< what the camera was framed for; none: it was not framed
+    double aside = 0;          ///< of the camera, as ViewCamera has it
+    double free_share = 1;     ///< of the picture's width, from the left: no panel covers it
+    double scale = 1;          ///< input units in a render unit
 };
 
 /// Edits a workspace's scene, settings and denoise where that takes more than writing a number, which panels do

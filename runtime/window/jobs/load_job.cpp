@@ -10,7 +10,8 @@
 namespace pointrt {
 namespace {
 
-std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& options, JobControl& control) {
+std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& options, double free_share,
+                                  JobControl& control) {
     const LoadStage stage = [&](const char* what, double share) {
         control.leaveIfCancelled();
         control.say(what);
@@ -18,6 +19,7 @@ std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& 
     };
     stage("reading", 0);
     LoadRequest request = loadRequest(options, describeScene(options));
+    request.free_share = free_share;
     request.size = TracerSize{kSliceLanes, 1}; // films as large as the window come with its first picture
     std::unique_ptr<LoadedScene> loaded = loadScene(owner, worker, request, stage);
     control.leaveIfCancelled();
@@ -26,11 +28,11 @@ std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& 
 
 } // namespace
 
-LoadJob::LoadJob(Device& device, const Options& options)
-    : worker_(device),
-      job_("Loading " + std::filesystem::path(options.scene).filename().string(),
-           [this, &device, options](JobControl& control) { loaded_ = load(device, worker_.get(), options, control); }) {
-}
+LoadJob::LoadJob(Device& device, const Options& options, double free_share)
+    : worker_(device), job_("Loading " + std::filesystem::path(options.scene).filename().string(),
+                            [this, &device, options, free_share](JobControl& control) {
+                                loaded_ = load(device, worker_.get(), options, free_share, control);
+                            }) {}
 
 std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
 

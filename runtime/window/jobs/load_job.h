@@ -24,10 +24,11 @@ private:
     Device device_;
 };
 
-/// Loads options.scene. To be started where no other thread uses device, which must outlive it and what it has loaded.
+/// Loads options.scene. free_share: LoadRequest's. To be started where no other thread uses device, which must outlive
+/// it and what it has loaded.
 class LoadJob {
 public:
-    LoadJob(Device& device, const Options& options);
+    LoadJob(Device& device, const Options& options, double free_share = 1);
 
     Job& job() { return job_; }
     const Job& job() const { return job_; }

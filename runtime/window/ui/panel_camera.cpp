@@ -20,6 +20,14 @@ void drawStandardViews(Workspace& w) {
     if (shareButton("Top", 4, false, "7")) w.camera = standardView(w.camera, StandardView::kTop);
     ImGui::SameLine();
     if (shareButton("Behind", 4, false, "9: from the opposite side")) w.camera = oppositeView(w.camera);
+    if (shareButton("Left", 4, false)) w.camera = standardView(w.camera, StandardView::kLeft);
+    ImGui::SameLine();
+    if (shareButton("Back", 4, false)) w.camera = standardView(w.camera, StandardView::kBack);
+    ImGui::SameLine();
+    if (shareButton("Below", 4, false)) w.camera = standardView(w.camera, StandardView::kBottom);
+    ImGui::SameLine();
+    if (shareButton("Iso", 4, false, "from the right, the front and above"))
+        w.camera = standardView(w.camera, StandardView::kIso);
 }
 
 void drawLens(Workspace& w) {

@@ -31,12 +31,12 @@ constexpr Section kSections[] = {
     {"Measure", drawMeasure, false}, {"Output", drawOutput, false}, {"About", drawAbout, false},
 };
 
-float panelWidth() { return std::min(kPanelWidth * uiScale(), kMaxWindowShare * ImGui::GetIO().DisplaySize.x); }
+float shownWidth() { return panelWidth(ImGui::GetIO().DisplaySize.x, uiScale()); }
 
 void drawPanel(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(window.x - panelWidth(), 0));
-    ImGui::SetNextWindowSize(ImVec2(panelWidth(), window.y));
+    ImGui::SetNextWindowPos(ImVec2(window.x - shownWidth(), 0));
+    ImGui::SetNextWindowSize(ImVec2(shownWidth(), window.y));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     const bool shown = ImGui::Begin("Panel", nullptr,
                                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
@@ -54,6 +54,10 @@ void drawPanel(Workspace& w) {
 
 } // namespace
 
+float panelWidth(float window_width, float scale) {
+    return std::min(kPanelWidth * scale, kMaxWindowShare * window_width);
+}
+
 double sceneSize(const Workspace& w) {
     const double size = length(w.scene_max - w.scene_min);
     constexpr double smallest = 1e-9, largest = 1e13; // what scene files can hold
@@ -68,7 +72,7 @@ Vec3 sceneUpright(const Workspace& w) {
 
 void drawUi(Workspace& w) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? panelWidth() : 0)), std::max(1.0f, window.y)};
+    const FreeArea area{std::max(1.0f, window.x - (w.show_panel ? shownWidth() : 0)), std::max(1.0f, window.y)};
     drawPickMarks(w);
     if (w.show_hud) drawHud(w, area);
     drawLegendBox(w, area);

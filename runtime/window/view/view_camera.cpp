@@ -81,6 +81,16 @@ Vec3 frontOf(Vec3 axis) {
     return normalize(wanted - axis * dot(wanted, axis));
 }
 
+/// Where the eye truly stands, and looks.
+ViewCamera trueView(ViewCamera view) {
+    if (view.aside == 0) return view; // to the bit
+    const Vec3 right = axesOf(view).right * (view.aside * heightAtPivot(view));
+    view.eye = view.eye + right;
+    view.pivot = view.pivot + right;
+    view.aside = 0;
+    return view;
+}
+
 ViewCamera turnedTo(const ViewCamera& view, const Attitude& attitude) {
     return withinReach(view, standingOutside(placed(view, view.pivot, distanceToPivot(view), attitude)));
 }
@@ -113,7 +123,17 @@ ViewCamera framedView(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds
     return viewOf(frameCamera(complete, bounds_min, bounds_max, aspect), target, bounds_min, bounds_max, *complete.up);
 }
 
-Camera cameraOf(const ViewCamera& view) {
+ViewCamera puttingAside(const ViewCamera& view, double aside) {
+    ViewCamera after = trueView(view);
+    const Vec3 left = axesOf(after).right * (-aside * heightAtPivot(after));
+    after.eye = after.eye + left;
+    after.pivot = after.pivot + left;
+    after.aside = aside;
+    return after;
+}
+
+Camera cameraOf(const ViewCamera& shown) {
+    const ViewCamera view = trueView(shown);
     const ViewAxes axes = axesOf(view);
     Camera camera;
     camera.eye = view.eye;
@@ -125,7 +145,8 @@ Camera cameraOf(const ViewCamera& view) {
     return camera;
 }
 
-CameraRequest requestOf(const ViewCamera& view) {
+CameraRequest requestOf(const ViewCamera& shown) {
+    const ViewCamera view = trueView(shown);
     CameraRequest request;
     request.eye = view.eye;
     request.target = view.pivot;
@@ -151,10 +172,12 @@ double heightAtPivot(const ViewCamera& view) {
 Vec3 pointAtPivotDepth(const ViewCamera& view, ViewSize size, double x, double y) {
     const ViewAxes axes = axesOf(view);
     const double unit = heightAtPivot(view) / size.height;
-    return view.pivot + axes.right * ((x - size.width / 2) * unit) + axes.up * ((size.height / 2 - y) * unit);
+    return view.pivot + axes.right * ((x - size.width / 2 + view.aside * size.height) * unit) +
+           axes.up * ((size.height / 2 - y) * unit);
 }
 
-std::optional<ViewPoint> projected(const ViewCamera& view, ViewSize size, Vec3 point) {
+std::optional<ViewPoint> projected(const ViewCamera& shown, ViewSize size, Vec3 point) {
+    const ViewCamera view = trueView(shown);
     const ViewAxes axes = axesOf(view);
     const Vec3 to = point - view.eye;
     const double depth = dot(to, axes.forward);
@@ -221,8 +244,25 @@ ViewCamera centredOn(const ViewCamera& view, Vec3 point) {
 
 ViewCamera standardView(const ViewCamera& view, StandardView which) {
     const Vec3 axis = normalize(view.up), front = frontOf(axis), right = cross(front, axis);
-    if (which == StandardView::kRight) return turnedTo(view, {front, 0});
-    return turnedTo(view, {right, which == StandardView::kTop ? -90 * kRadian : 0});
+    switch (which) {
+    case StandardView::kFront:
+        return turnedTo(view, {right, 0});
+    case StandardView::kBack:
+        return turnedTo(view, {right * -1, 0});
+    case StandardView::kRight:
+        return turnedTo(view, {front, 0});
+    case StandardView::kLeft:
+        return turnedTo(view, {front * -1, 0});
+    case StandardView::kTop:
+        return turnedTo(view, {right, -90 * kRadian});
+    case StandardView::kBottom:
+        return turnedTo(view, {right, 90 * kRadian});
+    case StandardView::kIso: // as far up as to both sides
+        return turnedTo(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
+    case StandardView::kSensor:
+        break;
+    }
+    return view;
 }
 
 ViewCamera oppositeView(const ViewCamera& view) {

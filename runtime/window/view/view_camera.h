@@ -21,11 +21,12 @@ struct ViewCamera {
     Vec3 heading{0, 0, -1};   ///< up in the picture where the view goes along the axis, of any length but zero
     double fov_deg = 40;      ///< vertical; kept for later while orthographic
     double ortho_height = 0;  ///< what the picture shows in height; 0: perspective
-    Vec3 scene_centre;        ///< of the sphere around the scene
-    double scene_radius = 1;  ///< above 0
+    /// The picture's middle is so many of its heights right of the pivot, which stands in the part that no panel
+    /// covers: the true eye and what it looks at are right of eye and pivot.
+    double aside = 0;
+    Vec3 scene_centre;       ///< of the sphere around the scene
+    double scene_radius = 1; ///< above 0
 };
-
-enum class StandardView { kFront, kRight, kTop };
 
 /// Orthonormal; right x up = -forward.
 struct ViewAxes {
@@ -81,7 +82,11 @@ ViewCamera looked(const ViewCamera& view, ViewSize size, double dx, double dy);
 /// point becomes the pivot and comes to the middle at the size that it has.
 ViewCamera centredOn(const ViewCamera& view, Vec3 point);
 
-/// The pivot from the front, the right or above. Front is +Z where the axis is not along Z, and -Y where it is.
+/// view with its pivot so far left of the picture's middle, and nothing moved in the scene.
+ViewCamera puttingAside(const ViewCamera& view, double aside);
+
+/// The pivot from a side; but for kSensor, which is where the view is already. Front is +Z where the axis is not along
+/// Z, and -Y where it is.
 ViewCamera standardView(const ViewCamera& view, StandardView which);
 /// The pivot from the other side.
 ViewCamera oppositeView(const ViewCamera& view);

@@ -40,6 +40,7 @@ ViewCamera viewAt(const ViewFlight& flight, double time_s) {
     const ViewCamera& to = flight.to;
     ViewCamera view = to;
     view.fov_deg = mixed(from.fov_deg, to.fov_deg, share);
+    view.aside = mixed(from.aside, to.aside, share);
     if (to.ortho_height > 0) view.ortho_height = mixedSize(from.ortho_height, to.ortho_height, share);
     return placed(view, from.pivot + (to.pivot - from.pivot) * share,
                   mixedSize(distanceToPivot(from), distanceToPivot(to), share),

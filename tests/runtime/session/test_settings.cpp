@@ -71,7 +71,8 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
     SceneDescription scene = talkativeScene();
     scene.path = "a.toml";
     Options options;
-    options.view = "top";
+    const std::string every = ", and every scene has front, back, left, right, top, bottom, iso, sensor";
+    options.view = "upper";
     const auto refusal = [&] {
         try {
             resolveSettings(options, scene);
@@ -81,11 +82,15 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
         }
         return std::string();
     };
-    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has none");
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"upper\"; it has none" + every);
     scene.views.resize(2);
     scene.views[0].name = "front";
     scene.views[1].name = "side";
-    EXPECT_EQ(refusal(), "--view: a.toml has no view \"top\"; it has front, side");
+    EXPECT_EQ(refusal(), "--view: a.toml has no view \"upper\"; it has front, side" + every);
+    options.view = "top";
+    const CameraRequest above = resolveSettings(options, scene).camera;
+    EXPECT_EQ(above.view, StandardView::kTop) << "which every scene has";
+    EXPECT_FALSE(above.eye) << "not that of the scene's camera";
     scene.views[1] = {"top", {Vec3{0, 9, 0}, {}, {}, 30}};
     options.camera.target = Vec3{1, 1, 1};
     const CameraRequest camera = resolveSettings(options, scene).camera;

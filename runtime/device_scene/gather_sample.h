@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// A few splats of a scene's scans, without reading them all.
+#pragma once
+
+#include "runtime/device_scene/device_scene.h"
+#include "runtime/framing/scene_sample.h"
+
+namespace pointrt {
+
+/// Splats at even steps along the curve on which files have them, as many of each instance as it has of all; where
+/// scanners stood; all as it stands in the scene. A few milliseconds, whatever the scene's size.
+SceneSample gatherSample(const DeviceScene& scene);
+
+} // namespace pointrt

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/framing/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pointrt {
+namespace {
+
+/// Cells along the edge of a picture: of some thousand splats ten lie in each, of one side of a surface five.
+constexpr int kCells = 28;
+/// What is no farther behind the nearest of a cell, in cells' edges, is of the same surface.
+constexpr double kSurfaceDepth = 1.5;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr std::size_t kOutside = kCells * kCells;
+
+struct Placed {
+    std::size_t cell = kOutside;
+    double depth = 0;
+};
+
+std::size_t cellOf(double x, double y) {
+    if (!(x >= 0 && x < kCells && y >= 0 && y < kCells)) return kOutside;
+    return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
+}
+
+std::vector<double> nearest(const std::vector<Placed>& placed) {
+    std::vector<double> depths(kOutside, kFar);
+    for (const Placed& splat : placed)
+        if (splat.cell != kOutside) depths[splat.cell] = std::min(depths[splat.cell], splat.depth);
+    return depths;
+}
+
+} // namespace
+
+Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis) {
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    const double edge = length(box.high - box.low) / kCells;
+    Sight sight;
+    if (!(edge > 0)) return sight;
+    std::vector<Placed> placed;
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 to = splat.position - middle;
+        placed.push_back({cellOf(dot(to, basis.right) / edge + kCells / 2.0, dot(to, basis.up) / edge + kCells / 2.0),
+                          dot(to, basis.forward) / edge});
+    }
+    const std::vector<double> depths = nearest(placed);
+    std::vector<double> fronts(kOutside, 0);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const auto [cell, depth] = placed[i];
+        if (cell == kOutside || depth > depths[cell] + kSurfaceDepth) continue;
+        sight.seen.push_back(static_cast<std::uint32_t>(i));
+        fronts[cell] -= dot(sample.splats[i].normal, basis.forward);
+    }
+    for (std::size_t cell = 0; cell < kOutside; ++cell) {
+        if (depths[cell] == kFar) continue;
+        sight.covered += 1.0 / kOutside;
+        if (fronts[cell] > 0 || !sample.oriented) sight.facing += 1.0 / kOutside;
+    }
+    return sight;
+}
+
+double seenFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg) {
+    const double half = std::tan(fov_deg * std::numbers::pi / 360);
+    std::vector<Placed> placed;
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 to = splat.position - eye;
+        const double ahead = dot(to, basis.forward);
+        if (!(ahead > 0)) continue;
+        const auto across = [&](double side) { return (side / (ahead * half) + 1) * kCells / 2; };
+        placed.push_back({cellOf(across(dot(to, basis.right)), across(dot(to, basis.up))), length(to)});
+    }
+    const std::vector<double> depths = nearest(placed);
+    double seen = 0;
+    for (const Placed& splat : placed)
+        if (splat.cell != kOutside && splat.depth <= 1.25 * depths[splat.cell])
+            ++seen; // slanted walls, and their noise
+    return seen / static_cast<double>(sample.splats.size());
+}
+
+} // namespace pointrt
