@@ -8,22 +8,27 @@
 # of the default studio's picture against that of a million points sampled from the mesh.
 #   --quick  one camera, 512 pixels a side, no FLIP
 #   --kept   does not bake what OUT has baked already
+#   --poisson  beside it what people do instead: screened Poisson of the same points with the bake's normals, traced as a
+#            mesh, and its seconds (raw/poisson.py; PYTHON names one that has open3d)
+#   --peer M beside it what smooth_peers makes of the same points: bilateral, mls, jet or wlop; may be given repeatedly
 # The folder OUT keeps scenes, pictures and figures (NAME.json); the pictures of the meshes are made once.
 # BAKE_OPTIONS in the environment are handed to pointrt-bake; FLIP_ENVIRONMENT: flip.sh (default OUT/flip).
 set -euo pipefail
 [ $# -ge 3 ] || {
-    sed -n '3,14s/^# //p' "$0" >&2
+    sed -n '3,17s/^# //p' "$0" >&2
     exit 2
 }
 here=$(dirname "$(readlink -f "$0")")
 bin=$1 data=$2 out=$3
 shift 3
-only='' size=1024 quick='' kept=''
+only='' size=1024 quick='' kept='' poisson='' peers=()
 while [ $# -gt 0 ]; do
     case $1 in
     --quick) quick=1 size=512 ;;
     --only) only=$2 && shift ;;
     --kept) kept=1 ;;
+    --poisson) poisson=1 ;;
+    --peer) peers+=("$2") && shift ;;
     *) echo "raw.sh: $1: no such option" >&2 && exit 2 ;;
     esac
     shift
@@ -52,9 +57,38 @@ flip() {
         awk -F '[:,]' '{ sum += $4 } END { printf "%-24s    FLIP %.4f\n", "", sum / NR }'
 }
 
+# asIs NAME SCAN: points and normals as they are, so that nothing of our cleaning helps others
+asIs() {
+    local clean=()
+    if "$bin/pointrt-bake" --help | grep -q -- --clean; then clean=(--clean off); fi
+    "$bin/pointrt-bake" -q "$2" "${clean[@]}" --force -o "$out/$1.as_is.pro"
+    "$bin/dump_splats" "$out/$1.as_is.pro" "$out/$1.as_is.ply"
+}
+
+# poisson NAME MESH OPTIONS...
+poisson() {
+    local name=$1 seconds
+    seconds=$("${PYTHON:-python3}" "$here/raw/poisson.py" "$out/$name.as_is.ply" "$out/$name.poisson.ply" | tail -n 1)
+    "$bin/compare_raw" "$2" "$out/$name.poisson.ply" "${@:3}" --name "$name poisson $seconds s" \
+        --figures "$out/$name.poisson.json"
+}
+
+# peer METHOD NAME MESH OPTIONS...: within 2 mm, where the study of our own projection had its flat optimum
+peer() {
+    local name=$2.$1 clean=() pictures=() seconds eye
+    seconds=$("$bin/smooth_peers" "$1" 0.002 "$out/$2.as_is.ply" "$out/$name.ply")
+    if "$bin/pointrt-bake" --help | grep -q -- --clean; then clean=(--clean off); fi
+    "$bin/pointrt-bake" -q "$out/$name.ply" "${clean[@]}" --force -o "$out/$name.pro"
+    for eye in "${seen_from[@]}"; do
+        pictures+=("$out/$name.${#pictures[@]}.exr")
+        view "$out/$name.pro" "$eye" "${pictures[-1]}" --spp 1 --integrator normal
+    done
+    "$bin/compare_raw" "$3" "${pictures[@]}" "${@:4}" --name "$2 $1 $seconds s" --figures "$out/$name.json"
+}
+
 # measure NAME SCAN RAW MESH EYE...
 measure() {
-    local name=$1 scan=$2 raw=$3 mesh=$4 pictures=() eyes=() eye
+    local name=$1 scan=$2 raw=$3 mesh=$4 pictures=() eyes=() eye method
     shift 4
     [ -z "$only" ] || [ "$only" = "$name" ] || return 0
     if [ ! -e "$scan" ] || [ ! -e "$mesh" ]; then
@@ -71,8 +105,12 @@ measure() {
         view "$out/$name.pro" "$eye" "${pictures[-1]}" --spp 1 --integrator normal
     done
     # 1.2 mm: 1% of half the meshes' diagonals, 133 and 125 mm, in one number for both
-    "$bin/compare_raw" "$mesh" "${pictures[@]}" --raw "$raw" "${eyes[@]}" --target="$target" --size "$size" \
-        --depth-tolerance 0.0012 --name "$name" --figures "$out/$name.json"
+    local judge=("--raw" "$raw" "${eyes[@]}" "--target=$target" --size "$size" --depth-tolerance 0.0012)
+    "$bin/compare_raw" "$mesh" "${pictures[@]}" "${judge[@]}" --name "$name" --figures "$out/$name.json"
+    seen_from=("$@")
+    [ -z "$poisson${peers[*]}" ] || asIs "$name" "$scan"
+    [ -z "$poisson" ] || poisson "$name" "$mesh" "${judge[@]}"
+    for method in "${peers[@]}"; do peer "$method" "$name" "$mesh" "${judge[@]}"; done
     [ -n "$quick" ] || flip "$name" "$mesh" "$@"
 }
 
