@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Bakes raw range scans of the Dragon and the Bunny and holds what three cameras see of them against the meshes that
 # were made of the same scans by others.
-#   tests/bench/quality/raw.sh BIN_DIR DATA_DIR OUT [--quick] [--only dragon|bunny] [--kept]
+#   tests/bench/quality/raw.sh BIN_DIR DATA_DIR OUT [--quick] [--only dragon|bunny] [--kept] [--poisson] [--peer M]
 # Prints a table: outline IoU, normals (degrees, mean and 99th percentile), share off in depth, holes a million, false
 # surface, what of it floats; left of all pixels, right of those whose truth lies within 1 mm of a raw point. Then FLIP
 # of the default studio's picture against that of a million points sampled from the mesh.
@@ -10,12 +10,13 @@
 #   --kept   does not bake what OUT has baked already
 #   --poisson  beside it what people do instead: screened Poisson of the same points with the bake's normals, traced as a
 #            mesh, and its seconds (raw/poisson.py; PYTHON names one that has open3d)
-#   --peer M beside it what smooth_peers makes of the same points: bilateral, mls, jet or wlop; may be given repeatedly
+#   --peer M beside it what smooth_peers (a target of its own) makes of the same points: bilateral, mls, jet or wlop; may be
+#            given repeatedly
 # The folder OUT keeps scenes, pictures and figures (NAME.json); the pictures of the meshes are made once.
 # BAKE_OPTIONS in the environment are handed to pointrt-bake; FLIP_ENVIRONMENT: flip.sh (default OUT/flip).
 set -euo pipefail
 [ $# -ge 3 ] || {
-    sed -n '3,17s/^# //p' "$0" >&2
+    sed -n '3,18s/^# //p' "$0" >&2
     exit 2
 }
 here=$(dirname "$(readlink -f "$0")")
