@@ -35,6 +35,9 @@ constexpr float kAmongSheets = 0.9f, kAmongScatter = 0.65f;
 /// that reach around them. Of a million samples of scanned meshes 3 in a thousand do.
 constexpr double kMinScattered = 0.01;
 
+/// With fewer points 16 neighbours reach round a whole body, and nothing of it is flat.
+constexpr std::size_t kFewPoints = 1000;
+
 /// 1 at `sure` and beyond, 0 at `none` and beyond, a straight line between.
 float ramp(float value, float none, float sure) { return std::clamp((value - none) / (sure - none), 0.0f, 1.0f); }
 
@@ -124,6 +127,7 @@ std::vector<float> averaged(const NeighborLists& lists, const std::vector<float>
 } // namespace
 
 std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, const StageShare& share) {
+    if (points.size() < kFewPoints) return {};
     std::vector<float> shares = ownShares(points, lists, share);
     const auto scattered = [](float value) { return value < 0.5f; };
     const auto enough = std::ptrdiff_t(kMinScattered * double(points.size()));

@@ -58,6 +58,15 @@ TEST(Dimension, SurfacesBesideScatteredPointsKeepTheirRadii) {
 }
 
 /// A cube whose normals are given, with a crown over it: its discs overlap by 1.4, along the edges by 1.2.
+/// 300 points of a body whose every part bends within the reach of 16 neighbours.
+TEST(Dimension, SmallCloudsAreSurfaces) {
+    const Shape torus = randomTorus(300);
+    const Splats splats = estimate(torus.cloud());
+    std::size_t small = 0;
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.501f * toSecond(splats, i);
+    EXPECT_LT(small, 3u);
+}
+
 TEST(Dimension, EdgesAndCornersAreSurfaces) {
     constexpr int kSteps = 30;
     const Shape cube = gridCube(kSteps);
