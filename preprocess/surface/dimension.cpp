@@ -29,7 +29,7 @@ constexpr float kFaceHeight = 0.1f, kFaceCosine = 0.8f;
 
 /// Mean share over a point's neighbours and theirs: where most are of a surface, the few that are not are its edges and
 /// corners; where most are scattered, the few that lie in a plane do by chance.
-constexpr float kAmongSheets = 0.9f, kAmongScatter = 0.65f;
+constexpr float kAmongSheets = 0.65f, kAmongScatter = 0.4f;
 
 /// A cloud with fewer scattered points than this share is one of surfaces: their thinnest parts look scattered to lists
 /// that reach around them. Of a million samples of scanned meshes 3 in a thousand do.

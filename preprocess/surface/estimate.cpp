@@ -9,11 +9,13 @@
 
 #include "format/base/error.h"
 #include "preprocess/cleaning/clean.h"
+#include "preprocess/fill/fill.h"
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/neighbors/points.h"
 #include "preprocess/neighbors/stages.h"
 #include "preprocess/range/rims.h"
 #include "preprocess/surface/check.h"
+#include "preprocess/surface/dimension.h"
 #include "preprocess/surface/lines.h"
 #include "preprocess/surface/normals.h"
 #include "preprocess/surface/orient.h"
@@ -96,8 +98,7 @@ std::vector<std::uint32_t> scansOf(const Points& points, const std::vector<std::
     return scans;
 }
 
-/// Returns what is left of the noise, in the unit of the points; empty where all is clean. sheets lose what points
-/// lose.
+/// Returns what is left of the noise, in the unit of the points; empty where all is clean.
 std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, const Known& known,
                          const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
     if (options.clean == 0) return {};
@@ -118,6 +119,40 @@ std::vector<float> clean(Points& points, NeighborLists& lists, std::optional<Nea
             report.noise[each.scan] = std::max(report.noise[each.scan], float(each.noise_over_spacing));
     report.clean_moved = std::max(cleaned.moved, report.steps.moved);
     return std::move(cleaned.sigma);
+}
+
+/// What is scattered and what is not, before cleaning, which puts surfaces through scattered points.
+std::vector<float> shares(const Points& points, const NeighborLists& lists, SurfaceReport& report) {
+    const Stopwatch watch(report.seconds_radii);
+    const StageProgress silent;
+    return sheetShares(points, lists, {silent, "radii"});
+}
+
+/// The shares of the points that are left, which may have been numbered anew; before, after: their indices in the
+/// cloud.
+std::vector<float> sharesLeft(const std::vector<float>& sheets, const std::vector<std::uint32_t>& before,
+                              const std::vector<std::uint32_t>& after, std::size_t cloud_count) {
+    if (sheets.empty()) return {};
+    std::vector<float> of_cloud(cloud_count, 1), left(after.size());
+    for (std::size_t i = 0; i < before.size(); ++i) of_cloud[before[i]] = sheets[i];
+    for (std::size_t i = 0; i < after.size(); ++i) left[i] = of_cloud[after[i]];
+    return left;
+}
+
+/// Puts points between scan lines, numbered from count up, as noisy as those beside them. Returns whose attributes each
+/// carries, an index in the cloud.
+std::vector<std::uint32_t> fill(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
+                                std::vector<float>& sheets, std::vector<float>& noise, std::size_t count,
+                                const StageShare& share) {
+    std::vector<std::uint32_t> carried = fillBetweenLines(points, lists, search, sheets, share);
+    const std::size_t first = points.size() - carried.size();
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+        if (!noise.empty()) noise.push_back(noise[carried[i]]);
+        if (!sheets.empty()) sheets.push_back(sheets[carried[i]]);
+        carried[i] = points.input_index[carried[i]];
+        points.input_index[first + i] = std::uint32_t(count + i);
+    }
+    return carried;
 }
 
 /// Back to the cloud's unit.
@@ -200,12 +235,17 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, options, report, progress);
-    std::vector<float> noise;
+    std::vector<float> sheets = shares(points, lists, report), noise;
+    const std::vector<std::uint32_t> before = sheets.empty() ? std::vector<std::uint32_t>() : points.input_index;
     if (oriented) noise = clean(points, lists, search, known, options, report, progress);
+    sheets = sharesLeft(sheets, before, points.input_index, cloud_count);
     std::vector<float> radii;
+    std::vector<std::uint32_t> filled_from;
     {
         const Stopwatch watch(report.seconds_radii);
-        radii = discRadii(points, lists, *search, oriented, {progress, "radii"});
+        constexpr double kFill = 0.2; // of the stage's time
+        filled_from = fill(points, lists, search, sheets, noise, cloud_count, {progress, "radii", 0, kFill});
+        radii = discRadii(points, lists, *search, sheets, oriented, {progress, "radii", kFill, 1});
         tightenSmoothed(radii, noise);
         limitRadii(radii);
         keepGivenRadii(points, radii);
@@ -214,6 +254,8 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     Splats splats = toSplats(std::move(points), std::move(radii), options.radius_scale);
     splats.origin = origin;
     splats.input_count = std::uint32_t(cloud_count);
+    splats.filled_from = std::move(filled_from);
+    report.filled = splats.filled_from.size();
     splats.oriented = oriented;
     splats.noise = std::move(noise);
     for (float& sigma : splats.noise) sigma = float(double(sigma) * unit);

@@ -12,10 +12,10 @@ namespace pointrt::surface {
 /// the tangent plane, so that the discs of all points together cover it, times an overlap of 1.4, or 1.2 at least where
 /// the disc would stick out of a ridge or over an open border. Corners further away than the surface's own holes could
 /// be (an open border, a lone point) do not count. Points scattered in space stay as wide as half the way to their
-/// second neighbour (sheetShares). oriented says that normals tell the two sides of a thin sheet apart. > 0 and finite
-/// for every point.
+/// second neighbour: sheets are what sheetShares says. oriented says that normals tell the two sides of a thin sheet
+/// apart. > 0 and finite for every point.
 std::vector<float> discRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
-                             bool oriented, const StageShare& share);
+                             const std::vector<float>& sheets, bool oriented, const StageShare& share);
 
 /// Shrinks the radii of points that were moved out of noise, of a deviation above 0: they lie one behind the other
 /// where they were read, so that a surface has more of them than its spacing says.

@@ -57,6 +57,21 @@ TEST(Dimension, SurfacesBesideScatteredPointsKeepTheirRadii) {
     }
 }
 
+/// A plane, and over it groups of nine points far from each other.
+TEST(Dimension, GroupsFarApartDoNotSpanWhatLiesBetween) {
+    Shape shape = gridPlane(40);
+    for (int group = 0; group < 16; ++group)
+        for (int i = 0; i < 9; ++i)
+            shape.add(Vec3d(0.5 * (group % 4) + 0.01 * (i % 3), 0.5 * (group / 4) + 0.01 * (i / 3), 1), Vec3d::UnitZ());
+    SurfaceOptions options;
+    options.remove_outliers = false;
+    const Splats splats = estimate(shape.cloud(), options);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i)
+        if (splats.positions[i].z() > 0.5f) {
+            EXPECT_LT(splats.radii[i], 0.011f) << splats.positions[i].transpose();
+        }
+}
+
 /// A cube whose normals are given, with a crown over it: its discs overlap by 1.4, along the edges by 1.2.
 /// 300 points of a body whose every part bends within the reach of 16 neighbours.
 TEST(Dimension, SmallCloudsAreSurfaces) {
