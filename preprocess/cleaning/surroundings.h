@@ -51,7 +51,7 @@ public:
     static std::size_t blockCount(std::size_t points) { return (points + kBlock - 1) / kBlock; }
 
 private:
-    static constexpr std::size_t kBlock = 32;
+    static constexpr std::size_t kBlock = 16;
 
     template <typename Body>
     void forRun(std::size_t begin, std::size_t end, const Body& body) {
