@@ -75,6 +75,7 @@ CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<Near
         projectPoints(points, lists, *search, sigma, input.strength, {progress, kStage, kMeasured, kProjected});
     report.moved = projected.moved;
     report.sigma = std::move(projected.sigma);
+    report.support = std::move(projected.support);
 
     if (input.keep_normals) points.normals = normals;
     std::vector<std::uint8_t> sound(points.size());
@@ -82,6 +83,7 @@ CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<Near
     report.dropped += std::size_t(std::count(sound.begin(), sound.end(), 0));
     keepPoints(points, sound);
     keepFlagged(report.sigma, sound);
+    keepFlagged(report.support, sound);
     search.emplace(points.positions);
     lists = findNeighbors(points, *search, lists.k, {progress, kStage, kProjected, 1});
     return report;

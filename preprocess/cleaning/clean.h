@@ -20,7 +20,8 @@ struct CleanInput {
 struct CleanReport {
     std::vector<float> noise; ///< [scans], sigma over the spacing, before anything moved; empty of small clouds
     std::size_t dropped = 0, moved = 0;
-    std::vector<float> sigma; ///< [points left], what is left of the noise; empty where all scans are clean
+    std::vector<float> support; ///< [points left], ProjectionReport::support; empty where all scans are clean
+    std::vector<float> sigma;   ///< [points left], what is left of the noise; empty where all scans are clean
 };
 
 /// Measures the noise, of clouds of 1000 points and more; of scans that have some (kCleanNoise) drops the rims of their

@@ -91,17 +91,21 @@ void moveOnce(Projection& job, const NearestSearch& search, const StageShare& sh
 }
 
 /// Puts back what has moved though it is scattered in space. Not by its own support: what lies off a surface has little
-/// of it too, and belongs there.
-void leaveScattered(Projection& job, const NeighborLists& lists, const std::vector<Vec3f>& normals) {
+/// of it too, and belongs there. Returns the mean support around those that moved, 0 of the others.
+std::vector<float> leaveScattered(Projection& job, const NeighborLists& lists, const std::vector<Vec3f>& normals) {
     const StageProgress silent;
+    std::vector<float> means(job.support.size());
     forEach(job.support.size(), {silent, ""}, [&](std::size_t i) {
         float sum = job.support[i];
         for (const std::uint32_t neighbor : lists.of(i)) sum += job.support[neighbor];
-        if (sum >= kLeastSupport * float(lists.k + 1)) return;
+        means[i] = job.reaches[i] > 0 ? sum / float(lists.k + 1) : 0;
+        if (means[i] >= kLeastSupport) return;
+        means[i] = 0;
         job.reaches[i] = 0;
         job.points.positions[i] = job.places[i];
         job.points.normals[i] = normals[i];
     });
+    return means;
 }
 
 /// Normals, and what is left of the noise.
@@ -136,9 +140,9 @@ ProjectionReport projectPoints(Points& points, const NeighborLists& lists, const
     };
     const std::vector<Vec3f> normals = points.normals;
     moveOnce(job, search, part(0));
-    leaveScattered(job, lists, normals);
-    for (int round = 1; round < kRounds; ++round) moveOnce(job, search, part(round));
     ProjectionReport report;
+    report.support = leaveScattered(job, lists, normals);
+    for (int round = 1; round < kRounds; ++round) moveOnce(job, search, part(round));
     report.lost.assign(count, 0);
     report.sigma = sigma;
     refit(job, search, part(kRounds), report);

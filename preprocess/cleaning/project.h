@@ -9,6 +9,7 @@ namespace pointrt::surface {
 struct ProjectionReport {
     std::size_t moved = 0;
     std::vector<float> sigma;       ///< [points], standard deviation across the surface that is left
+    std::vector<float> support;     ///< [points], share of the surroundings on the surface; 0 of those that stayed
     std::vector<std::uint8_t> lost; ///< [points], 1: its normal before and after say that it is on no surface
 };
 
