@@ -129,7 +129,7 @@ std::vector<Vec3> sensorsWithin(const SceneSample& sample) {
 
 /// From wherever one looks down on it, of what is seen more is turned away than faces the eye.
 bool showsItsBack(const SceneSample& sample, const Ground& ground) {
-    const SampleBox box = boxWithoutStrays(sample);
+    const SampleBox box = denseBox(sample);
     for (const double elevation : {5 * kDegree, kSiteElevation, 89 * kDegree})
         for (int turn = 0; turn < 8; ++turn) {
             const Sight sight =
@@ -141,7 +141,7 @@ bool showsItsBack(const SceneSample& sample, const Ground& ground) {
 
 /// Share of the sample that something hides from all of its six sides.
 double hiddenShare(const SceneSample& sample, const Ground& ground) {
-    const SampleBox box = boxWithoutStrays(sample);
+    const SampleBox box = denseBox(sample);
     std::vector<bool> seen(sample.splats.size());
     for (const Vec3 side :
          {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
@@ -152,7 +152,7 @@ double hiddenShare(const SceneSample& sample, const Ground& ground) {
 /// Of what is seen from above, the share that is level and about as high as the highest.
 double ceilingShare(const SceneSample& sample, const Ground& ground) {
     constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; of the height
-    const Sight above = lookAlong(sample, boxWithoutStrays(sample), basisFrom(ground, ground.up));
+    const Sight above = lookAlong(sample, denseBox(sample), basisFrom(ground, ground.up));
     const Extent heights = alongAxis(sample, ground.up);
     double level = 0;
     for (const std::uint32_t i : above.seen) {

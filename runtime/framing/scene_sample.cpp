@@ -8,7 +8,7 @@ namespace pointrt {
 namespace {
 
 /// Left out at each end: what any scan may have of strays, and what some have.
-constexpr double kFewStrays = 0.0025, kManyStrays = 0.025;
+constexpr double kFewStrays = 0.001, kManyStrays = 0.025;
 /// Of what is left with few left out; of a surface, or of points that thin out with distance, it is more.
 constexpr double kStraysReach = 0.35;
 
@@ -21,6 +21,18 @@ double quantile(std::vector<double>& values, double share) {
 Extent extentWithout(std::vector<double>& values, double share) {
     const double low = quantile(values, share);
     return {low, quantile(values, 1 - share)};
+}
+
+template <typename Measure>
+SampleBox boxOf(const SceneSample& sample, const Measure& extent) {
+    std::vector<double> x, y, z;
+    for (const SampledSplat& splat : sample.splats) {
+        x.push_back(splat.position.x);
+        y.push_back(splat.position.y);
+        z.push_back(splat.position.z);
+    }
+    const Extent along_x = extent(x), along_y = extent(y), along_z = extent(z);
+    return {{along_x.low, along_y.low, along_z.low}, {along_x.high, along_y.high, along_z.high}};
 }
 
 } // namespace
@@ -39,15 +51,10 @@ double brightReflectance(const SceneSample& sample) {
     return quantile(values, 0.95);
 }
 
-SampleBox boxWithoutStrays(const SceneSample& sample) {
-    std::vector<double> x, y, z;
-    for (const SampledSplat& splat : sample.splats) {
-        x.push_back(splat.position.x);
-        y.push_back(splat.position.y);
-        z.push_back(splat.position.z);
-    }
-    const Extent along_x = extentWithoutStrays(x), along_y = extentWithoutStrays(y), along_z = extentWithoutStrays(z);
-    return {{along_x.low, along_y.low, along_z.low}, {along_x.high, along_y.high, along_z.high}};
+SampleBox boxWithoutStrays(const SceneSample& sample) { return boxOf(sample, extentWithoutStrays); }
+
+SampleBox denseBox(const SceneSample& sample) {
+    return boxOf(sample, [](std::vector<double>& values) { return extentWithout(values, kManyStrays); });
 }
 
 } // namespace pointrt

@@ -29,7 +29,7 @@ struct Extent {
     double middle() const { return (low + high) / 2; }
 };
 
-/// All values but strays: 99.5% of them; 95% where those take less than 0.35 of that.
+/// All values but strays: 99.8% of them; 95% where those take less than 0.35 of that.
 /// values: at least one; they are put in another order.
 Extent extentWithoutStrays(std::vector<double>& values);
 
@@ -41,5 +41,7 @@ struct SampleBox {
     Vec3 low, high;
 };
 SampleBox boxWithoutStrays(const SceneSample& sample);
+/// The same of the inner 95% along each axis: of what was seen through windows, too.
+SampleBox denseBox(const SceneSample& sample);
 
 } // namespace pointrt

@@ -127,14 +127,19 @@ float lampGain(double reflectance) {
 
 /// A lamp by the eye gives what lies at the middle's distance this, as radiance of a white surface. The rest comes from
 /// all sides, this share of a sky as dark as the studio's, so that neither what is near nor what is far is lost.
-constexpr float kEyeLamp = 0.55f, kAllAround = 0.9f;
-constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings are told apart
+constexpr float kEyeLamp = 0.5f, kWalledShare = 0.5f, kAllAround = 0.9f; // walls are near to who stands among them
+constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f;           // floors, walls and ceilings are told apart
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
-    const double distance = std::max(length(staging.center - staging.eye), 0.25 * staging.radius);
-    // above and left of the eye, as far as hands reach: what is seen has shading
-    const Vec3 place = staging.eye + 0.1 * distance * (staging.up - staging.right);
-    const auto intensity = static_cast<float>(pi * kEyeLamp * gain * distance * distance);
+    const Vec3 to_centre = staging.center - staging.eye;
+    const double distance = std::max(length(to_centre), 0.25 * staging.radius);
+    // above and left of the eye, as far as hands reach: what is seen has shading. Where nothing stands behind the eye,
+    // as far behind it as the middle is before it: what is near does not get much more light
+    const bool walled = length(to_centre) < staging.radius / 2;
+    const Vec3 place = staging.eye + 0.1 * distance * (staging.up - staging.right) - (walled ? 0.0 : 1.0) * to_centre;
+    const double reach = walled ? distance : 2 * distance;
+    const float lamp = walled ? kEyeLamp * kWalledShare : kEyeLamp;
+    const auto intensity = static_cast<float>(pi * lamp * gain * reach * reach);
     scene.lights.push_back(PointLight{place, {intensity, intensity, intensity}});
     SkyDescription sky;
     sky.ambient = std::min(1.0f, kAllAround * gain);
