@@ -185,7 +185,9 @@ inline double degreesBetween(const Vec3f& a, const Vec3f& b) {
 inline std::vector<double> normalErrors(const Splats& splats, const Shape& shape, bool two_sided = false) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < splats.positions.size(); ++i) {
-        const double error = degreesBetween(splats.normals[i], shape.normals[splats.input_index[i]]);
+        const std::uint32_t index = splats.input_index[i];
+        const std::uint32_t point = index < splats.input_count ? index : splats.filled_from[index - splats.input_count];
+        const double error = degreesBetween(splats.normals[i], shape.normals[point]);
         errors.push_back(two_sided ? std::min(error, 180 - error) : error);
     }
     std::sort(errors.begin(), errors.end());
