@@ -107,7 +107,7 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
     ProContent said;
     said.attributes = std::exchange(cloud.attributes, {});
     said.sensors = sensorRows(cloud.scans);
-    if (!cloud.world.up.isZero()) report.up_from = "file";
+    if (!cloud.world.up.isZero()) report.up_from = cloud.world.up_by_custom ? "format" : "file";
     if (!options.up.isZero()) {
         cloud.world.up = options.up;
         report.up_from = "option";
@@ -121,9 +121,10 @@ ProContent takeSaid(const BakeOptions& options, Cloud& cloud, BakeReport& report
     return said;
 }
 
-/// Where neither the command line nor a file says what is up.
+/// Where neither the command line nor a file says what is up. What a format's files mostly have gives way to what the
+/// data tells.
 void findUpInData(const Splats& splats, BakeReport& report, WorldFrame& world) {
-    if (!report.up_from.empty()) return;
+    if (report.up_from == "option" || report.up_from == "file") return;
     const FoundUp found = findUp(splats, report.scans);
     if (found.up.isZero()) return;
     world.up = report.world.up = found.up;

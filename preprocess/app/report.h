@@ -18,7 +18,7 @@ struct BakeReport {
     std::vector<Note> notes; ///< of reading
     std::vector<FileReport> files;
     WorldFrame world;
-    std::string up_from;   ///< "option", "file" or "data"; "" where up is not known
+    std::string up_from;   ///< "option", "file", "format" (its custom) or "data"; "" where up is not known
     std::string up_reason; ///< FoundUp::reason
     std::vector<Scan> scans;
     std::string source_header;         ///< Cloud::source_header

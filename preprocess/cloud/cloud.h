@@ -53,6 +53,7 @@ struct RangeGrid {
 /// How the input's coordinates lie in the world, as far as files say; what they disagree on is not known.
 struct WorldFrame {
     Vec3d up = Vec3d::Zero();   ///< unit length; zero: not known
+    bool up_by_custom = false;  ///< up is what files of the format mostly have, which this one does not say
     double metres_per_unit = 0; ///< 0: not known
     bool from_above = false;    ///< airborne: every surface was seen from above
     std::string crs;            ///< coordinate system: WKT, or "EPSG:N"; "": not known

@@ -417,6 +417,7 @@ void setWorldFrame(Sink& sink, const Source& source, const WorldFrame& frame) {
         world.crs.clear();
     }
     if (!world.up.isApprox(placed.up)) world.up.setZero();
+    world.up_by_custom &= placed.up_by_custom;
     world.from_above &= placed.from_above;
     if (world.metres_per_unit != placed.metres_per_unit) world.metres_per_unit = 0;
 }

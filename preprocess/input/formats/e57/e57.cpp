@@ -382,6 +382,7 @@ void frameWorld(const Source& source, const E57File& file, Sink& sink) {
         addNote(sink.cloud, source.name, fmt::format("its coordinate system is not understood: {}", quoted(system)));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
+    frame.up_by_custom = !is_known;
     frame.metres_per_unit = 1;
     if (is_known) frame.crs = system;
     setWorldFrame(sink, source, frame);
