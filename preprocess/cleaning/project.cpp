@@ -75,13 +75,14 @@ struct Projection {
     std::vector<float> support;       ///< [points], share of the surroundings on the surface; 1 of those that stay
 };
 
-void moveOnce(Projection& job, const NearestSearch& search, const StageShare& share) {
+/// judge: whether support is asked for, once.
+void moveOnce(Projection& job, const NearestSearch& search, bool judge, const StageShare& share) {
     const Points& points = job.points;
     std::vector<Vec3f> moved = points.positions, normals = points.normals;
     forSurroundings(points, job.places, search, job.reaches, share, [&](std::size_t i, const Surroundings& around) {
         const float unit = job.reaches[i];
         const AlgebraicSphere sphere = robustSphere(around, points.normals[i], job.sigma[i] / unit);
-        job.support[i] = supportOf(around, sphere, kWithin * job.sigma[i] / unit);
+        if (judge) job.support[i] = supportOf(around, sphere, kWithin * job.sigma[i] / unit);
         moved[i] = bounded(points.positions[i] + projectOrigin(sphere) * unit, job.places[i], kMostMove * job.sigma[i]);
         const Vec3f normal = normalAtOrigin(sphere);
         normals[i] = normal.dot(points.normals[i]) > 0 ? normal : Vec3f(-normal);
@@ -139,10 +140,10 @@ ProjectionReport projectPoints(Points& points, const NeighborLists& lists, const
         return StageShare{share.progress, share.stage, share.from + step * number, share.from + step * (number + 1)};
     };
     const std::vector<Vec3f> normals = points.normals;
-    moveOnce(job, search, part(0));
+    moveOnce(job, search, true, part(0));
     ProjectionReport report;
     report.support = leaveScattered(job, lists, normals);
-    for (int round = 1; round < kRounds; ++round) moveOnce(job, search, part(round));
+    for (int round = 1; round < kRounds; ++round) moveOnce(job, search, false, part(round));
     report.lost.assign(count, 0);
     report.sigma = sigma;
     refit(job, search, part(kRounds), report);
