@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "preprocess/cleaning/project.h"
+#include "preprocess/cloud/keep_flagged.h"
 
 namespace pointrt::surface {
 namespace {
@@ -23,15 +24,6 @@ std::vector<std::uint8_t> withoutRims(const CleanInput& input, const std::vector
     for (std::size_t i = 0; i < input.rims.size(); ++i)
         keep[i] = !(input.rims[i] && noise[scanOf(input, i)] > kCleanNoise);
     return keep;
-}
-
-template <typename Value>
-void keepFlagged(std::vector<Value>& values, const std::vector<std::uint8_t>& keep) {
-    if (values.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i)
-        if (keep[i]) values[kept++] = values[i];
-    values.resize(kept);
 }
 
 void dropRims(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,

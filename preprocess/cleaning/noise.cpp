@@ -5,15 +5,10 @@
 #include <cmath>
 
 #include "preprocess/cleaning/quadric.h"
+#include "preprocess/cloud/median.h"
 
 namespace pointrt::surface {
 namespace {
-
-float medianOf(std::vector<float>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 float noiseAt(const Points& points, const NeighborLists& lists, std::size_t point) {
     const float measured = float(std::sqrt(residualVariance(points, lists.of(point), point)));
@@ -33,7 +28,7 @@ std::vector<float> noiseOfScans(const Points& points, const NeighborLists& lists
     for (std::size_t i = 0; i < over_spacing.size(); ++i)
         by_scan[scan_of_point.empty() ? 0 : scan_of_point[i * kStep]].push_back(over_spacing[i]);
     std::vector<float> noise;
-    for (std::vector<float>& of_scan : by_scan) noise.push_back(of_scan.empty() ? 0 : medianOf(of_scan));
+    for (std::vector<float>& of_scan : by_scan) noise.push_back(medianInPlace(of_scan));
     return noise;
 }
 
@@ -47,7 +42,7 @@ std::vector<float> noiseOfPlaces(const Points& points, const NeighborLists& list
         for (std::size_t i = begin; i < end; ++i) {
             around.assign(1, own[i]);
             for (const std::uint32_t neighbor : lists.of(i)) around.push_back(own[neighbor]);
-            medians[i] = medianOf(around);
+            medians[i] = medianInPlace(around);
         }
     });
     return medians;

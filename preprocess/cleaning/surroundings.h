@@ -41,7 +41,7 @@ public:
              const std::vector<float>& reaches);
 
     /// Calls body(point, surroundings) for each point of a block with a reach above 0. Of what is nearer than its reach
-    /// a point's surroundings hold what faces the same way, itself included; kMost of them at most, spread evenly.
+    /// a point's surroundings hold what faces the same way, itself included; 192 of them at most, spread evenly.
     template <typename Body>
     void forBlock(std::size_t block, const Body& body) {
         const std::size_t begin = block * kBlock, end = std::min(points_.size(), begin + kBlock);

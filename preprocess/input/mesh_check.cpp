@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/input/mesh.h"
 
 namespace pointrt {
@@ -23,15 +24,6 @@ std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<std::uint32_t
         for (const std::uint32_t corner : face) used[corner] = true;
     for (const std::uint32_t point : bereft) used[point] = true;
     return used;
-}
-
-template <typename Item>
-void keepFlagged(std::vector<Item>& items, const std::vector<bool>& keep) {
-    if (items.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i)
-        if (keep[i]) items[kept++] = items[i];
-    items.resize(kept);
 }
 
 void keepFlaggedValues(Attribute& attribute, const std::vector<bool>& keep) {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "preprocess/cloud/bounds.h"
+#include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/cloud/morton.h"
 
 namespace pointrt::surface {
@@ -73,15 +74,6 @@ Vec3f unitOrZero(const Vec3f& normal) {
     const double length = wide.norm();
     if (!std::isfinite(length) || length == 0) return Vec3f::Zero();
     return (wide / length).cast<float>();
-}
-
-template <typename T>
-void keepFlagged(std::vector<T>& values, const std::vector<std::uint8_t>& keep) {
-    if (values.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i)
-        if (keep[i]) values[kept++] = values[i];
-    values.resize(kept);
 }
 
 /// Scales positions and sensors, so far of this extent, by a power of two: no bit is lost.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preprocess/range/median.h"
+#include "preprocess/cloud/median.h"
 
 namespace pointrt {
 namespace {

@@ -8,6 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "preprocess/cloud/median.h"
 #include "preprocess/range/grid_view.h"
 
 namespace pointrt {
@@ -36,10 +37,8 @@ struct Rims {
     double rangeOf(std::uint32_t point) const { return (view.position(point) - sensor).norm(); }
 };
 
-/// The median of second differences along the rows, as a standard deviation: 1, -2, 1 times as many deviations are
-/// sqrt(6) of them, and half of all lie within 0.6745. Zero for a grid with hardly a sample.
+/// By second differences along the rows. Zero for a grid with hardly a sample.
 double noiseOf(const Rims& rims) {
-    constexpr double kFromMedian = 1 / (2.449490 * 0.6745);
     std::vector<float> seconds;
     for (std::uint32_t row = 0; row < rims.view.grid.rows; ++row)
         for (std::uint32_t column = 0; column + 2 < rims.view.grid.columns; ++column) {
@@ -48,10 +47,7 @@ double noiseOf(const Rims& rims) {
             if (std::max({a, b, c}) >= RangeGrid::kLeftOut) continue;
             seconds.push_back(float(std::abs(rims.rangeOf(a) - 2 * rims.rangeOf(b) + rims.rangeOf(c))));
         }
-    if (seconds.empty()) return 0;
-    const auto middle = seconds.begin() + std::ptrdiff_t(seconds.size() / 2);
-    std::nth_element(seconds.begin(), middle, seconds.end());
-    return kFromMedian * double(*middle);
+    return deviationBySecondDifferences(std::move(seconds));
 }
 
 Rims rimsOf(const Cloud& cloud, const RangeGrid& grid) {

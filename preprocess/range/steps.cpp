@@ -7,8 +7,8 @@
 #include <cmath>
 #include <tbb/parallel_for.h>
 
+#include "preprocess/cloud/median.h"
 #include "preprocess/range/depth_frame.h"
-#include "preprocess/range/median.h"
 #include "preprocess/range/plane_windows.h"
 
 namespace pointrt {
@@ -55,7 +55,6 @@ void forStrips(const DepthFrame& frame, const Use& use) {
 
 /// From second differences along the rows, before it is known where jumps are; in steps.
 double roughNoise(const DepthFrame& frame, const DepthSteps& steps) {
-    constexpr double kFromMedian = 1 / (2.449490 * 0.6745); // 1, -2, 1; half of all lie within 0.6745 deviations
     std::vector<float> seconds;
     for (std::uint32_t row = 0; row < frame.rows; ++row)
         for (std::uint32_t column = 0; column + 2 < frame.columns; ++column) {
@@ -63,7 +62,7 @@ double roughNoise(const DepthFrame& frame, const DepthSteps& steps) {
             if (at[0] > 0 && at[1] > 0 && at[2] > 0)
                 seconds.push_back(float(std::abs(at[0] - 2 * at[1] + at[2]) / steps.at(at[1])));
         }
-    return kFromMedian * double(medianOf(std::move(seconds)));
+    return deviationBySecondDifferences(std::move(seconds));
 }
 
 /// The median residual of small planes, in steps.

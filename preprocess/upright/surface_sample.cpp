@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "preprocess/cloud/median.h"
+
 namespace pointrt::upright {
 namespace {
 
@@ -73,8 +75,7 @@ std::vector<Bin> directionMap(const SurfaceSample& sample) {
 float medianRadius(const Splats& splats, std::size_t step) {
     std::vector<float> radii;
     for (std::size_t i = 0; i < splats.radii.size(); i += step) radii.push_back(splats.radii[i]);
-    std::nth_element(radii.begin(), radii.begin() + std::ptrdiff_t(radii.size() / 2), radii.end());
-    return radii[radii.size() / 2];
+    return medianInPlace(radii);
 }
 
 /// Both ends of the values but for half a percent at each.

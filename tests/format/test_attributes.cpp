@@ -2,7 +2,7 @@
 // Version 1.2: what scans say beside their points is read as it was written, and lies about it are found.
 #include <gtest/gtest.h>
 
-#include "file_bytes.h"
+#include "expect_found.h"
 #include "tests/support/temporary_folder.h"
 #include "tiny_attributes.h"
 
@@ -121,43 +121,31 @@ const Bytes& golden() {
     return bytes;
 }
 
-template <typename T>
-void expectFound(std::size_t offset, T value, std::uint32_t finding, bool opens = false) {
-    Bytes bytes = golden();
-    storeAt(bytes, offset, value);
-    fixChecksums(bytes);
-    const OpenResult opened = openCopy(bytes);
-    EXPECT_EQ(opened.result == PRO_OK, opens) << finding << " " << opened.message.text;
-    EXPECT_EQ(opened.message.finding, opens ? 0 : finding) << opened.message.text;
-    const auto findings = findingsOf(bytes);
-    EXPECT_NE(std::find(findings.begin(), findings.end(), finding), findings.end()) << finding;
-}
-
 TEST(HostileAttributes, RecordsAndHeader) {
     const std::size_t records = sectionOf(golden(), PRO_KIND_ATTD);
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    expectFound(PRO_OFF_UP, 0.5f, 1016);
-    expectFound(PRO_OFF_METRES, kNan, 1017);
-    expectFound(records + PRO_ATTR_OFF_NAME, std::uint8_t{0}, 9201);
-    expectFound(records + PRO_ATTR_OFF_NAME + 31, std::uint8_t{'x'}, 9201);
-    expectFound(records + PRO_ATTR_OFF_TYPE, 0u, 9202);
-    expectFound(records + PRO_ATTR_OFF_TYPE, 0xFFFFFFFFu, 9202);
-    expectFound(records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_U8}, 2014);
-    expectFound(records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_I16}, 9205, true);
-    expectFound(records + PRO_ATTR_OFF_COMPONENTS, 2u, 2014);
-    expectFound(records + PRO_ATTR_OFF_COMPONENTS, 0xFFFFFFFFu, 9202);
-    expectFound(records + PRO_ATTR_OFF_RESERVED, 1u, 9203);
-    expectFound(records + PRO_ATTR_OFF_LOW, kNan, 9204);
-    expectFound(records + PRO_ATTR_OFF_LOW, 1e9, 9204);
-    expectFound(records + PRO_ATTR_OFF_LOW, 1.0, 9205, true);
-    expectFound(sectionOf(golden(), PRO_KIND_SENS) + 24, 0.0, 9301);
-    expectFound(sectionOf(golden(), PRO_KIND_SENS), kNan, 9301);
+    expectFound(golden(), PRO_OFF_UP, 0.5f, 1016);
+    expectFound(golden(), PRO_OFF_METRES, kNan, 1017);
+    expectFound(golden(), records + PRO_ATTR_OFF_NAME, std::uint8_t{0}, 9201);
+    expectFound(golden(), records + PRO_ATTR_OFF_NAME + 31, std::uint8_t{'x'}, 9201);
+    expectFound(golden(), records + PRO_ATTR_OFF_TYPE, 0u, 9202);
+    expectFound(golden(), records + PRO_ATTR_OFF_TYPE, 0xFFFFFFFFu, 9202);
+    expectFound(golden(), records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_U8}, 2014);
+    expectFound(golden(), records + PRO_ATTR_OFF_TYPE, std::uint32_t{PRO_TYPE_I16}, 9205, true);
+    expectFound(golden(), records + PRO_ATTR_OFF_COMPONENTS, 2u, 2014);
+    expectFound(golden(), records + PRO_ATTR_OFF_COMPONENTS, 0xFFFFFFFFu, 9202);
+    expectFound(golden(), records + PRO_ATTR_OFF_RESERVED, 1u, 9203);
+    expectFound(golden(), records + PRO_ATTR_OFF_LOW, kNan, 9204);
+    expectFound(golden(), records + PRO_ATTR_OFF_LOW, 1e9, 9204);
+    expectFound(golden(), records + PRO_ATTR_OFF_LOW, 1.0, 9205, true);
+    expectFound(golden(), sectionOf(golden(), PRO_KIND_SENS) + 24, 0.0, 9301);
+    expectFound(golden(), sectionOf(golden(), PRO_KIND_SENS), kNan, 9301);
 }
 
 TEST(HostileAttributes, SectionsThatAreNotThere) {
     constexpr std::uint32_t kUnknown = 0x58585858u;
-    expectFound(recordOf(golden(), PRO_KIND_ATTD), kUnknown, 2014);
-    expectFound(recordOf(golden(), PRO_KIND_ATTR), kUnknown, 2014);
+    expectFound(golden(), recordOf(golden(), PRO_KIND_ATTD), kUnknown, 2014);
+    expectFound(golden(), recordOf(golden(), PRO_KIND_ATTR), kUnknown, 2014);
     Bytes none = golden(); // neither is fine: another version's file
     storeAt(none, recordOf(none, PRO_KIND_ATTD), kUnknown);
     for (int i = 0; i < 5; ++i) storeAt(none, recordOf(none, PRO_KIND_ATTR), kUnknown);

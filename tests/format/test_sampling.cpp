@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "file_bytes.h"
+#include "expect_found.h"
 #include "tests/support/temporary_folder.h"
 #include "tiny_attributes.h"
 
@@ -96,32 +96,20 @@ const Bytes& golden() {
     return bytes;
 }
 
-template <typename T>
-void expectFound(std::size_t offset, T value, std::uint32_t finding, bool opens = false) {
-    Bytes bytes = golden();
-    storeAt(bytes, offset, value);
-    fixChecksums(bytes);
-    const OpenResult opened = openCopy(bytes);
-    EXPECT_EQ(opened.result == PRO_OK, opens) << finding << " " << opened.message.text;
-    EXPECT_EQ(opened.message.finding, opens ? 0 : finding) << opened.message.text;
-    const auto findings = findingsOf(bytes);
-    EXPECT_NE(std::find(findings.begin(), findings.end(), finding), findings.end()) << finding;
-}
-
 TEST(HostileSampling, HeaderAndSection) {
-    expectFound(PRO_OFF_FILLED_COUNT, 6u, 1018);
-    expectFound(PRO_OFF_INPUT_COUNT, 0u, 1018);
-    expectFound(PRO_OFF_INPUT_COUNT, 8u, 9401, true);
-    expectFound(PRO_OFF_FILLED_COUNT, 2u, 9401, true);
-    expectFound(PRO_OFF_NOISE, std::numeric_limits<float>::quiet_NaN(), 1019);
-    expectFound(PRO_OFF_NOISE, -1.0f, 1019);
-    expectFound(PRO_OFF_NOISE, 1.0f, 9402, true);
-    expectFound(sectionOf(golden(), PRO_KIND_NOIS), std::uint8_t{11}, 9402, true);
-    expectFound(recordOf(golden(), PRO_KIND_NOIS), 0x58585858u, 9402, true);
-    expectFound(PRO_OFF_VERSION_MINOR, 2u, 1006);
-    expectFound(PRO_FIELDS_END, 1u, 1006);
+    expectFound(golden(), PRO_OFF_FILLED_COUNT, 6u, 1018);
+    expectFound(golden(), PRO_OFF_INPUT_COUNT, 0u, 1018);
+    expectFound(golden(), PRO_OFF_INPUT_COUNT, 8u, 9401, true);
+    expectFound(golden(), PRO_OFF_FILLED_COUNT, 2u, 9401, true);
+    expectFound(golden(), PRO_OFF_NOISE, std::numeric_limits<float>::quiet_NaN(), 1019);
+    expectFound(golden(), PRO_OFF_NOISE, -1.0f, 1019);
+    expectFound(golden(), PRO_OFF_NOISE, 1.0f, 9402, true);
+    expectFound(golden(), sectionOf(golden(), PRO_KIND_NOIS), std::uint8_t{11}, 9402, true);
+    expectFound(golden(), recordOf(golden(), PRO_KIND_NOIS), 0x58585858u, 9402, true);
+    expectFound(golden(), PRO_OFF_VERSION_MINOR, 2u, 1006);
+    expectFound(golden(), PRO_FIELDS_END, 1u, 1006);
     const std::size_t record = recordOf(golden(), PRO_KIND_NOIS);
-    expectFound(record + PRO_SEC_OFF_LENGTH, std::uint64_t{6}, 2005);
+    expectFound(golden(), record + PRO_SEC_OFF_LENGTH, std::uint64_t{6}, 2005);
     Bytes longer = golden();
     storeAt(longer, record + PRO_SEC_OFF_LENGTH, std::uint64_t{6});
     storeAt(longer, record + PRO_SEC_OFF_COUNT, std::uint64_t{6});
