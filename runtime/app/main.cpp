@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pointrt-view: options -> device -> scene -> frames -> picture.
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,6 +17,7 @@
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/session/options.h"
 #include "runtime/session/output_check.h"
+#include "runtime/session/profile_report.h"
 #include "runtime/session/render_session.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
@@ -46,6 +48,10 @@ void render(const Options& options) {
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);
     (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
+    if (session.profile) {
+        report.profile = profileJson(*session.profile);
+        std::fputs(profileTable(*session.profile).c_str(), stderr);
+    }
     const std::string json = reportJson(report);
     if (options.bench_frames != 0) writeReport("-", json);
     // A benchmark has already printed it.

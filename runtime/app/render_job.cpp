@@ -57,6 +57,10 @@ FrameState renderTimed(RenderSession& session, const FrameJob& job, std::optiona
     session.renderer->begin(planOf(session), job, std::move(start));
     const FrameState state = session.renderer->run();
     report.frame_ms.push_back(millisecondsSince(begin));
+    if (session.profile) {
+        session.profile->frames_ms += report.frame_ms.back();
+        ++session.profile->frames;
+    }
     report.rays = session.renderer->takeRays();
     return state;
 }
@@ -75,7 +79,10 @@ FrameState renderFrames(RenderSession& session, const Options& options, std::opt
     const FrameJob job = jobOf(session, options);
     FrameState state = renderShown(session, options, job, std::move(start), report);
     report.first_frame_seconds = secondsSinceStart();
-    if (options.bench_frames != 0) report.frame_ms.clear();
+    if (options.bench_frames != 0) {
+        report.frame_ms.clear();
+        if (session.profile) clearProfile(*session.profile);
+    }
     for (std::uint32_t frame = 0; frame < options.bench_frames && !interrupted(); ++frame)
         state = renderShown(session, options, job, {}, report);
     return state;
@@ -167,6 +174,7 @@ void renderInRows(RenderSession& session, const Options& options, Report& report
     double taken_ms = 0;
     FrameJob job = jobOf(session, options);
     job.take_rows = [&](const Film& rows) {
+        const HostSpan span(session.profile ? &*session.profile : nullptr, "filter and file");
         const Clock::time_point taken = Clock::now();
         if (reportsNoise(options)) noise.addRows(rows);
         picture.addRows(rows, 0, rows.height);

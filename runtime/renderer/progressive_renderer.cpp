@@ -60,7 +60,10 @@ bool ProgressiveRenderer::openNextBand() {
     if (!next) return false;
     if (next == open_) return true;
     store();
-    if (next->samples > 0) restoreLight(device_, tracer_.buffers, next->band, next->samples, film_);
+    if (next->samples > 0) {
+        const HostSpan span(tracer_.profile, "film to the device");
+        restoreLight(device_, tracer_.buffers, next->band, next->samples, film_);
+    }
     open_ = next;
     traces_hits_ = hits_wait_ = next->samples == 0 && plan_.settings.first_hits;
     return true;
@@ -123,6 +126,7 @@ void ProgressiveRenderer::store() {
 /// Of the open band, with so many samples.
 void ProgressiveRenderer::storeRows(std::uint32_t first, std::uint32_t rows, std::uint32_t samples) {
     if (rows == 0 || samples == 0) return;
+    const HostSpan span(tracer_.profile, "film read back");
     const BandRows stored{open_->band, first, rows, film_origin_};
     storeLight(device_, tracer_.buffers, stored, samples, film_);
     if (hits_wait_)

@@ -133,6 +133,10 @@ OptionGroup runOptions() {
           [](Options& o, const std::string& text) { o.bench_frames = parseCount(text, 1, kMaxBenchFrames); }},
          {"--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
           [](Options& o, const std::string& text) { o.stats = text; }},
+         {.names = "--profile",
+          .help = "Where the time of a frame goes, pass by pass: on standard error, and in --stats and --bench as "
+                  "\"profile\". Each pass waits for the one before: frames take a little longer (default: off)",
+          .flag = &Options::profile},
          {"--progress", "auto|lines",
           "On standard error; lines: 'progress SHARE DETAIL' for programs (default auto: for people)",
           [](Options& o, const std::string& text) { o.progress_lines = parseName(kProgressNames, text); }},

@@ -97,6 +97,9 @@ void requireWindow(const Options& options) {
         throw Error{ExitCode::kBadUsage, "--offscreen needs --replay FILE: nobody could close such a window"};
     if (!options.record.empty() && options.record == options.replay)
         throw Error{ExitCode::kBadUsage, "--record and --replay name the same file"};
+    if (opensWindow(options) && options.profile)
+        throw Error{ExitCode::kBadUsage,
+                    "--profile goes with -o FILE or --bench: the window's frames are not profiled"};
     if (opensWindow(options) && (options.limits.seconds || options.limits.noise))
         throw Error{ExitCode::kBadUsage, "--time-limit and --noise go with -o FILE; the window refines until --spp"};
 }

@@ -27,6 +27,7 @@ struct Options {
     bool resume = false;            ///< go on with the film in output, which ends in .exr
     std::uint32_t bench_frames = 0; ///< 0: no benchmark
     bool list_devices = false;
+    bool profile = false; ///< goes with output or bench_frames
     // without output and bench_frames there is a window
     std::string record, replay; ///< files of what the user does (window/recording.h), empty for none
     bool offscreen = false;     ///< a window that is not shown

@@ -40,6 +40,7 @@ RenderSession::RenderSession(const Options& options) : device(createDevice({opti
 RenderSession::~RenderSession() {
     renderer.reset();
     loaded.reset();
+    if (profile) destroyDeviceClock(device, profile->clock);
     destroyDevice(device);
 }
 
@@ -50,6 +51,11 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
     chooseLayers(options, session.loaded->scene.description, session.settings);
+    if (options.profile) {
+        session.profile.emplace();
+        session.profile->clock = createDeviceClock(session.device);
+        session.loaded->tracer.profile = &*session.profile;
+    }
     session.renderer.emplace(session.device, session.loaded->tracer);
     report.load_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     describe(session, report);

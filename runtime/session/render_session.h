@@ -17,6 +17,7 @@ namespace pointrt {
 /// What lives on the device, freed in order however the run ends.
 struct RenderSession {
     Device device;
+    std::optional<PassProfile> profile; ///< where options want it
     std::unique_ptr<LoadedScene> loaded;
     std::optional<ProgressiveRenderer> renderer; ///< of loaded
     RenderSettings settings;                     ///< loaded's, with what the files are to hold

@@ -37,13 +37,6 @@ std::optional<double> startAfterBoot() {
     return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-std::string number(double value) {
-    if (!std::isfinite(value)) return "null";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
 /// Of at least one value.
 double median(const std::vector<double>& sorted) {
     const std::size_t half = sorted.size() / 2;
@@ -51,6 +44,13 @@ double median(const std::vector<double>& sorted) {
 }
 
 } // namespace
+
+std::string jsonNumber(double value) {
+    if (!std::isfinite(value)) return "null";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
 
 std::string jsonText(const std::string& text) {
     std::string json = "\"";
@@ -73,26 +73,29 @@ std::string reportJson(const Report& report) {
     std::sort(sorted.begin(), sorted.end());
     const double middle = median(sorted);
     const std::uint64_t all_rays = report.rays.primary + report.rays.shadow + report.rays.secondary;
-    const std::string times = "{\"min\": " + number(sorted.front()) + ", \"median\": " + number(middle) +
-                              ", \"max\": " + number(sorted.back()) + "}";
+    const std::string times = "{\"min\": " + jsonNumber(sorted.front()) + ", \"median\": " + jsonNumber(middle) +
+                              ", \"max\": " + jsonNumber(sorted.back()) + "}";
     const std::string rays = "{\"primary\": " + std::to_string(report.rays.primary) +
                              ", \"shadow\": " + std::to_string(report.rays.shadow) +
                              ", \"secondary\": " + std::to_string(report.rays.secondary) + "}";
-    return jsonObject({{"device", jsonText(report.device)},
-                       {"width", std::to_string(report.width)},
-                       {"height", std::to_string(report.height)},
-                       {"integrator", jsonText(report.integrator)},
-                       {"spp", std::to_string(report.spp)},
-                       {"samples", std::to_string(report.samples)},
-                       {"noise", number(report.noise)},
-                       {"splats", std::to_string(report.splats)},
-                       {"device_bytes", std::to_string(report.device_bytes)},
-                       {"load_seconds", number(report.load_seconds)},
-                       {"first_frame_seconds", number(report.first_frame_seconds)},
-                       {"frame_ms", times},
-                       {"denoise_ms", number(report.denoise_ms)},
-                       {"rays", rays},
-                       {"mrays_per_second", number(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}});
+    std::vector<std::pair<const char*, std::string>> members = {
+        {"device", jsonText(report.device)},
+        {"width", std::to_string(report.width)},
+        {"height", std::to_string(report.height)},
+        {"integrator", jsonText(report.integrator)},
+        {"spp", std::to_string(report.spp)},
+        {"samples", std::to_string(report.samples)},
+        {"noise", jsonNumber(report.noise)},
+        {"splats", std::to_string(report.splats)},
+        {"device_bytes", std::to_string(report.device_bytes)},
+        {"load_seconds", jsonNumber(report.load_seconds)},
+        {"first_frame_seconds", jsonNumber(report.first_frame_seconds)},
+        {"frame_ms", times},
+        {"denoise_ms", jsonNumber(report.denoise_ms)},
+        {"rays", rays},
+        {"mrays_per_second", jsonNumber(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}};
+    if (!report.profile.empty()) members.emplace_back("profile", report.profile);
+    return jsonObject(members);
 }
 
 double secondsSinceStart() {

@@ -25,6 +25,7 @@ struct Report {
     std::vector<double> frame_ms;   ///< of each measured frame, at least one
     double denoise_ms = 0;          ///< of denoising the picture, with setting the filter up; 0: was not
     RayCounts rays;                 ///< of one frame
+    std::string profile;            ///< profileJson (profile_report.h); empty: none was wanted
 };
 
 /// A JSON object with the report's fields; frame_ms as min, median and max, mrays_per_second of the median frame
@@ -33,6 +34,9 @@ std::string reportJson(const Report& report);
 
 /// text as a JSON string, with its quotes.
 std::string jsonText(const std::string& text);
+
+/// Six digits; null where it is not finite.
+std::string jsonNumber(double value);
 
 /// A member a line; values are JSON already.
 std::string jsonObject(const std::vector<std::pair<const char*, std::string>>& members);

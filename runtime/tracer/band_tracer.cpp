@@ -23,12 +23,6 @@ void createBindings(Device& device, BandTracer& tracer) {
     tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
 }
 
-gpu::Control readControl(Device& device, const BandTracer& tracer) {
-    gpu::Control control{};
-    downloadBuffer(device, tracer.buffers.control, &control, sizeof control);
-    return control;
-}
-
 } // namespace
 
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
@@ -88,11 +82,12 @@ void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings
     params.film_pixels = film.pixels;
     params.film_first = film.first_pixel;
     params.caustics = tracer.caustics.frame;
+    const HostSpan span(tracer.profile, "parameters");
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
 }
 
 void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
-    const VkCommandBuffer commands = beginCommands(device);
+    PassCommands commands(device, tracer.buffers.control, tilesOf(sample.width, sample.rows), tracer.profile);
     SampleRecorder recorder(commands, tracer, sample);
     if (sample.pass == 0) {
         if (sample.first_hits || sample.only_first_hits) recorder.firstHits();
@@ -101,8 +96,7 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
     }
     if (!sample.only_first_hits && tracer.programs.rays_go_on)
         for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
-    submitAndWait(device, commands);
-    const gpu::Control control = readControl(device, tracer);
+    const gpu::Control control = commands.finish();
     // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
     sample.done = control.queued[0] + control.queued[1] == 0;
     if (!sample.done) return;

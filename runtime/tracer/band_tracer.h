@@ -10,6 +10,7 @@
 #include "runtime/scene/render_settings.h"
 #include "runtime/tracer/caustics.h"
 #include "runtime/tracer/frame_buffers.h"
+#include "runtime/tracer/pass_profile.h"
 #include "runtime/tracer/programs.h"
 
 namespace pointrt {
@@ -29,7 +30,8 @@ struct BandTracer {
     CausticMap caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<TracerTarget> targets;
-    DescriptorSets sets; ///< for what looks at no instance
+    DescriptorSets sets;            ///< for what looks at no instance
+    PassProfile* profile = nullptr; ///< of its passes, where one is wanted
 
     BandTracer() = default;
     BandTracer(const BandTracer&) = delete;

@@ -3,7 +3,7 @@
 
 namespace pointrt {
 
-SampleRecorder::SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample)
+SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
       center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u) {}
 
@@ -11,7 +11,7 @@ void SampleRecorder::firstHits() {
     const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
     prepare(bits | STEP_RESET);
     primary(bits);
-    overRays(tracer_.programs.first_hits, bits);
+    run(tracer_.programs.first_hits, tracer_.sets, bits, rays_);
 }
 
 void SampleRecorder::begin() {
@@ -22,11 +22,12 @@ void SampleRecorder::begin() {
 
 void SampleRecorder::pass(std::uint32_t index) {
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
+    rays_ = index % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
     const PassPrograms& programs = tracer_.programs.queued;
-    overRays(programs.trace_shapes, queue);
+    run(programs.trace_shapes, tracer_.sets, queue, rays_);
     prepare(queue | STEP_ASKED);
     for (const TracerTarget& target : tracer_.targets) {
-        overAsked(target.programs->trace, target.sets, queue);
+        run(target.programs->trace, target.sets, queue, PassLanes::kAsked);
         surface(target.programs->surface, target.sets, queue);
     }
     shade(programs.shade, queue);
@@ -34,33 +35,35 @@ void SampleRecorder::pass(std::uint32_t index) {
 
 void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
     const Programs& programs = tracer_.programs;
-    overRays(program, bits);
+    run(program, tracer_.sets, bits, rays_);
     prepare(bits);
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
     if (lights == 0 || !programs.show_light) return;
     // path has one turn, and nothing in a second go
     for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, bits);
-    overLit(programs.light, bits);
-    if (tracer_.caustics.frame.count.x > 0) overLit(programs.caustic, bits);
+    run(programs.light, tracer_.sets, bits, PassLanes::kLit);
+    if (tracer_.caustics.frame.count.x > 0) run(programs.caustic, tracer_.sets, bits, PassLanes::kLit);
 }
 
 /// Which of the lights from first on reach the lit points.
 void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
     first_turn_ = first;
-    overLit(tracer_.programs.shadow_shapes, bits);
+    run(tracer_.programs.shadow_shapes, tracer_.sets, bits, PassLanes::kLit);
     if (!tracer_.shadows) return;
     prepare(bits | STEP_ASKED);
-    for (const TracerTarget& target : tracer_.targets) overAsked(target.programs->shadow, target.sets, bits);
+    for (const TracerTarget& target : tracer_.targets)
+        run(target.programs->shadow, target.sets, bits, PassLanes::kAsked);
 }
 
 /// First hits of the camera rays.
 void SampleRecorder::primary(std::uint32_t bits) {
-    overRays(tracer_.programs.camera.trace_shapes, bits);
+    run(tracer_.programs.camera.trace_shapes, tracer_.sets, bits, rays_);
     for (std::size_t i = 0; i < tracer_.targets.size(); ++i) {
         const TracerTarget& target = tracer_.targets[i];
         if (i > 0) prepare(bits | STEP_RESET);
-        record(tracer_.programs.beam, target.sets, bits, (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
-        recordIndirect(target.programs->trace_primary, target.sets, bits, offsetof(gpu::Control, tile_groups));
+        run(tracer_.programs.beam, target.sets, bits, PassLanes::kTiles,
+            (tiles_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE);
+        run(target.programs->trace_primary, target.sets, bits, PassLanes::kTilesLeft);
         surface(target.programs->camera_surface, target.sets, bits);
     }
 }
@@ -68,35 +71,17 @@ void SampleRecorder::primary(std::uint32_t bits) {
 /// Of what has just been hit: where a later instance is nearer, its own takes the place.
 void SampleRecorder::surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits) {
     prepare(bits | STEP_HITS);
-    recordIndirect(program, sets, bits, offsetof(gpu::Control, hit_groups));
+    run(program, sets, bits, PassLanes::kHits);
 }
 
-void SampleRecorder::overRays(const Program& program, std::uint32_t bits) {
-    recordIndirect(program, tracer_.sets, bits, offsetof(gpu::Control, ray_groups));
+void SampleRecorder::prepare(std::uint32_t bits) {
+    run(tracer_.programs.prepare, tracer_.sets, bits, PassLanes::kOne, 1);
 }
 
-void SampleRecorder::overLit(const Program& program, std::uint32_t bits) {
-    recordIndirect(program, tracer_.sets, bits, offsetof(gpu::Control, light_groups));
-}
-
-void SampleRecorder::overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t bits) {
-    recordIndirect(program, sets, bits, offsetof(gpu::Control, asked_groups));
-}
-
-void SampleRecorder::prepare(std::uint32_t bits) { record(tracer_.programs.prepare, tracer_.sets, bits, 1); }
-
-void SampleRecorder::record(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
-                            std::uint32_t groups) {
+void SampleRecorder::run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
+                         std::uint32_t groups) {
     const gpu::PushParams params{sample_, first_turn_, bits | preview_, 0};
-    recordDispatch(commands_, program, sets, pushBytes(params), {groups, 1, 1});
-    recordBarrier(commands_);
-}
-
-void SampleRecorder::recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits,
-                                    std::size_t offset) {
-    const gpu::PushParams params{sample_, first_turn_, bits | preview_, 0};
-    recordDispatchIndirect(commands_, program, sets, pushBytes(params), tracer_.buffers.control, offset);
-    recordBarrier(commands_);
+    commands_.run({program, sets, pushBytes(params), lanes, groups});
 }
 
 } // namespace pointrt

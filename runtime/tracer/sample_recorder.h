@@ -2,17 +2,17 @@
 // The dispatches of a sample, in order.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "runtime/tracer/band_tracer.h"
+#include "runtime/tracer/pass_commands.h"
 
 namespace pointrt {
 
 /// Records what traces sample's band, pass by pass.
 class SampleRecorder {
 public:
-    SampleRecorder(VkCommandBuffer commands, const BandTracer& tracer, const BandSample& sample);
+    SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample);
 
     /// Depth, normal and ids of the rays through pixel centres.
     void firstHits();
@@ -26,17 +26,15 @@ private:
     void primary(std::uint32_t bits);
     void shadows(std::uint32_t first, std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
-    void overRays(const Program& program, std::uint32_t bits);
-    void overLit(const Program& program, std::uint32_t bits);
-    void overAsked(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void prepare(std::uint32_t bits);
-    void record(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::uint32_t groups);
-    void recordIndirect(const Program& program, const DescriptorSets& sets, std::uint32_t bits, std::size_t offset);
+    void run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
+             std::uint32_t groups = 0);
 
-    VkCommandBuffer commands_;
+    PassCommands& commands_;
     const BandTracer& tracer_;
     std::uint32_t tiles_, sample_, center_, preview_;
-    std::uint32_t first_turn_ = 0; ///< of those that shadows asks
+    std::uint32_t first_turn_ = 0;        ///< of those that shadows asks
+    PassLanes rays_ = PassLanes::kPixels; ///< those under way
 };
 
 } // namespace pointrt

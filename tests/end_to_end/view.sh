@@ -18,7 +18,7 @@ case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
     for option in -o --output --size --spp --seed --turntable --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
-        --color-by --color-map --color-range --legend --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats -q -v; do
+        --color-by --color-map --color-range --legend --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats --profile -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
 }
@@ -261,6 +261,10 @@ case_bench() {
     [ "$(jsonValue stdout rays.primary)" = $((64 * 64 * 2)) ] || fail "one primary ray for each sample was expected"
     [ "$(jsonValue stdout rays.secondary)" -gt 0 ] || fail "a mirror room without secondary rays"
     [ "$(jsonValue stdout splats)" = "$(jsonValue stats.json splats)" ] || fail "not the splats that were baked"
+    expectDone pointrt-view scene.pro -q --size 64x64 --spp 2 --bench 2 --profile
+    [ "$(jsonValue stdout profile.frames)" = 2 ] || fail "a profile of other frames than those measured"
+    expectKeys stdout profile.frames_ms profile.unaccounted_ms
+    grep -q "nothing accounts for" stderr || fail "no table"
 }
 
 case_same_seed_same_picture() {

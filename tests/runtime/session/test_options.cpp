@@ -57,6 +57,15 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_FALSE(options.list_devices || options.quiet || options.verbose);
 }
 
+TEST(Options, ProfilesWhatIsRenderedToTheEnd) {
+    EXPECT_FALSE(parse({"a.pro", "-o", "a.png"}).profile);
+    EXPECT_TRUE(parse({"a.pro", "-o", "a.png", "--profile"}).profile);
+    EXPECT_TRUE(parse({"a.pro", "--bench", "2", "--profile"}).profile);
+    Options options;
+    const Arguments of_window = {"pointrt-view", "a.pro", "--profile"};
+    EXPECT_THROW(parseOptions(static_cast<int>(of_window.size()), of_window.data(), options), Error);
+}
+
 TEST(Options, TakesEveryOption) {
     const Options options = parse({"--size",
                                    "64x48",

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "format/base/error.h"
+#include "runtime/session/profile_report.h"
 
 namespace pointrt {
 namespace {
@@ -67,6 +68,41 @@ TEST(Report, HasNoNumbersThatAreNone) {
     const nlohmann::json json = nlohmann::json::parse(reportJson(report));
     EXPECT_TRUE(json["noise"].is_null());
     EXPECT_EQ(json["mrays_per_second"], 0);
+}
+
+PassProfile testProfile() {
+    PassProfile profile;
+    profile.frames = 2;
+    profile.frames_ms = 100;
+    profile.passes = {{"trace", 4, 7, 8, 2000, 500, 64'000}, {"shade", 4, 60, 70, 4000, 3000, 1'000'000}};
+    profile.host = {{"film read back", 12}};
+    return profile;
+}
+
+TEST(ProfileReport, NamesWhatNothingAccountsFor) {
+    Report report = testReport();
+    report.profile = profileJson(testProfile());
+    const nlohmann::json json = nlohmann::json::parse(reportJson(report));
+    EXPECT_EQ(json.size(), 16u);
+    const nlohmann::json& profile = json["profile"];
+    EXPECT_EQ(profile["frames"], 2);
+    EXPECT_EQ(profile["frames_ms"], 100);
+    EXPECT_EQ(profile["passes"][0], (nlohmann::json{{"pass", "trace"},
+                                                    {"runs", 4},
+                                                    {"device_ms", nullptr}, // it has no clock here
+                                                    {"host_ms", 8},
+                                                    {"lanes_in", 2000},
+                                                    {"lanes_out", 500},
+                                                    {"bytes", 64'000}}));
+    EXPECT_EQ(profile["host"], (nlohmann::json{{{"what", "film read back"}, {"ms", 12}}}));
+    EXPECT_EQ(profile["unaccounted_ms"], 10); // 100 - 8 - 70 - 12
+}
+
+TEST(ProfileReport, ShowsWhatTookMostFirst) {
+    const std::string table = profileTable(testProfile());
+    EXPECT_LT(table.find("shade"), table.find("trace"));
+    EXPECT_NE(table.find("17500.0"), std::string::npos) << "ns a lane: 70 ms over 4000\n" << table;
+    EXPECT_LT(table.find("film read back"), table.find("nothing accounts for"));
 }
 
 TEST(Report, CountsFromTheStartOfTheProcess) {

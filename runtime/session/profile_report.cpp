@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/profile_report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "runtime/session/report.h"
+
+namespace pointrt {
+namespace {
+
+std::string passJson(const PassTally& pass, bool has_clock) {
+    return "{\"pass\": " + jsonText(pass.name) + ", \"runs\": " + std::to_string(pass.runs) +
+           ", \"device_ms\": " + (has_clock ? jsonNumber(pass.device_ms) : "null") +
+           ", \"host_ms\": " + jsonNumber(pass.host_ms) + ", \"lanes_in\": " + std::to_string(pass.lanes_in) +
+           ", \"lanes_out\": " + std::to_string(pass.lanes_out) + ", \"bytes\": " + std::to_string(pass.bytes) + "}";
+}
+
+std::string hostJson(const HostTally& span) {
+    return "{\"what\": " + jsonText(span.name) + ", \"ms\": " + jsonNumber(span.ms) + "}";
+}
+
+/// A JSON array with one of entries in each line.
+template <typename Entries, typename ToJson>
+std::string listed(const Entries& entries, const ToJson& toJson) {
+    std::string json = "[";
+    for (const auto& each : entries) json += (json.size() > 1 ? ",\n    " : "\n    ") + toJson(each);
+    return json + "]";
+}
+
+template <typename... Values>
+std::string line(const char* format, Values... values) {
+    char text[160]; // longer than any line of the table
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+double millions(std::uint64_t count) { return 1e-6 * static_cast<double>(count); }
+
+std::string passLine(const PassTally& pass, bool has_clock) {
+    const std::string device = has_clock ? line("%10.1f", pass.device_ms) : "         -";
+    const bool over_lists = pass.lanes_in > pass.runs; // a lane each has what goes between passes
+    const std::string lane_ns =
+        over_lists ? line("%9.1f", 1e6 * pass.host_ms / static_cast<double>(pass.lanes_in)) : "        -";
+    return line("  %-34s %7llu %s %10.1f %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
+                static_cast<unsigned long long>(pass.runs), device.c_str(), pass.host_ms, millions(pass.lanes_in),
+                millions(pass.lanes_out), millions(pass.bytes), lane_ns.c_str());
+}
+
+std::string hostLine(const char* name, double ms) { return line("  %-34s %29.1f\n", name, ms); }
+
+} // namespace
+
+std::string profileJson(const PassProfile& profile) {
+    const bool has_clock = profile.clock.pool != VK_NULL_HANDLE;
+    return "{\"frames\": " + std::to_string(profile.frames) + ", \"frames_ms\": " + jsonNumber(profile.frames_ms) +
+           ",\n   \"passes\": " +
+           listed(profile.passes, [&](const PassTally& pass) { return passJson(pass, has_clock); }) +
+           ",\n   \"host\": " + listed(profile.host, hostJson) +
+           ",\n   \"unaccounted_ms\": " + jsonNumber(unaccountedMilliseconds(profile)) + "}";
+}
+
+std::string profileTable(const PassProfile& profile) {
+    std::vector<PassTally> passes = profile.passes;
+    std::stable_sort(passes.begin(), passes.end(),
+                     [](const PassTally& a, const PassTally& b) { return a.host_ms > b.host_ms; });
+    std::string table = line("  %-34s %7s %10s %10s %10s %10s %9s %9s\n", "pass", "runs", "device ms", "host ms",
+                             "M lanes in", "M out", "MB", "ns/lane");
+    for (const PassTally& pass : passes) table += passLine(pass, profile.clock.pool != VK_NULL_HANDLE);
+    for (const HostTally& span : profile.host) table += hostLine(span.name.c_str(), span.ms);
+    table += hostLine("nothing accounts for", unaccountedMilliseconds(profile));
+    return table +
+           line("  %-34s %7llu %21.1f\n", "frames", static_cast<unsigned long long>(profile.frames), profile.frames_ms);
+}
+
+} // namespace pointrt
