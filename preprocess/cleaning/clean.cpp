@@ -19,16 +19,16 @@ std::uint32_t scanOf(const CleanInput& input, std::size_t point) {
 }
 
 /// 1 for points to keep.
-std::vector<std::uint8_t> withoutRims(const CleanInput& input, const std::vector<float>& noise, std::size_t count) {
-    std::vector<std::uint8_t> keep(count, 1);
+std::vector<std::uint8_t> withoutRims(const CleanInput& input, const std::vector<float>& noise, const Points& points) {
+    std::vector<std::uint8_t> keep(points.size(), 1);
     for (std::size_t i = 0; i < input.rims.size(); ++i)
-        keep[i] = !(input.rims[i] && noise[scanOf(input, i)] > kCleanNoise);
+        keep[i] = !(input.rims[i] && noise[scanOf(input, i)] > kCleanNoise) || points.hasRadius(i);
     return keep;
 }
 
 void dropRims(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
               CleanReport& report) {
-    const std::vector<std::uint8_t> keep = withoutRims(input, report.noise, points.size());
+    const std::vector<std::uint8_t> keep = withoutRims(input, report.noise, points);
     const auto dropped = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (dropped == 0) return;
     report.dropped += dropped;

@@ -26,7 +26,8 @@ std::vector<float> noiseOfScans(const Points& points, const NeighborLists& lists
             [&](std::size_t i) { over_spacing[i] = noiseAt(points, lists, i * kStep) / lists.spacings[i * kStep]; });
     std::vector<std::vector<float>> by_scan(scan_count);
     for (std::size_t i = 0; i < over_spacing.size(); ++i)
-        by_scan[scan_of_point.empty() ? 0 : scan_of_point[i * kStep]].push_back(over_spacing[i]);
+        if (!points.hasRadius(i * kStep))
+            by_scan[scan_of_point.empty() ? 0 : scan_of_point[i * kStep]].push_back(over_spacing[i]);
     std::vector<float> noise;
     for (std::vector<float>& of_scan : by_scan) noise.push_back(medianInPlace(of_scan));
     return noise;
@@ -40,8 +41,10 @@ std::vector<float> noiseOfPlaces(const Points& points, const NeighborLists& list
     forRanges(own.size(), {share.progress, share.stage, fits_end, share.to}, [&](std::size_t begin, std::size_t end) {
         std::vector<float> around;
         for (std::size_t i = begin; i < end; ++i) {
+            if (points.hasRadius(i)) continue;
             around.assign(1, own[i]);
-            for (const std::uint32_t neighbor : lists.of(i)) around.push_back(own[neighbor]);
+            for (const std::uint32_t neighbor : lists.of(i))
+                if (!points.hasRadius(neighbor)) around.push_back(own[neighbor]);
             medians[i] = medianInPlace(around);
         }
     });

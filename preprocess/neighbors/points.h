@@ -26,6 +26,9 @@ struct Points {
     int scale_exponent = 0;
 
     std::size_t size() const { return positions.size(); }
+    /// Whether the point came with the radius of its disc, as Gaussians and surfels do: it is no sample of a surface,
+    /// but a piece of one.
+    bool hasRadius(std::size_t point) const { return !radii.empty() && radii[point] > 0; }
     /// The point's sensor, or nullptr.
     const Vec3f* sensorOf(std::size_t point) const;
 };

@@ -86,6 +86,41 @@ TEST(Cleaning, OffMovesNothing) {
         ASSERT_EQ(result.splats.positions[i], shape.positions[result.splats.input_index[i]]);
 }
 
+TEST(Cleaning, PointsWithARadiusOfTheirOwnStay) {
+    // beside a sphere with a noise of 0.2 spacings one of Gaussians, twice as many, that lie 0.5 off theirs
+    Shape shape = noisySphere(0.2);
+    const std::size_t first = shape.positions.size();
+    Shape gaussians = randomSphere(80'000, Vec3d(3, 0, 0));
+    addNoise(gaussians, 0.5 * kSphereSpacing);
+    shape.append(gaussians);
+    Cloud cloud = shape.cloud();
+    cloud.radii.assign(shape.positions.size(), 0);
+    std::fill(cloud.radii.begin() + std::ptrdiff_t(first), cloud.radii.end(), 0.01f);
+    const Cleaned result = cleaned(std::move(cloud));
+    ASSERT_EQ(result.report.noise.size(), 1u);
+    EXPECT_NEAR(result.report.noise[0], 0.2, 0.04);
+    EXPECT_GT(result.report.clean_moved, 39'000u);
+    std::size_t stayed = 0;
+    for (std::size_t i = 0; i < result.splats.positions.size(); ++i) {
+        const std::size_t point = result.splats.input_index[i];
+        if (point < first) continue;
+        ++stayed;
+        ASSERT_EQ(result.splats.positions[i], shape.positions[point]);
+        ASSERT_EQ(result.splats.noise[i], 0);
+    }
+    EXPECT_EQ(stayed + result.report.outliers_removed, 80'000u);
+}
+
+TEST(Cleaning, CloudsOfGaussiansStayBitForBit) {
+    Cloud cloud = noisySphere(0.4).cloud();
+    cloud.radii.assign(cloud.positions.size(), 0.01f);
+    const Cleaned with = cleaned(cloud), without = cleaned(cloud, 0);
+    EXPECT_EQ(with.report.noise, std::vector<float>{0});
+    EXPECT_EQ(with.splats.positions, without.splats.positions);
+    EXPECT_EQ(with.splats.normals, without.splats.normals);
+    EXPECT_EQ(with.splats.radii, without.splats.radii);
+}
+
 TEST(Cleaning, NormalsStayWhereThatIsAskedFor) {
     const Shape shape = noisySphere(0.3);
     Cloud cloud = shape.cloud();
