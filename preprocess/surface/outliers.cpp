@@ -27,6 +27,15 @@ constexpr double kCommonShare = 0.95;
 /// is: a cap of half a radian has 0.03.
 constexpr float kNoPlane = 0.15f;
 
+/// Twice as far out, a floater's neighbours may be the near side of all that was scanned, which looks flatter from
+/// there. Of caps of 17 random points and 0.4 radians one in ten thousand is above.
+constexpr float kFarOut = 2, kNoPlaneFarOut = 0.1f;
+
+/// A point beside a surface reaches less than kStrayReach. It stands this many times as high over the plane of its
+/// neighbours as those do, and reaches further than they by this factor: of points on a surface that was made from
+/// photographs 1 in 80,000 do both, of strays nearer than nine spacings to it three in four.
+constexpr float kBesideHeight = 4, kBesideReach = 1.7f;
+
 struct StrayJob {
     const Points& points;
     const NeighborLists& lists;
@@ -44,16 +53,38 @@ float quantile(std::vector<float> values, double share) {
 bool isFloater(const StrayJob& job, std::size_t point) {
     if (job.reaches[point] <= job.floater_reach) return false;
     const float misfit = fitPlane(momentsOf(job.points, job.lists.of(point), point)).misfit;
-    return misfit > kNoPlane && std::isfinite(misfit); // infinite: a line, as sparse scan lines are
+    const float flat = job.reaches[point] > kFarOut * job.floater_reach ? kNoPlaneFarOut : kNoPlane;
+    return misfit > flat && std::isfinite(misfit); // infinite: a line, as sparse scan lines are
 }
 
-/// Whether a distance is kStrayReach times the one within which three of four neighbours reach their k-th. Not the
-/// median: where density jumps, most neighbours of a point on the sparse side may be on the dense one.
-bool isFar(const StrayJob& job, float distance, std::span<const std::uint32_t> neighbors) {
-    const auto closer = std::count_if(neighbors.begin(), neighbors.end(), [&](std::uint32_t neighbor) {
-        return distance > kStrayReach * job.reaches[neighbor];
-    });
+/// Whether a distance is `times` the one within which three of four neighbours reach their k-th. Not the median: where
+/// density jumps, most neighbours of a point on the sparse side may be on the dense one.
+bool isFar(const StrayJob& job, float distance, std::span<const std::uint32_t> neighbors, float times = kStrayReach) {
+    const auto closer = std::count_if(neighbors.begin(), neighbors.end(),
+                                      [&](std::uint32_t neighbor) { return distance > times * job.reaches[neighbor]; });
     return std::size_t(closer) > neighbors.size() * 3 / 4;
+}
+
+/// Whether the point stands beside the surface that its neighbours are on.
+bool isBeside(const StrayJob& job, std::size_t point) {
+    if (!isFar(job, job.reaches[point], job.lists.of(point), kBesideReach)) return false;
+    const auto k = float(job.lists.k);
+    Moments moments = momentsOf(job.points, job.lists.of(point), point); // of k + 1 points, this one at 0
+    const Vec3f mean = moments.mean * ((k + 1) / k);                     // of the k others
+    std::size_t at = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = row; column < 3; ++column, ++at)
+            moments.covariance[at] = (moments.covariance[at] + moments.mean[row] * moments.mean[column]) * (k + 1) / k -
+                                     mean[row] * mean[column];
+    const PlaneFit plane = fitPlane(moments);
+    if (!std::isfinite(plane.misfit)) return false;
+    float squared_heights = 0;
+    for (const std::uint32_t neighbor : job.lists.of(point)) {
+        const float height = plane.normal.dot(job.points.positions[neighbor] - job.points.positions[point] - mean);
+        squared_heights += height * height;
+    }
+    const float height = plane.normal.dot(mean);
+    return height * height * k > kBesideHeight * kBesideHeight * squared_heights;
 }
 
 /// Whether the point and its first `others` neighbours are a clump far from the remaining neighbours.
@@ -65,7 +96,7 @@ bool isClump(const StrayJob& job, std::size_t point, std::size_t others) {
 
 bool isStray(const StrayJob& job, std::size_t point) {
     if (isFar(job, job.reaches[point], job.lists.of(point))) return true;
-    if (isFloater(job, point)) return true;
+    if (isFloater(job, point) || isBeside(job, point)) return true;
     for (std::size_t others = 1; others < job.lists.k; ++others)
         if (isClump(job, point, others)) return true;
     return false;

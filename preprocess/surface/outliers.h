@@ -15,7 +15,9 @@ namespace pointrt::surface {
 ///   - it is in a clump of at most k points that is 20 times its own size away from all others, and 4 times the
 ///     distance at which those reach their k-th neighbour, or
 ///   - it reaches its k-th neighbour only at 4 times the distance within which 95 % of all points reach theirs, and
-///     neither a plane nor a line fits its neighbours: floaters, each other's neighbours.
+///     neither a plane nor a line fits its neighbours: floaters, each other's neighbours, or
+///   - it reaches its k-th neighbour only at 1.7 times the distance within which most of its neighbours reach theirs,
+///     and stands four times as high over their plane as they do.
 /// Everything stays in clouds of fewer than 1000 points. lists are of nearest neighbours.
 std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists);
 

@@ -82,6 +82,7 @@ nlohmann::ordered_json judgePicture(const DeviceCase& row, const WorldTracing& w
     }
     writeLit(picture_path + ".truth.png", truth, camera);
     writeLit(picture_path + ".lit.png", picture, camera);
+    writeErrors(picture_path + ".errors.png", errors.pixels);
     return figures;
 }
 

@@ -25,7 +25,8 @@ std::vector<float> wallDegrees(const WorldTracing& world, const RawPoints& raw, 
 void writeLit(const std::string& path, const Sights& sights, const UnitCamera& camera);
 
 /// Figures of one picture: those of figuresOf as "all" and "seen", "wall_normal_mean" and "gap", "gap_truth" where
-/// there are walls and trees. Beside the picture's name it writes NAME.lit.png and NAME.truth.png.
+/// there are walls and trees. Beside the picture's name it writes NAME.lit.png, NAME.truth.png and
+/// NAME.errors.png (writeErrors).
 nlohmann::ordered_json judgePicture(const DeviceCase& row, const WorldTracing& world, const RawPoints& raw,
                                     const Pinhole& camera, const std::string& picture_path);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // compare_raw MESH PICTURE...: how far what a camera sees of a raw scan's surface is from what it sees of the truth.
+// Beside each film it writes FILM.errors.png (writeErrors).
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -75,6 +76,7 @@ Json compareAll(const Options& options) {
         const UnitCamera unit_camera(camera, frame);
         const AllAndSeen errors =
             compareSights(castMesh(mesh, tracing, unit_camera), pictures.of(i, camera), unit_camera, against);
+        if (isFilm(options.pictures.front())) writeErrors(options.pictures[i] + ".errors.png", errors.pixels);
         all.push_back(figuresOf(errors.all));
         seen.push_back(figuresOf(errors.seen));
         report.push_back({{"name", options.eyes[i]}, {"all", all.back()}, {"seen", seen.back()}});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/quality/raw/picture_errors.h"
 
+#include <array>
+#include <cmath>
 #include <tbb/parallel_for.h>
 
+#include "runtime/image/image_png.h"
 #include "tests/bench/quality/angles.h"
 
 namespace pointrt::quality {
@@ -52,6 +55,15 @@ void count(const Sight& truth, const Sight& picture, bool inside, const Judgemen
     errors.normal_degrees.push_back(static_cast<float>(degrees));
 }
 
+PixelError errorOf(const Sight& truth, const Sight& picture, const Judgement& judgement, float tolerance) {
+    if (judgement.floating) return PixelError::kFloating;
+    if (!truth.hit() && picture.hit()) return PixelError::kExcess;
+    if (judgement.false_surface) return PixelError::kFalseSurface;
+    if (!truth.hit()) return PixelError::kNothingThere;
+    if (!picture.hit()) return PixelError::kMissing;
+    return std::abs(picture.t - truth.t) > tolerance ? PixelError::kDepthOff : PixelError::kRight;
+}
+
 } // namespace
 
 AllAndSeen compareSights(const Sights& truth, const Sights& picture, const UnitCamera& camera,
@@ -65,8 +77,21 @@ AllAndSeen compareSights(const Sights& truth, const Sights& picture, const UnitC
         count(truth[i], picture[i], inside, judgements[i], against.depth_tolerance, errors.all);
         if (judgements[i].seen)
             count(truth[i], picture[i], inside, judgements[i], against.depth_tolerance, errors.seen);
+        errors.pixels.push_back(errorOf(truth[i], picture[i], judgements[i], against.depth_tolerance));
     }
     return errors;
+}
+
+void writeErrors(const std::string& path, const std::vector<PixelError>& pixels) {
+    static constexpr std::array<std::array<std::uint8_t, 3>, 7> kColors{
+        {{0, 0, 0}, {96, 96, 96}, {0, 200, 200}, {255, 220, 0}, {60, 90, 255}, {255, 0, 255}, {255, 0, 0}}};
+    const auto size = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(pixels.size()))));
+    Image8 image{size, size, 3, {}};
+    for (const PixelError pixel : pixels) {
+        const auto& color = kColors[static_cast<std::size_t>(pixel)];
+        image.pixels.insert(image.pixels.end(), color.begin(), color.end());
+    }
+    writePng(path, image);
 }
 
 } // namespace pointrt::quality

@@ -31,12 +31,28 @@ struct PictureTruth {
     float seen_reach;      ///< unit frame: what is further from any raw point nobody scanned
 };
 
+/// What is wrong with a pixel, the worst that is.
+enum class PixelError : std::uint8_t {
+    kNothingThere, ///< neither truth nor picture
+    kRight,
+    kDepthOff,
+    kMissing,      ///< truth, no picture
+    kExcess,       ///< picture, no truth
+    kFalseSurface, ///< false_surface
+    kFloating      ///< floating
+};
+
 /// All pixels, and without those whose truth is further than seen_reach from any raw point.
 struct AllAndSeen {
     PictureErrors all, seen;
+    std::vector<PixelError> pixels; ///< [size][size], rows downwards
 };
 
 AllAndSeen compareSights(const Sights& truth, const Sights& picture, const UnitCamera& camera,
                          const PictureTruth& against);
+
+/// Writes a square picture of errors as PNG: grey what is right, cyan off in depth, yellow missing, blue excess,
+/// magenta false surface, red floating. Throws Error (kCannotWrite).
+void writeErrors(const std::string& path, const std::vector<PixelError>& pixels);
 
 } // namespace pointrt::quality
