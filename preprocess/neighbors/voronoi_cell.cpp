@@ -56,17 +56,6 @@ void VoronoiCell::cutOff(float limit) {
     reach_ = reachOf(corners_);
 }
 
-float VoronoiCell::closedReach(float limit) const {
-    float farthest = 0;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const CellCorner& before = corners_[(i + corners_.size() - 1) % corners_.size()];
-        const float distance = corners_[i].place.norm();
-        if (!corners_[i].border_edge && !before.border_edge && distance <= limit)
-            farthest = std::max(farthest, distance);
-    }
-    return farthest;
-}
-
 bool VoronoiCell::isOpen() const {
     return std::any_of(corners_.begin(), corners_.end(), [](const CellCorner& corner) { return corner.border_edge; });
 }

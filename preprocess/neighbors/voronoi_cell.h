@@ -31,8 +31,19 @@ public:
 
     /// Distance to the farthest corner.
     float reach() const { return reach_; }
-    /// Distance to the farthest corner, of those within limit, where two bisectors meet; 0 when there is none.
-    float closedReach(float limit) const;
+    /// Distance to the farthest corner, of those within limit, where two bisectors meet and counts(its place) holds; 0
+    /// when there is none.
+    template <typename Counts>
+    float closedReach(float limit, const Counts& counts) const {
+        float farthest = 0;
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            const CellCorner& before = corners_[(i + corners_.size() - 1) % corners_.size()];
+            const float distance = corners_[i].place.norm();
+            if (corners_[i].border_edge || before.border_edge || distance > limit || distance <= farthest) continue;
+            if (counts(corners_[i].place)) farthest = distance;
+        }
+        return farthest;
+    }
     /// Whether a part of the square's outline is left: no neighbour bounds the cell there.
     bool isOpen() const;
 

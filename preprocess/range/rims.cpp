@@ -34,6 +34,9 @@ struct Rims {
     Vec3d sensor = Vec3d::Zero(); ///< relative to the cloud's origin
     double noise = 0;             ///< standard deviation of the ranges
 
+    /// Whether a depth camera told the point, which sees a surface or nothing: what lies in its projector's shadow is
+    /// missing, and what is beside that is as good as all else.
+    bool isStepped(std::uint32_t point) const { return !view.cloud.noise.empty() && view.cloud.noise[point] > 0; }
     double rangeOf(std::uint32_t point) const { return (view.position(point) - sensor).norm(); }
 };
 
@@ -100,8 +103,8 @@ bool goesOn(const Rims& rims, GridCell from, GridStep step) {
 bool isRim(const Rims& rims, GridCell cell, std::uint32_t point) {
     for (const GridStep step : kNeighbors) {
         const std::uint32_t beside = rims.view.at(cell + step);
-        if (beside == RangeGrid::kNoPoint) return true;
-        if (beside == RangeGrid::kLeftOut || !rims.has_sensor || !isSteep(rims, point, beside)) continue;
+        if (beside == RangeGrid::kNoPoint && !rims.isStepped(point)) return true;
+        if (beside >= RangeGrid::kLeftOut || !rims.has_sensor || !isSteep(rims, point, beside)) continue;
         if (!rims.is_near || !goesOn(rims, cell, step)) return true;
     }
     return false;

@@ -11,9 +11,9 @@ namespace pointrt::surface {
 /// Radius of each point's disc, in the unit of positions: the distance to the farthest corner of its Voronoi cell in
 /// the tangent plane, so that the discs of all points together cover it, times an overlap of 1.4, or 1.2 at least where
 /// the disc would stick out of a ridge or over an open border. Corners further away than the surface's own holes could
-/// be (an open border, a lone point) do not count. Points scattered in space stay as wide as half the way to their
-/// second neighbour: sheets are what sheetShares says. oriented says that normals tell the two sides of a thin sheet
-/// apart. > 0 and finite for every point.
+/// be (an open border, a lone point) or with nothing behind them do not count. Points scattered in space stay as wide
+/// as half the way to their second neighbour: sheets are what sheetShares says. oriented says that normals tell the two
+/// sides of a thin sheet apart. > 0 and finite for every point.
 std::vector<float> discRadii(const Points& points, const NeighborLists& lists, const NearestSearch& search,
                              const std::vector<float>& sheets, bool oriented, const StageShare& share);
 
