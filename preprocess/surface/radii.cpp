@@ -176,10 +176,14 @@ float ridgeDistance(const RadiusJob& job, std::size_t point, const TangentPlane&
     return nearest;
 }
 
-/// The radius of a point that a surface holds together only in part: what lies scattered stays as wide as half the way
-/// to its second neighbour.
+/// Of half the way to the second neighbour, how wide the disc of a point is that is scattered in space. Of the lines of
+/// sight through the crowns of three simulated scans 44, 38 and 50% pass; between such discs 22, 32 and 29% at 1, 34,
+/// 33 and 37% at 0.75, 46, 34 and 43% at 0.55, 49, 34 and 45% at 0.5.
+constexpr float kScattered = 0.55f;
+
+/// The radius of a point that a surface holds together only in part.
 float towardsAlone(float radius, float half_way, float sheet) {
-    const float alone = std::min(radius, half_way);
+    const float alone = std::min(radius, kScattered * half_way);
     return sheet < 1 ? alone + sheet * (radius - alone) : radius;
 }
 

@@ -34,12 +34,12 @@ float toSecond(const Splats& splats, std::size_t splat) {
     return second;
 }
 
-TEST(Dimension, ScatteredPointsReachHalfWayToTheirNeighbors) {
+TEST(Dimension, ScatteredPointsReachAQuarterOfTheWayToTheirNeighbors) {
     SurfaceOptions options;
     options.clean = 0; // which moves some of them
     const Splats splats = estimate(solidBall(3000, Vec3d::Zero(), 1).cloud(), options);
     std::size_t small = 0;
-    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.501f * toSecond(splats, i);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.276f * toSecond(splats, i);
     EXPECT_GT(small, splats.radii.size() * 98 / 100); // measured: all; none without the rule
 }
 
@@ -72,16 +72,16 @@ TEST(Dimension, GroupsFarApartDoNotSpanWhatLiesBetween) {
         }
 }
 
-/// A cube whose normals are given, with a crown over it: its discs overlap by 1.4, along the edges by 1.2.
 /// 300 points of a body whose every part bends within the reach of 16 neighbours.
 TEST(Dimension, SmallCloudsAreSurfaces) {
     const Shape torus = randomTorus(300);
     const Splats splats = estimate(torus.cloud());
     std::size_t small = 0;
-    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.501f * toSecond(splats, i);
+    for (std::size_t i = 0; i < splats.radii.size(); ++i) small += splats.radii[i] <= 0.5f * toSecond(splats, i);
     EXPECT_LT(small, 3u);
 }
 
+/// A cube whose normals are given, with a crown over it: its discs overlap by 1.4, along the edges by 1.2.
 TEST(Dimension, EdgesAndCornersAreSurfaces) {
     constexpr int kSteps = 30;
     const Shape cube = gridCube(kSteps);
