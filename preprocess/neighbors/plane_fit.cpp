@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/neighbors/plane_fit.h"
 
+#include <cmath>
+
 #include <algorithm>
 #include <limits>
 #include <pcl/common/eigen.h>
@@ -73,6 +75,15 @@ Moments spreadMoments(const std::vector<Moments>& moments, const Points& points,
     add(point);
     for (const std::uint32_t neighbor : lists.of(point)) add(neighbor);
     return sum.average(double(lists.k + 1));
+}
+
+float heightOver(const Points& points, const NeighborLists& lists, std::size_t point) {
+    float sum = 0;
+    for (const std::uint32_t neighbor : lists.of(point)) {
+        const float height = points.normals[point].dot(points.positions[neighbor] - points.positions[point]);
+        sum += height * height;
+    }
+    return std::sqrt(sum / float(lists.k));
 }
 
 } // namespace pointrt::surface

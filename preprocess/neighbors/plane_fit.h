@@ -34,4 +34,7 @@ Moments momentsOf(const Points& points, std::span<const std::uint32_t> neighbors
 Moments spreadMoments(const std::vector<Moments>& moments, const Points& points, const NeighborLists& lists,
                       std::size_t point);
 
+/// Root mean square height of a point's neighbours over its tangent plane.
+float heightOver(const Points& points, const NeighborLists& lists, std::size_t point);
+
 } // namespace pointrt::surface

@@ -29,7 +29,7 @@ constexpr float kFaceHeight = 0.1f, kFaceCosine = 0.8f;
 
 /// Mean share over a point's neighbours and theirs: where most are of a surface, the few that are not are its edges and
 /// corners; where most are scattered, the few that lie in a plane do by chance.
-constexpr float kAmongSheets = 0.65f, kAmongScatter = 0.4f;
+constexpr float kAmongSheets = 0.5f, kAmongScatter = 0.25f;
 
 /// A cloud with fewer scattered points than this share is one of surfaces: their thinnest parts look scattered to lists
 /// that reach around them. Of a million samples of scanned meshes 3 in a thousand do.
@@ -40,15 +40,6 @@ constexpr std::size_t kFewPoints = 1000;
 
 /// 1 at `sure` and beyond, 0 at `none` and beyond, a straight line between.
 float ramp(float value, float none, float sure) { return std::clamp((value - none) / (sure - none), 0.0f, 1.0f); }
-
-float heightOver(const Points& points, const NeighborLists& lists, std::size_t point) {
-    float sum = 0;
-    for (const std::uint32_t neighbor : lists.of(point)) {
-        const float height = points.normals[point].dot(points.positions[neighbor] - points.positions[point]);
-        sum += height * height;
-    }
-    return std::sqrt(sum / float(lists.k));
-}
 
 /// Share of the neighbours that lie on few faces: the point's own tangent plane, then that of the nearest neighbour on
 /// none so far.

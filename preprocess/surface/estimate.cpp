@@ -257,6 +257,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         constexpr double kFill = 0.2; // of the stage's time
         filled_from = fill(points, lists, search, sheets, noise, cloud_count, {progress, "radii", 0, kFill});
         radii = discRadii(points, lists, *search, sheets, oriented, {progress, "radii", kFill, 1});
+        shrinkPlates(radii, points, lists);
         tightenSmoothed(radii, noise);
         limitRadii(radii);
         keepGivenRadii(points, radii);

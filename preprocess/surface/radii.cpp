@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tbb/parallel_for.h>
 
+#include "preprocess/cloud/median.h"
+#include "preprocess/neighbors/plane_fit.h"
 #include "preprocess/neighbors/voronoi_cell.h"
 
 namespace pointrt::surface {
@@ -177,9 +180,9 @@ float ridgeDistance(const RadiusJob& job, std::size_t point, const TangentPlane&
 }
 
 /// Of half the way to the second neighbour, how wide the disc of a point is that is scattered in space. Of the lines of
-/// sight through the crowns of three simulated scans 44, 38 and 50% pass; between such discs 22, 32 and 29% at 1, 34,
-/// 33 and 37% at 0.75, 46, 34 and 43% at 0.55, 49, 34 and 45% at 0.5.
-constexpr float kScattered = 0.55f;
+/// sight through the crowns of three simulated scans 44, 38 and 50% pass; between such discs 30, 33 and 36% at 1, 40,
+/// 35 and 44% at 0.6, 44, 36 and 48% at 0.5.
+constexpr float kScattered = 0.5f;
 
 /// The radius of a point that a surface holds together only in part.
 float towardsAlone(float radius, float half_way, float sheet) {
@@ -229,6 +232,24 @@ std::vector<float> discRadii(const Points& points, const NeighborLists& lists, c
         for (std::size_t i = begin; i < end; ++i) radii[i] = discRadius(job, i, cell, scratch);
     });
     return radii;
+}
+
+void shrinkPlates(std::vector<float>& radii, const Points& points, const NeighborLists& lists) {
+    // Of the median of its neighbours' radii a radius of a raw range scan or an airborne survey of houses is 1.6
+    // and 1.4 times in 99 of 100 places, one in two of more than 10 cm in trees 10 m high is 2.4 times. Only where
+    // neighbours stand a tenth of their reach over the plane: beside a change of density a surface has such radii, too.
+    constexpr float kPlate = 1.7f, kUneven = 0.1f;
+    const std::vector<float> before = radii;
+    tbb::parallel_for(std::size_t(0), radii.size(), [&](std::size_t i) {
+        const auto neighbors = lists.of(i);
+        const auto narrow = std::count_if(neighbors.begin(), neighbors.end(),
+                                          [&](std::uint32_t other) { return kPlate * before[other] < before[i]; });
+        if (2 * std::size_t(narrow) <= neighbors.size()) return;
+        if (heightOver(points, lists, i) <= kUneven * lists.reach(points, i)) return;
+        std::vector<float> around;
+        for (const std::uint32_t neighbor : neighbors) around.push_back(before[neighbor]);
+        radii[i] = medianInPlace(around);
+    });
 }
 
 void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise) {

@@ -21,6 +21,10 @@ std::vector<float> discRadii(const Points& points, const NeighborLists& lists, c
 /// where they were read, so that a surface has more of them than its spacing says.
 void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise);
 
+/// Shrinks discs far wider than those around them, where the points lie in no plane: in crowns and hedges, at edges and
+/// among strays they hang as plates between what was sampled closer. lists are those of discRadii.
+void shrinkPlates(std::vector<float>& radii, const Points& points, const NeighborLists& lists);
+
 /// Shrinks the few radii far above all others. Points far apart are each other's neighbours, and no local rule tells
 /// their spacing from a surface's: their discs would hang in the picture like sails.
 void limitRadii(std::vector<float>& radii);
