@@ -4,13 +4,10 @@
 
 #include <vector>
 
+#include "preprocess/cloud/clean_noise.h"
 #include "preprocess/neighbors/neighbors.h"
 
 namespace pointrt::surface {
-
-/// Below this noise, over the spacing, a scan is clean, and nothing of it moves. Samples of meshes have 0.010 to 0.025,
-/// shapes without curvature 0, the quietest scans that look better for cleaning 0.09.
-constexpr float kCleanNoise = 0.06f;
 
 /// [scans], the median over a scan's points of the standard deviation across the surface, over the spacing; 0 for scans
 /// without points. Points with a radius of their own do not count. By one point in 8. The deviation is what a quadric

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tbb/parallel_for.h>
 
+#include "preprocess/cloud/clean_noise.h"
 #include "preprocess/cloud/median.h"
 #include "preprocess/range/depth_frame.h"
 #include "preprocess/range/plane_windows.h"
@@ -23,9 +24,6 @@ constexpr std::array<int, 5> kRadii = {Arms::kLongest, 24, 12, 6, 3};
 
 /// The window that noise is measured in: wide enough for a plane to average it, narrow enough to be one.
 constexpr int kNoiseRadius = 6;
-
-/// Noise of less than so much of the spacing does not show.
-constexpr double kLeastNoise = 0.06;
 
 /// A plane fits that leaves no more than so many times the noise: an edge or a curve adds to that.
 constexpr double kFits = 1.5;
@@ -158,7 +156,7 @@ std::optional<Leveller> levellerOf(const Cloud& cloud, const RangeGrid& grid, Le
                              std::max(kJump, kNoisyJump * roughNoise(leveller.frame, leveller.steps)));
     leveller.noise = std::max(leveller.noise, measuredNoise(leveller));
     const double noise_over_spacing = noiseOverSpacing(leveller, cloud);
-    if (noise_over_spacing < kLeastNoise) return std::nullopt;
+    if (noise_over_spacing < double(kCleanNoise)) return std::nullopt;
     report.scans.push_back({grid.scan, noise_over_spacing});
     return leveller;
 }

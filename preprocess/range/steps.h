@@ -22,7 +22,7 @@ struct LevelReport {
 /// through as many neighbours as these fit: a plane's residual must be that of the noise, its window ends at jumps of
 /// more than some steps, and nothing moves further than a step, or three standard deviations of the scan's noise where
 /// that is more. Fills Cloud::noise for those points: the step's, or the measured one where that is larger. Grids
-/// without steps, and such whose noise is below 0.06 of their spacing, stay as they are to the bit.
+/// without steps, and such whose noise is below kCleanNoise, stay as they are to the bit.
 LevelReport levelSteps(Cloud& cloud);
 
 } // namespace pointrt

@@ -61,7 +61,7 @@ TEST(Noise, OfEachScan) {
     const Cleaned result = cleaned(std::move(cloud));
     ASSERT_EQ(result.report.noise.size(), 2u);
     EXPECT_NEAR(result.report.noise[0], 0.3, 0.06);
-    EXPECT_LT(result.report.noise[1], surface::kCleanNoise);
+    EXPECT_LT(result.report.noise[1], kCleanNoise);
     for (std::size_t i = 0; i < result.splats.positions.size(); ++i)
         if (result.splats.input_index[i] >= first) {
             ASSERT_EQ(result.splats.positions[i], shape.positions[result.splats.input_index[i]]);
