@@ -74,6 +74,7 @@ SceneSample gatherSample(const DeviceScene& scene) {
         sample.oriented = sample.oriented && scene.instances[i].oriented;
         addSplats(file, placement, step, sample);
         addSensors(file, placement, sample);
+        sample.zeros.push_back(placement.translation);
     }
     sample.furnished = !scene.description.shapes.empty();
     return sample;

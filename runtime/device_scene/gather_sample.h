@@ -8,7 +8,8 @@
 namespace pointrt {
 
 /// Splats at even steps along the curve on which files have them, as many of each instance as it has of all; where
-/// scanners stood; all as it stands in the scene. A few milliseconds, whatever the scene's size.
+/// scanners stood, and where files have their zero; all as it stands in the scene. A few milliseconds, whatever the
+/// scene's size.
 SceneSample gatherSample(const DeviceScene& scene);
 
 } // namespace pointrt

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "runtime/framing/cells.h"
 #include "runtime/framing/visibility.h"
 #include "runtime/scene/camera.h"
 
@@ -54,7 +55,7 @@ Vec3 centroidOf(const SceneSample& sample) {
 Extent alongAxis(const SceneSample& sample, Vec3 axis) {
     std::vector<double> values;
     for (const SampledSplat& splat : sample.splats) values.push_back(dot(splat.position, axis));
-    return extentWithoutStrays(values);
+    return extentOfMost(values);
 }
 
 /// Its height over its width.
@@ -103,7 +104,7 @@ bool isSite(const SceneSample& sample, const Ground& ground) {
 /// The side from which most is seen of what faces the eye, at one elevation; the first but for one that shows much
 /// more.
 Vec3 fullestSide(const SceneSample& sample, const Ground& ground, double azimuth, double elevation) {
-    const SampleBox box = boxWithoutStrays(sample);
+    const SampleBox box = boundsOf(sample);
     Vec3 best = sideAt(ground, azimuth, elevation);
     double most = lookAlong(sample, box, basisFrom(ground, best)).facing * kMuchMore;
     for (int turn = 1; turn < 8; ++turn) {
@@ -119,11 +120,18 @@ bool isWithin(const SampleBox& box, Vec3 point) {
            point.y < box.high.y && point.z < box.high.z;
 }
 
-std::vector<Vec3> sensorsWithin(const SceneSample& sample) {
-    const SampleBox box = boxWithoutStrays(sample);
+/// Whether an eye has room there: next to no disc would hold it.
+bool isFree(const SceneSample& sample, Vec3 eye) {
+    constexpr double kInTheWay = 0.001; // a scanner's own dust
+    double around = 0;
+    for (const SampledSplat& splat : sample.splats) around += length(splat.position - eye) <= splat.radius ? 1 : 0;
+    return around <= kInTheWay * static_cast<double>(sample.splats.size());
+}
+
+std::vector<Vec3> freeWithin(const SceneSample& sample, const SampleBox& box, const std::vector<Vec3>& places) {
     std::vector<Vec3> within;
-    for (const Vec3 sensor : sample.sensors)
-        if (isWithin(box, sensor)) within.push_back(sensor);
+    for (const Vec3 place : places)
+        if (isWithin(box, place) && isFree(sample, place)) within.push_back(place);
     return within;
 }
 
@@ -167,7 +175,8 @@ double ceilingShare(const SceneSample& sample, const Ground& ground) {
 /// stand under a ceiling.
 bool isRoom(const SceneSample& sample, const Ground& ground) {
     constexpr double kFurniture = 0.015, kCeiling = 0.5; // of boxes nothing is hidden, and no statue has a flat top
-    if (sample.oriented && !sensorsWithin(sample).empty() && showsItsBack(sample, ground)) return true;
+    const bool scanned_within = !freeWithin(sample, boundsOf(sample), sample.sensors).empty();
+    if (sample.oriented && scanned_within && showsItsBack(sample, ground)) return true;
     return hiddenShare(sample, ground) >= kFurniture && ceilingShare(sample, ground) >= kCeiling;
 }
 
@@ -186,26 +195,14 @@ std::vector<Vec3> placesWithin(const SceneSample& sample, const Ground& ground) 
         const Vec3 eye = (x.low + column * x.size()) * ground.right + (y.low + row * y.size()) * ground.front +
                          (h.low + 0.6 * h.size()) * ground.up; // over tables, under lamps
         double clearance = std::numeric_limits<double>::infinity();
-        for (const SampledSplat& splat : sample.splats) clearance = std::min(clearance, length(splat.position - eye));
+        for (const SampledSplat& splat : sample.splats)
+            clearance = std::min(clearance, length(splat.position - eye) - splat.radius);
         places.push_back({eye, clearance});
     }
     std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.clearance > b.clearance; });
     std::vector<Vec3> roomiest;
     for (std::size_t i = 0; i < places.size() / 2; ++i) roomiest.push_back(places[i].eye);
     return roomiest;
-}
-
-/// Of some places the one, and the level direction, that shows most.
-ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const std::vector<Vec3>& places) {
-    ViewChoice best;
-    double most = -1;
-    for (const Vec3 place : places)
-        for (int turn = 0; turn < 8; ++turn) {
-            const Vec3 side = sideAt(ground, turn * 45 * kDegree, 5 * kDegree); // a little down: floors tell more
-            const double seen = seenFrom(sample, place, basisFrom(ground, side), kRoomFov_deg);
-            if (seen > most) most = seen, best = {side, place};
-        }
-    return best;
 }
 
 std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
@@ -215,11 +212,48 @@ std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
     return some;
 }
 
+/// The share of a sample that an eye sees when it turns around.
+double seenAround(const SceneSample& sample, const std::vector<double>& weights, const Ground& ground, Vec3 eye) {
+    double seen = 0;
+    for (const Vec3 side :
+         {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
+        seen += seenFrom(sample, weights, eye, basisFrom(ground, side), 90);
+    return seen;
+}
+
+/// Scanners' places in a room. Where none is known, the place from which most is seen: nothing was hidden from the
+/// scanner. It may be the zero of the file, or one with room around it.
+std::vector<Vec3> placesToStand(const SceneSample& sample, const Ground& ground) {
+    const std::vector<Vec3> known = someOf(freeWithin(sample, boundsOf(sample), sample.sensors));
+    if (!known.empty()) return known;
+    std::vector<Vec3> places = someOf(freeWithin(sample, denseBox(sample), sample.zeros));
+    const std::vector<Vec3> roomiest = placesWithin(sample, ground);
+    places.insert(places.end(), roomiest.begin(), roomiest.end());
+    const std::vector<double> weights = evenWeights(sample);
+    std::vector<double> seen;
+    for (const Vec3 place : places) seen.push_back(seenAround(sample, weights, ground, place));
+    return {places[static_cast<std::size_t>(std::max_element(seen.begin(), seen.end()) - seen.begin())]};
+}
+
+/// Of some places the one, and the level direction, that shows most.
+ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const std::vector<Vec3>& places) {
+    const std::vector<double> weights = evenWeights(sample);
+    ViewChoice best;
+    double most = -1;
+    for (const Vec3 place : places)
+        for (int turn = 0; turn < 8; ++turn) {
+            const Vec3 side = sideAt(ground, turn * 45 * kDegree, 5 * kDegree); // a little down: floors tell more
+            const double seen = seenFrom(sample, weights, place, basisFrom(ground, side), kRoomFov_deg);
+            if (seen > most) most = seen, best = {side, place};
+        }
+    return best;
+}
+
 /// Where one scanner saw all that is there in front of it.
 std::optional<ViewChoice> viewOfFrame(const SceneSample& sample) {
     if (sample.sensors.size() != 1) return {};
     const Vec3 eye = sample.sensors[0], ahead = centroidOf(sample) - eye;
-    if (!(length(ahead) > 0)) return {};
+    if (!(length(ahead) > 0) || !isFree(sample, eye)) return {};
     const Vec3 forward = normalize(ahead);
     double within = 0;
     for (const SampledSplat& splat : sample.splats) {
@@ -267,10 +301,7 @@ std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
 ViewChoice chooseView(const SceneSample& sample, Vec3 up) {
     const Ground ground = groundOf(up);
     if (const auto frame = viewOfFrame(sample)) return *frame;
-    if (isRoom(sample, ground)) {
-        const std::vector<Vec3> inside = someOf(sensorsWithin(sample));
-        return fullestPlace(sample, ground, inside.empty() ? placesWithin(sample, ground) : inside);
-    }
+    if (isRoom(sample, ground)) return fullestPlace(sample, ground, placesToStand(sample, ground));
     if (isSite(sample, ground)) return {fullestSide(sample, ground, kSiteAzimuth, kSiteElevation), {}};
     return {fullestSide(sample, ground, 0, 0), {}};
 }

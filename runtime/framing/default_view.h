@@ -19,7 +19,7 @@ Vec3 sideOf(StandardView view, Vec3 up);
 /// What is up in its picture.
 Vec3 upIn(StandardView view, Vec3 up);
 
-/// What shows most of sample:
+/// What shows most of sample, which has no strays:
 ///  - one scanner that saw all in front of it is where the eye stands;
 ///  - of a room, of which most is hidden from outside, a place within it, a scanner's where one is known;
 ///  - sites, wide and flat or with level ground, from above, a little to the right of the front;

@@ -20,9 +20,9 @@ struct Shown {
     Extent across, upward;
 };
 
-/// A splat as the camera has it, from the point that the fit begins at.
+/// A splat as the camera has it, from the point that the fit begins at, and how far its disc reaches from its middle.
 struct InView {
-    double right, up, ahead, radius;
+    double right, up, ahead, reach_right, reach_up;
 };
 
 std::vector<InView> viewed(const SceneSample& sample, const ViewBasis& basis, Vec3 from) {
@@ -30,30 +30,27 @@ std::vector<InView> viewed(const SceneSample& sample, const ViewBasis& basis, Ve
     splats.reserve(sample.splats.size());
     for (const SampledSplat& splat : sample.splats) {
         const Vec3 to = splat.position - from;
-        splats.push_back({dot(to, basis.right), dot(to, basis.up), dot(to, basis.forward), splat.radius});
+        splats.push_back({dot(to, basis.right), dot(to, basis.up), dot(to, basis.forward),
+                          reachAlong(splat, basis.right), reachAlong(splat, basis.up)});
     }
     return splats;
 }
 
-/// Ends where discs end: half of them are on one side.
-Extent endsOf(std::vector<double>& values, std::vector<double>& radii) {
-    const Extent centres = extentWithoutStrays(values);
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-    const double radius = radii[radii.size() / 2];
-    return {centres.low - radius, centres.high + radius};
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void include(Extent& extent, double middle, double reach) {
+    extent = {std::min(extent.low, middle - reach), std::max(extent.high, middle + reach)};
 }
 
 /// distance: from the eye to where splats are seen from; none for a parallel picture.
 Shown shownOf(const std::vector<InView>& splats, double right, double up, double distance) {
-    std::vector<double> x, y, radii;
+    Shown shown{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
     for (const InView& splat : splats) {
         const double depth = distance > 0 ? std::max(splat.ahead + distance, kNearShare * distance) : 1;
-        x.push_back((splat.right - right) / depth);
-        y.push_back((splat.up - up) / depth);
-        radii.push_back(splat.radius / depth);
+        include(shown.across, (splat.right - right) / depth, splat.reach_right / depth);
+        include(shown.upward, (splat.up - up) / depth, splat.reach_up / depth);
     }
-    const Extent across = endsOf(x, radii);
-    return {across, endsOf(y, radii)};
+    return shown;
 }
 
 /// How many times as large as wanted; half_height: of the picture, in the unit of shown.
@@ -63,7 +60,7 @@ double excess(const Shown& shown, double half_height, const PictureArea& area) {
 }
 
 Vec3 middleOf(const SceneSample& sample) {
-    const SampleBox box = boxWithoutStrays(sample);
+    const SampleBox box = boundsOf(sample);
     return 0.5 * (box.low + box.high);
 }
 
@@ -83,7 +80,7 @@ Fit fitPinhole(const SceneSample& sample, const ViewBasis& basis, double fov_deg
     const double tangent = std::tan(fov_deg * std::numbers::pi / 360);
     // the middle of the free part, right of the picture's
     const double aim = -tangent * area.aspect * (1 - area.free_share);
-    const SampleBox box = boxWithoutStrays(sample);
+    const SampleBox box = boundsOf(sample);
     double distance = orOne(length(box.high - box.low)) / std::min(tangent, 1.0), right = 0, up = 0;
     for (int round = 0; round < kRounds; ++round) {
         const Shown shown = shownOf(splats, right, up, distance);

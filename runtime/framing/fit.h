@@ -30,12 +30,12 @@ struct Fit {
     double height = 0; ///< of a parallel picture, world units
 };
 
-/// Where an eye that looks along basis sees all of sample but strays fill kFramedShare of the free part, in its middle.
-/// fov_deg: vertical. sample: not empty
+/// Where an eye that looks along basis sees all of sample, to the rims of its discs, fill kFramedShare of the free
+/// part, in its middle. fov_deg: vertical. sample: not empty
 Fit fitPinhole(const SceneSample& sample, const ViewBasis& basis, double fov_deg, const PictureArea& area);
 Fit fitParallel(const SceneSample& sample, const ViewBasis& basis, const PictureArea& area);
 
-/// The field of view in degrees with which an eye that stands sees all of sample but strays do so, and the direction
+/// The field of view in degrees with which an eye that stands sees all of sample do so, and the direction
 /// that it looks in then. forward: a first guess, all of sample ahead of the eye.
 struct FixedEyeFit {
     Vec3 forward;

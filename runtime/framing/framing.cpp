@@ -77,11 +77,12 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
 
 } // namespace
 
-FramedRequest frameScene(const CameraRequest& request, const SceneSample& sample, Vec3 up, const PictureArea& area,
+FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, Vec3 up, const PictureArea& area,
                          bool free_fov) {
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
-    if (request.eye || request.target || sample.splats.empty() || (sample.furnished && !request.view)) return framed;
+    if (request.eye || request.target || all.splats.empty() || (all.furnished && !request.view)) return framed;
+    const SceneSample sample = withoutStrays(all);
     // an --up of the picture's own is no scene's: it looks along the side it has
     const bool tilted = !request.view && request.up && length(cross(*request.up, up)) > 1e-6 * length(*request.up);
     const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, sample, up);

@@ -2,15 +2,14 @@
 #include "runtime/framing/scene_sample.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace pointrt {
 namespace {
 
-/// Left out at each end: what any scan may have of strays, and what some have.
-constexpr double kFewStrays = 0.001, kManyStrays = 0.025;
-/// Of what is left with few left out; of a surface, or of points that thin out with distance, it is more.
-constexpr double kStraysReach = 0.35;
+/// Left out at each end: what tells nothing of a whole, and what some scans have of strays.
+constexpr double kFew = 0.001, kManyStrays = 0.025;
 
 double quantile(std::vector<double>& values, double share) {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
@@ -37,9 +36,11 @@ SampleBox boxOf(const SceneSample& sample, const Measure& extent) {
 
 } // namespace
 
-Extent extentWithoutStrays(std::vector<double>& values) {
-    const Extent most = extentWithout(values, kFewStrays), dense = extentWithout(values, kManyStrays);
-    return dense.size() < kStraysReach * most.size() ? dense : most;
+Extent extentOfMost(std::vector<double>& values) { return extentWithout(values, kFew); }
+
+double reachAlong(const SampledSplat& splat, Vec3 axis) {
+    const double tilt = dot(splat.normal, axis);
+    return splat.radius * std::sqrt(std::max(0.0, 1 - tilt * tilt));
 }
 
 double brightReflectance(const SceneSample& sample) {
@@ -51,7 +52,26 @@ double brightReflectance(const SceneSample& sample) {
     return quantile(values, 0.95);
 }
 
-SampleBox boxWithoutStrays(const SceneSample& sample) { return boxOf(sample, extentWithoutStrays); }
+SampleBox boundsOf(const SceneSample& sample) {
+    return boxOf(sample, [](std::vector<double>& values) { return extentWithout(values, 0); });
+}
+
+SampleBox discBounds(const SceneSample& sample) {
+    SampleBox box = boundsOf(sample);
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 reach{reachAlong(splat, {1, 0, 0}), reachAlong(splat, {0, 1, 0}), reachAlong(splat, {0, 0, 1})};
+        const Vec3 from = splat.position - reach, to = splat.position + reach;
+        box.low = {std::min(box.low.x, from.x), std::min(box.low.y, from.y), std::min(box.low.z, from.z)};
+        box.high = {std::max(box.high.x, to.x), std::max(box.high.y, to.y), std::max(box.high.z, to.z)};
+    }
+    return box;
+}
+
+double middleRadius(const SceneSample& sample) {
+    std::vector<double> radii;
+    for (const SampledSplat& splat : sample.splats) radii.push_back(splat.radius);
+    return quantile(radii, 0.5);
+}
 
 SampleBox denseBox(const SceneSample& sample) {
     return boxOf(sample, [](std::vector<double>& values) { return extentWithout(values, kManyStrays); });

@@ -18,6 +18,7 @@ struct SampledSplat {
 struct SceneSample {
     std::vector<SampledSplat> splats; ///< each stands for as many
     std::vector<Vec3> sensors;        ///< where scanners stood
+    std::vector<Vec3> zeros;          ///< of the files' coordinates: a scanner's place where nobody has moved its scan
     bool oriented = false;
     bool furnished = false; ///< shapes stand in the scene besides its scans
 };
@@ -29,19 +30,32 @@ struct Extent {
     double middle() const { return (low + high) / 2; }
 };
 
-/// All values but strays: 99.8% of them; 95% where those take less than 0.35 of that.
-/// values: at least one; they are put in another order.
-Extent extentWithoutStrays(std::vector<double>& values);
+/// All values but a thousandth at each end. values: at least one; they are put in another order.
+Extent extentOfMost(std::vector<double>& values);
+
+/// How far a disc reaches from its middle along an axis of unit length.
+double reachAlong(const SampledSplat& splat, Vec3 axis);
+
+/// Median of the radii. sample: not empty
+double middleRadius(const SceneSample& sample);
 
 /// Luminance of the reflectance that a twentieth of the sample exceeds; 0.5 of an empty one.
 double brightReflectance(const SceneSample& sample);
 
-/// The corners of a box around all splats but strays, along the axes. sample: not empty
+/// The corners of a box along the axes.
 struct SampleBox {
     Vec3 low, high;
 };
-SampleBox boxWithoutStrays(const SceneSample& sample);
-/// The same of the inner 95% along each axis: of what was seen through windows, too.
+/// Around the middles of all splats. sample: not empty
+SampleBox boundsOf(const SceneSample& sample);
+/// Around their discs.
+SampleBox discBounds(const SceneSample& sample);
+/// Around the inner 95% along each axis. sample: not empty
 SampleBox denseBox(const SceneSample& sample);
+
+/// The part that hangs together and holds most, and what else there is of it near by or plenty: what doubles the box
+/// around all is a twentieth of the sample or more. A tree's tip is of the tree, however few splats it has; the thin
+/// fringe of what a spinning scanner saw is not of the street.
+SceneSample withoutStrays(const SceneSample& sample);
 
 } // namespace pointrt

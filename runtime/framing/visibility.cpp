@@ -14,6 +14,9 @@ constexpr int kCells = 28;
 /// What is no farther behind the nearest of a cell, in cells' edges, is of the same surface.
 constexpr double kSurfaceDepth = 1.5;
 
+/// What is within a degree of the picture's plane is beside the eye.
+constexpr double kAcross = 0.02;
+
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kOutside = kCells * kCells;
 
@@ -32,6 +35,26 @@ std::vector<double> nearest(const std::vector<Placed>& placed) {
     for (const Placed& splat : placed)
         if (splat.cell != kOutside) depths[splat.cell] = std::min(depths[splat.cell], splat.depth);
     return depths;
+}
+
+/// Where a disc is in a picture, and how far it reaches, in cells.
+struct Outline {
+    double x, y, reach_x, reach_y;
+};
+
+/// Cells whose middles are within the ellipse, and the one that its own is in.
+void hide(std::vector<double>& depths, const Outline& disc, double depth) {
+    const auto nearer = [&](std::size_t cell) {
+        if (cell != kOutside) depths[cell] = std::min(depths[cell], depth);
+    };
+    nearer(cellOf(disc.x, disc.y));
+    const auto first = [](double low) { return static_cast<int>(std::clamp(low, 0.0, double{kCells})); };
+    for (int row = first(disc.y - disc.reach_y); row < kCells && row + 0.5 < disc.y + disc.reach_y; ++row)
+        for (int column = first(disc.x - disc.reach_x); column < kCells && column + 0.5 < disc.x + disc.reach_x;
+             ++column) {
+            const double x = column + 0.5, y = row + 0.5;
+            if (std::hypot((x - disc.x) / disc.reach_x, (y - disc.y) / disc.reach_y) < 1) nearer(cellOf(x, y));
+        }
 }
 
 } // namespace
@@ -63,22 +86,26 @@ Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis
     return sight;
 }
 
-double seenFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg) {
+double seenFrom(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                double fov_deg) {
     const double half = std::tan(fov_deg * std::numbers::pi / 360);
-    std::vector<Placed> placed;
-    for (const SampledSplat& splat : sample.splats) {
+    std::vector<Placed> placed(sample.splats.size());
+    std::vector<double> depths(kOutside, kFar);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const SampledSplat& splat = sample.splats[i];
         const Vec3 to = splat.position - eye;
         const double ahead = dot(to, basis.forward);
-        if (!(ahead > 0)) continue;
-        const auto across = [&](double side) { return (side / (ahead * half) + 1) * kCells / 2; };
-        placed.push_back({cellOf(across(dot(to, basis.right)), across(dot(to, basis.up))), length(to)});
+        if (!(ahead > kAcross * length(to))) continue;
+        const double cells = kCells / (2 * ahead * half); // a unit of length
+        const double x = dot(to, basis.right) * cells + kCells / 2.0, y = dot(to, basis.up) * cells + kCells / 2.0;
+        placed[i] = {cellOf(x, y), length(to)};
+        hide(depths, {x, y, cells * reachAlong(splat, basis.right), cells * reachAlong(splat, basis.up)}, length(to));
     }
-    const std::vector<double> depths = nearest(placed);
     double seen = 0;
-    for (const Placed& splat : placed)
-        if (splat.cell != kOutside && splat.depth <= 1.25 * depths[splat.cell])
-            ++seen; // slanted walls, and their noise
-    return seen / static_cast<double>(sample.splats.size());
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (placed[i].cell != kOutside && placed[i].depth <= 1.25 * depths[placed[i].cell])
+            seen += weights[i]; // slanted walls, and their noise
+    return seen;
 }
 
 } // namespace pointrt

@@ -16,10 +16,12 @@ struct Sight {
     std::vector<std::uint32_t> seen; ///< splats of the sample that nothing hides
 };
 
-/// A parallel look at all of sample along basis. box: boxWithoutStrays of it
+/// A parallel look at all of sample along basis. box: what of it is looked at
 Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis);
 
-/// Share of the sample that an eye within it sees in a picture of this field of view, degrees, as wide as high.
-double seenFrom(const SceneSample& sample, Vec3 eye, const ViewBasis& basis, double fov_deg);
+/// Sum of the weights, one for each splat, of what an eye within the sample sees in a picture of this field of view,
+/// degrees, as wide as high. Discs hide what is behind all of them, not behind their middles only.
+double seenFrom(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                double fov_deg);
 
 } // namespace pointrt

@@ -27,11 +27,18 @@ FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, co
     return frameScene(request, loaded.sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
 }
 
-/// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit.
+/// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit; of
+/// those that are a few large discs they go around the discs, so that these do not stand knee-deep in a floor.
 Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
     if (sample.splats.empty() || scene.instances.empty()) return scene.bounds;
     constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
-    const SampleBox box = boxWithoutStrays(sample);
+    constexpr double kLarge = 0.02; // of the diagonal: with fewer than some hundred discs a surface, or a heap
+    const SceneSample shown = withoutStrays(sample);
+    const SampleBox box = boundsOf(shown);
+    if (middleRadius(shown) > kLarge * length(box.high - box.low)) {
+        const SampleBox discs = discBounds(shown);
+        return {discs.low, discs.high};
+    }
     const Vec3 margin = kMargin * (box.high - box.low), low = box.low - margin, high = box.high + margin;
     const Bounds& all = scene.bounds;
     return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},

@@ -113,6 +113,9 @@ struct StudioLamp {
 constexpr StudioLamp kStudioLamps[] = {
     {-42, 48, 5, {0.98f, 0.94f, 0.88f}}, {52, 22, 14, {0.22f, 0.24f, 0.27f}}, {160, 35, 8, {0.40f, 0.42f, 0.46f}}};
 constexpr float kStudioFloor = 0.42f;
+/// Below the lowest point, in the scene's bounding radius: discs that lie flat there are above it by more than a float
+/// tells, and shadows still touch what throws them.
+constexpr double kStudioGap = 1e-3;
 /// Of the sky's brightness at the horizon, where it is the floor's: dark above, so that it lights little by itself.
 constexpr float kStudioZenith = 0.35f;
 
@@ -127,8 +130,15 @@ float lampGain(double reflectance) {
 
 /// A lamp by the eye gives what lies at the middle's distance this, as radiance of a white surface. The rest comes from
 /// all sides, this share of a sky as dark as the studio's, so that neither what is near nor what is far is lost.
-constexpr float kEyeLamp = 0.5f, kWalledShare = 0.5f, kAllAround = 0.9f; // walls are near to who stands among them
-constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f;           // floors, walls and ceilings are told apart
+struct EyeLamp {
+    float lamp, all_around;
+};
+constexpr EyeLamp kBeforeEye{0.5f, 0.9f};
+constexpr EyeLamp kAmongWalls{0.6f, 0.75f};                    // they hide much of that sky from each other
+constexpr float kAbove = 0.4f, kAcross = 0.36f, kBelow = 0.3f; // floors, walls and ceilings are told apart
+/// Among walls the lamp hangs, this share of the way from the eye to the ceiling: what stands near by at the height of
+/// the eye does not outshine the rest, and throws a shadow that shows it.
+constexpr double kHangs = 0.5;
 
 void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
     const Vec3 to_centre = staging.center - staging.eye;
@@ -136,13 +146,15 @@ void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
     // above and left of the eye, as far as hands reach: what is seen has shading. Where nothing stands behind the eye,
     // as far behind it as the middle is before it: what is near does not get much more light
     const bool walled = length(to_centre) < staging.radius / 2;
-    const Vec3 place = staging.eye + 0.1 * distance * (staging.up - staging.right) - (walled ? 0.0 : 1.0) * to_centre;
+    const double headroom = std::max(0.0, dot(to_centre, staging.up) - staging.floor);
+    const Vec3 aside = 0.1 * distance * (staging.up - staging.right);
+    const Vec3 place = staging.eye + aside + (walled ? kHangs * headroom * staging.up : -1.0 * to_centre);
     const double reach = walled ? distance : 2 * distance;
-    const float lamp = walled ? kEyeLamp * kWalledShare : kEyeLamp;
-    const auto intensity = static_cast<float>(pi * lamp * gain * reach * reach);
+    const EyeLamp share = walled ? kAmongWalls : kBeforeEye;
+    const auto intensity = static_cast<float>(pi * share.lamp * gain * reach * reach);
     scene.lights.push_back(PointLight{place, {intensity, intensity, intensity}});
     SkyDescription sky;
-    sky.ambient = std::min(1.0f, kAllAround * gain);
+    sky.ambient = std::min(1.0f, share.all_around * gain);
     sky.zenith = {kAbove, kAbove, kAbove};
     sky.horizon = {kAcross, kAcross, kAcross};
     sky.ground = {kBelow, kBelow, kBelow};
@@ -155,9 +167,10 @@ void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubj
     MaterialDescription floor;
     floor.name = "studio floor";
     floor.color = {grey, grey, grey};
-    ShapeDescription plane{ShapeKind::kPlane, staging.center + staging.floor * staging.up,
-                           staging.right,     -1.0 * staging.towards_eye,
-                           staging.up,        addMaterial(scene, floor)};
+    ShapeDescription plane{
+        ShapeKind::kPlane, staging.center + (staging.floor - kStudioGap * staging.radius) * staging.up,
+        staging.right,     -1.0 * staging.towards_eye,
+        staging.up,        addMaterial(scene, floor)};
     plane.backdrop = true;
     scene.shapes.push_back(plane);
     SkyDescription sky;

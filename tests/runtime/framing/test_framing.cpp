@@ -22,14 +22,16 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 class Scene {
 public:
-    void add(Vec3 position, Vec3 normal) { sample.splats.push_back({position, normal, 0.01, {0.5f, 0.5f, 0.5f}}); }
+    void add(Vec3 position, Vec3 normal, double radius = 0.01) {
+        sample.splats.push_back({position, normal, radius, {0.5f, 0.5f, 0.5f}});
+    }
     /// corner + [0, 1] u + [0, 1] v, with its front where u x v points.
     void addRectangle(Vec3 corner, Vec3 u, Vec3 v, int count) {
         for (int i = 0; i < count; ++i) add(corner + share() * u + share() * v, normalize(cross(u, v)));
     }
     double share() { return std::uniform_real_distribution<double>(0, 1)(random_); }
 
-    SceneSample sample{{}, {}, true, false};
+    SceneSample sample{{}, {}, {}, true, false};
 
 private:
     std::mt19937 random_{1};
@@ -119,6 +121,70 @@ TEST(Framing, ManyStraysDoNotCountEither) {
     EXPECT_LT(frame.right - frame.left, 0.85);
 }
 
+/// Of a square picture of all within reach of zero.
+void expectFramed(const SceneSample& sample, Vec3 up, double reach) {
+    const Frame frame = frameOf(sample, completed(frameScene({}, sample, up, {1, 1}, true), 1), 1, reach);
+    const double share = std::max(frame.right - frame.left, frame.top - frame.bottom);
+    EXPECT_GT(share, 0.75);
+    EXPECT_LT(share, 0.85);
+    EXPECT_NEAR((frame.left + frame.right) / 2, 0.5, 0.02);
+    EXPECT_NEAR((frame.bottom + frame.top) / 2, 0.5, 0.02);
+}
+
+TEST(Framing, TipsAreOfTheTree) {
+    Scene scene;
+    scene.addRectangle({-6, -6, 0}, 12.0 * kX, 12.0 * kY, 8000);
+    for (int i = 1; i <= 40; ++i) scene.add({0, 0, 0.4 * i}, kX); // 0.5% of all is 16 high
+    expectFramed(scene.sample, kZ, 100);
+}
+
+TEST(Framing, FringesAreNotOfTheStreet) {
+    Scene scene;
+    scene.addRectangle({-10, -4, 0}, 20.0 * kX, 8.0 * kY, 6000);
+    scene.addRectangle({-60, -70, 0}, 120.0 * kX, 60.0 * kY, 100);
+    scene.addRectangle({-5, -60, 0}, 10.0 * kX, 3.0 * kZ, 60); // a wall far off
+    expectFramed(scene.sample, kZ, 10.8);
+}
+
+TEST(Framing, WhatLiesApartIsShownWhereItIsMuch) {
+    Scene scene = ball();
+    const Vec3 apart{3, 0, 0};
+    for (int i = 0; i < 1000; ++i) scene.add(apart + scene.sample.splats[static_cast<std::size_t>(i)].position, kY);
+    expectFramed(scene.sample, kY, 100);
+}
+
+TEST(Framing, DiscsOfTinyScansAreWhole) {
+    for (const bool ortho : {false, true}) {
+        Scene scene;
+        for (int i = 0; i < 4; ++i) scene.add({double(i % 2), double(i / 2), 0}, kZ, 0.3 + 0.4 * i);
+        CameraRequest request;
+        request.view = StandardView::kFront;
+        request.ortho = ortho;
+        const Camera camera = completed(frameScene(request, scene.sample, kY, {1, 1}, true), 1);
+        Scene rims;
+        for (const SampledSplat& splat : scene.sample.splats)
+            for (int degree = 0; degree < 360; ++degree)
+                rims.add(splat.position +
+                             splat.radius * Vec3{std::cos(degree * kDegree), std::sin(degree * kDegree), 0},
+                         kZ);
+        const Frame frame = frameOf(rims.sample, camera, 1, 100);
+        EXPECT_NEAR(std::max(frame.right - frame.left, frame.top - frame.bottom), 0.8, 0.01) << ortho;
+        EXPECT_NEAR((frame.left + frame.right) / 2, 0.5, 0.01) << ortho;
+        EXPECT_NEAR((frame.bottom + frame.top) / 2, 0.5, 0.01) << ortho;
+    }
+}
+
+TEST(Framing, BoxesGoAroundDiscs) {
+    Scene scene;
+    scene.add({1, 2, 3}, kZ, 0.5);
+    scene.add({2, 2, 3}, normalize(kY + kZ), std::sqrt(2.0));
+    const SampleBox discs = discBounds(scene.sample), middles = boundsOf(scene.sample);
+    EXPECT_LT(length(discs.low - Vec3{0.5, 1, 2}), 1e-12);
+    EXPECT_LT(length(discs.high - Vec3{2 + std::sqrt(2.0), 3, 4}), 1e-12);
+    EXPECT_EQ(middles.low, (Vec3{1, 2, 3}));
+    EXPECT_EQ(middles.high, (Vec3{2, 2, 3}));
+}
+
 TEST(Framing, LooksWhereItIsTold) {
     CameraRequest eye, target;
     eye.eye = Vec3{3, 0, 0};
@@ -203,6 +269,46 @@ TEST(DefaultView, RoomsFromWithin) {
                 nearest = std::min(nearest, length(splat.position - eye));
             EXPECT_GT(nearest, 0.4) << "in the way";
         }
+}
+
+/// Whether a cupboard from (2.5, 1.8) to (3.5, 3.2), as high as the room, is between a place and one in the room.
+bool isBehindCupboard(Vec3 eye, Vec3 place) {
+    for (int step = 1; step < 200; ++step) {
+        const Vec3 p = eye + step / 200.0 * (place - eye);
+        if (p.x > 2.51 && p.x < 3.49 && p.y > 1.81 && p.y < 3.19) return true;
+    }
+    return false;
+}
+
+TEST(DefaultView, RoomsFromWhereAScannerStoodThatNobodyTellsOf) {
+    const Vec3 stood{0.8, 0.9, 1.3};
+    Scene scene = room();
+    scene.addRectangle({2.5, 1.8, 0}, 1.4 * kY, 2.5 * kZ, 500);
+    scene.addRectangle({2.5, 1.8, 0}, 1.0 * kX, 2.5 * kZ, 400);
+    std::erase_if(scene.sample.splats, [&](const SampledSplat& s) { return isBehindCupboard(stood, s.position); });
+    scene.sample.zeros = {{20, 0, 0}, stood};
+    EXPECT_EQ(chooseView(scene.sample, kZ).eye, stood) << "it saw all that is there";
+    scene.sample.zeros = {{5.2, 4.1, 1.3}};
+    EXPECT_NE(chooseView(scene.sample, kZ).eye, scene.sample.zeros[0]) << "it would have seen the other sides";
+}
+
+TEST(DefaultView, NoEyeIsInADisc) {
+    Scene scene;
+    for (int i = 0; i < 4; ++i) scene.add({double(i % 2), double(i / 2), 0}, kZ, 0.85);
+    scene.sample.sensors = {{-0.5, 0.5, 0.05}}; // all of it ahead
+    EXPECT_FALSE(chooseView(scene.sample, kZ).eye);
+    scene.sample.sensors = {{0.5, 0.5, 3}};
+    EXPECT_TRUE(chooseView(scene.sample, kZ).eye);
+}
+
+TEST(DefaultView, NoPlateIsBeforeTheEye) {
+    Scene scene = room();
+    const std::optional<Vec3> free = chooseView(scene.sample, kZ).eye;
+    ASSERT_TRUE(free);
+    scene.add(*free + Vec3{1, 0, 0}, kZ, 1.2); // it hides nothing, and its middle is as far as the walls are
+    const std::optional<Vec3> eye = chooseView(scene.sample, kZ).eye;
+    ASSERT_TRUE(eye);
+    EXPECT_GT(length(*eye - scene.sample.splats.back().position), 1.3);
 }
 
 TEST(DefaultView, NobodyStandsWithinAStatue) {
