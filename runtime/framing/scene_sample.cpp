@@ -67,12 +67,6 @@ SampleBox discBounds(const SceneSample& sample) {
     return box;
 }
 
-double middleRadius(const SceneSample& sample) {
-    std::vector<double> radii;
-    for (const SampledSplat& splat : sample.splats) radii.push_back(splat.radius);
-    return quantile(radii, 0.5);
-}
-
 SampleBox denseBox(const SceneSample& sample) {
     return boxOf(sample, [](std::vector<double>& values) { return extentWithout(values, kManyStrays); });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "runtime/util/vec.h"
@@ -23,6 +24,9 @@ struct SceneSample {
     bool furnished = false; ///< shapes stand in the scene besides its scans
 };
 
+/// Of fewer splats each is one that somebody looks for: none is a stray, and all of its disc is to be seen.
+constexpr std::size_t kEachCounts = 100;
+
 /// Ends of a range of numbers.
 struct Extent {
     double low = 0, high = 0;
@@ -35,9 +39,6 @@ Extent extentOfMost(std::vector<double>& values);
 
 /// How far a disc reaches from its middle along an axis of unit length.
 double reachAlong(const SampledSplat& splat, Vec3 axis);
-
-/// Median of the radii. sample: not empty
-double middleRadius(const SceneSample& sample);
 
 /// Luminance of the reflectance that a twentieth of the sample exceeds; 0.5 of an empty one.
 double brightReflectance(const SceneSample& sample);
@@ -55,7 +56,7 @@ SampleBox denseBox(const SceneSample& sample);
 
 /// The part that hangs together and holds most, and what else there is of it near by or plenty: what doubles the box
 /// around all is a twentieth of the sample or more. A tree's tip is of the tree, however few splats it has; the thin
-/// fringe of what a spinning scanner saw is not of the street.
+/// fringe of what a spinning scanner saw is not of the street. Below kEachCounts it is all.
 SceneSample withoutStrays(const SceneSample& sample);
 
 } // namespace pointrt

@@ -66,7 +66,7 @@ double diagonal(const SampleBox& box) { return length(box.high - box.low); }
 
 SceneSample withoutStrays(const SceneSample& sample) {
     SceneSample kept = sample;
-    if (sample.splats.empty()) return kept;
+    if (sample.splats.size() < kEachCounts) return kept;
     const std::vector<Part> parts = partsOf(sample);
     kept.splats = parts[0].sample.splats;
     SampleBox box = parts[0].box;

@@ -32,13 +32,11 @@ FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, co
 Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
     if (sample.splats.empty() || scene.instances.empty()) return scene.bounds;
     constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
-    constexpr double kLarge = 0.02; // of the diagonal: with fewer than some hundred discs a surface, or a heap
-    const SceneSample shown = withoutStrays(sample);
-    const SampleBox box = boundsOf(shown);
-    if (middleRadius(shown) > kLarge * length(box.high - box.low)) {
-        const SampleBox discs = discBounds(shown);
+    if (sample.splats.size() < kEachCounts) {
+        const SampleBox discs = discBounds(sample);
         return {discs.low, discs.high};
     }
+    const SampleBox box = boundsOf(withoutStrays(sample));
     const Vec3 margin = kMargin * (box.high - box.low), low = box.low - margin, high = box.high + margin;
     const Bounds& all = scene.bounds;
     return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},

@@ -174,6 +174,13 @@ TEST(Framing, DiscsOfTinyScansAreWhole) {
     }
 }
 
+TEST(Framing, TinyScansHaveNoStrays) {
+    Scene scene;
+    for (int i = 0; i < 15; ++i) scene.add({0, 0, 0.1 * i}, kX);
+    for (const Vec3 apart : {Vec3{8, 0, 1}, Vec3{-5, 22, 1}, Vec3{24, 22, 1}}) scene.add(apart, kX);
+    expectFramed(scene.sample, kZ, 100);
+}
+
 TEST(Framing, BoxesGoAroundDiscs) {
     Scene scene;
     scene.add({1, 2, 3}, kZ, 0.5);
