@@ -191,7 +191,9 @@ void renderInRows(RenderSession& session, const Options& options, Report& report
 }
 
 std::string signatureFor(const RenderSession& session, const std::string& path) {
-    return path.ends_with(".exr") ? filmSignature(session.loaded->scene, session.settings, session.camera) : "";
+    return path.ends_with(".exr") ? filmSignature(session.loaded->scene, session.settings, session.camera,
+                                                  session.loaded->tracer.programs.form)
+                                  : "";
 }
 
 /// False where it was interrupted: nothing is written then.

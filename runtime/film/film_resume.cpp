@@ -57,6 +57,11 @@ std::optional<Film> filmToResume(const std::string& path, const std::string& sig
     return std::move(saved->film);
 }
 
+FormRequest formToResume(const std::string& path) {
+    const std::optional<SavedFilm> saved = readSavedFilm(path);
+    return saved ? FormRequest(formOf(saved->signature)) : std::nullopt;
+}
+
 std::uint32_t mostSamples(const Film& film) {
     return static_cast<std::uint32_t>(*std::max_element(film.samples.begin(), film.samples.end()));
 }

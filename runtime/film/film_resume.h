@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/film/form_of_passes.h"
 #include "runtime/image/film.h"
 #include "runtime/scene/render_settings.h"
 
@@ -18,5 +19,9 @@ std::optional<Film> filmToResume(const std::string& path, const std::string& sig
 /// The most and the fewest samples of any pixel of film.
 std::uint32_t mostSamples(const Film& film);
 std::uint32_t fewestSamples(const Film& film);
+
+/// The form of the passes that the film at path was begun in; none where there is no file. Throws Error as
+/// readSavedFilm.
+FormRequest formToResume(const std::string& path);
 
 } // namespace pointrt

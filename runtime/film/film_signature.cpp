@@ -19,6 +19,8 @@ namespace pointrt {
 namespace {
 
 constexpr std::string_view kSeparator = "; ";
+/// Films of queued passes say nothing, as before there was another form.
+constexpr const char* kFusedEntry = "passes=fused";
 
 std::string exact(double value) {
     char text[32];
@@ -96,7 +98,8 @@ std::string valueOf(std::string_view entry) {
 
 } // namespace
 
-std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera) {
+std::string filmSignature(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
+                          PassForm form) {
     std::map<int, std::string> entries = {{kCameraPlaceInFilm, "camera=" + cameraText(camera)}};
     forEachRenderSetting([&](const auto& row) {
         if (row.film.place != 0 && isTold(row, settings))
@@ -104,7 +107,14 @@ std::string filmSignature(const DeviceScene& scene, const RenderSettings& settin
     });
     std::string signature = "renderer=" POINTRT_VERSION + std::string(kSeparator) + "scene=" + sceneHash(scene);
     for (const auto& [place, entry] : entries) signature += std::string(kSeparator) + entry;
-    return signature;
+    return signature + (form == PassForm::kFused ? std::string(kSeparator) + kFusedEntry : "");
+}
+
+PassForm formOf(const std::string& signature) {
+    std::string_view text = signature;
+    while (!text.empty())
+        if (takeEntry(text) == kFusedEntry) return PassForm::kFused;
+    return PassForm::kQueued;
 }
 
 std::string signatureDifference(const std::string& before, const std::string& now) {

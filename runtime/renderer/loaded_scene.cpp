@@ -96,7 +96,8 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     furnish(worker, *loaded, request);
     begin("programs", kProgramsShare);
     const TracerSize size = request.size.value_or(wholeFrames(worker, request.settings));
-    createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels);
+    createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels,
+                     request.form);
     loaded->program_kinds = kindsOf(loaded->scene, loaded->settings);
     if (!wantsPhotons(loaded->scene, loaded->settings)) return loaded;
     begin("caustics", kPhotonsShare);

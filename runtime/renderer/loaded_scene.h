@@ -63,6 +63,7 @@ struct LoadRequest {
     bool fov_is_free = false;        ///< nobody has said it: it may become wider
     double free_share = 1;           ///< of the picture's width, from the left: nothing covers it
     bool verbose = false;
+    FormRequest form; ///< of its passes
 };
 
 /// Called as a stage of loading begins, with a word for it and the share of the whole that is done by then. It may

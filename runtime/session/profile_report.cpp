@@ -12,8 +12,9 @@ namespace {
 std::string passJson(const PassTally& pass, bool has_clock) {
     return "{\"pass\": " + jsonText(pass.name) + ", \"runs\": " + std::to_string(pass.runs) +
            ", \"device_ms\": " + (has_clock ? jsonNumber(pass.device_ms) : "null") +
-           ", \"host_ms\": " + jsonNumber(pass.host_ms) + ", \"lanes_in\": " + std::to_string(pass.lanes_in) +
-           ", \"lanes_out\": " + std::to_string(pass.lanes_out) + ", \"bytes\": " + std::to_string(pass.bytes) + "}";
+           ", \"host_ms\": " + jsonNumber(pass.host_ms) + ", \"cpu_ms\": " + jsonNumber(pass.cpu_ms) +
+           ", \"lanes_in\": " + std::to_string(pass.lanes_in) + ", \"lanes_out\": " + std::to_string(pass.lanes_out) +
+           ", \"bytes\": " + std::to_string(pass.bytes) + "}";
 }
 
 std::string hostJson(const HostTally& span) {
@@ -42,9 +43,9 @@ std::string passLine(const PassTally& pass, bool has_clock) {
     const bool over_lists = pass.lanes_in > pass.runs; // a lane each has what goes between passes
     const std::string lane_ns =
         over_lists ? line("%9.1f", 1e6 * pass.host_ms / static_cast<double>(pass.lanes_in)) : "        -";
-    return line("  %-34s %7llu %s %10.1f %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
-                static_cast<unsigned long long>(pass.runs), device.c_str(), pass.host_ms, millions(pass.lanes_in),
-                millions(pass.lanes_out), millions(pass.bytes), lane_ns.c_str());
+    return line("  %-34s %7llu %s %10.1f %10.1f %10.3f %10.3f %9.1f %s\n", pass.name.c_str(),
+                static_cast<unsigned long long>(pass.runs), device.c_str(), pass.host_ms, pass.cpu_ms,
+                millions(pass.lanes_in), millions(pass.lanes_out), millions(pass.bytes), lane_ns.c_str());
 }
 
 std::string hostLine(const char* name, double ms) { return line("  %-34s %29.1f\n", name, ms); }
@@ -64,8 +65,8 @@ std::string profileTable(const PassProfile& profile) {
     std::vector<PassTally> passes = profile.passes;
     std::stable_sort(passes.begin(), passes.end(),
                      [](const PassTally& a, const PassTally& b) { return a.host_ms > b.host_ms; });
-    std::string table = line("  %-34s %7s %10s %10s %10s %10s %9s %9s\n", "pass", "runs", "device ms", "host ms",
-                             "M lanes in", "M out", "MB", "ns/lane");
+    std::string table = line("  %-34s %7s %10s %10s %10s %10s %10s %9s %9s\n", "pass", "runs", "device ms", "host ms",
+                             "cpu ms", "M lanes in", "M out", "MB", "ns/lane");
     for (const PassTally& pass : passes) table += passLine(pass, profile.clock.pool != VK_NULL_HANDLE);
     for (const HostTally& span : profile.host) table += hostLine(span.name.c_str(), span.ms);
     table += hostLine("nothing accounts for", unaccountedMilliseconds(profile));

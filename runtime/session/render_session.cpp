@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "runtime/film/film_resume.h"
 #include "runtime/session/load_request.h"
 #include "runtime/session/settings.h"
 
@@ -46,8 +47,9 @@ RenderSession::~RenderSession() {
 
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
-    session.loaded =
-        loadScene(session.device, session.device, loadRequest(options, std::move(description)), LoadStage{});
+    LoadRequest request = loadRequest(options, std::move(description));
+    if (options.resume) request.form = formToResume(options.output);
+    session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
     chooseLayers(options, session.loaded->scene.description, session.settings);

@@ -23,15 +23,20 @@ void createBindings(Device& device, BandTracer& tracer) {
     tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
 }
 
+/// Whether there is anything after the camera rays' pass. Fused, that ends where instances are to be asked.
+bool hasPasses(const BandTracer& tracer) {
+    return tracer.programs.rays_go_on && (tracer.programs.form == PassForm::kQueued || !tracer.targets.empty());
+}
+
 } // namespace
 
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
-                      std::uint32_t lanes, std::uint64_t film_pixels) {
+                      std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form) {
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
     tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
-    tracer.programs = createPrograms(device, scene, settings);
+    tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics = emptyCaustics(device);
     createBindings(device, tracer);
 }
@@ -94,7 +99,7 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
         if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }
-    if (!sample.only_first_hits && tracer.programs.rays_go_on)
+    if (!sample.only_first_hits && hasPasses(tracer))
         for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
     const gpu::Control control = commands.finish();
     // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces

@@ -41,7 +41,7 @@ struct BandTracer {
 /// Fills tracer, which is empty, for bands of up to so many lanes (lanesOf) out of films of up to film_pixels, without
 /// photons. scene must have its tables and outlive the tracer.
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
-                      std::uint32_t lanes, std::uint64_t film_pixels);
+                      std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form = {});
 /// Leaves it empty, which it may have been.
 void destroyBandTracer(Device& device, BandTracer& tracer);
 

@@ -81,7 +81,9 @@ std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
             {BINDING_SURFACES, &buffers.surfaces},
             {BINDING_SURFACES_TEXELS, &buffers.surfaces},
             {BINDING_LIGHT_MASKS, &buffers.light_masks},
-            {BINDING_DEFERRED, &buffers.deferred}};
+            {BINDING_DEFERRED, &buffers.deferred},
+            {BINDING_SHADOW_RAYS, &buffers.light_queries},
+            {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
 }
 
 } // namespace pointrt

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/tracer/pass_commands.h"
 
+#include <ctime>
+
 namespace pointrt {
 namespace {
 
@@ -59,13 +61,15 @@ void PassCommands::record(const Pass& pass) {
 }
 
 void PassCommands::runTimed(const Pass& pass) {
-    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, {}};
+    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}};
     const Clock::time_point start = Clock::now();
+    const std::clock_t cpu = std::clock();
     commands_ = beginCommands(device_);
     recordClockStart(commands_, profile_->clock);
     record(pass);
     recordClockEnd(commands_, profile_->clock);
     submitAndWait(device_, commands_);
+    run.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
     run.host_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     const HostSpan span(profile_, kReadSpan);
     run.device_ms = clockedMilliseconds(device_, profile_->clock);

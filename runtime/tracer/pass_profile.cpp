@@ -12,13 +12,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec4), kHit = sizeof(gpu::uvec4);
 constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
 constexpr std::uint64_t kSurface = sizeof(gpu::SurfaceInteraction);
+constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
 /// Of the film: rgb of one layer and the luminance beside, read and written.
 constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
 
-/// A lane of a program: see passBytes.
+/// A lane of a program (see PassTally::bytes), and what it stores with the rays and the points or shadow rays that it
+/// lists.
 struct PassBytes {
     const char* program;
-    std::uint64_t bytes;
+    std::uint64_t bytes, ray = kPath, lit = kQuery;
 };
 
 constexpr PassBytes kPassBytes[] = {
@@ -36,6 +38,9 @@ constexpr PassBytes kPassBytes[] = {
     {"shadow_shapes", kWord + kQuery + kWord},
     {"shadow", kWord + kQuery + 2 * kWord},
     {"light", kWord + kQuery + kWord + kAddedLight},
+    {"follow (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
+    {"follow", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
+    {"shadow_light", kWord + kShadowRay + kAddedLight},
     {"caustic", kWord + kQuery + kAddedLight},
 };
 
@@ -44,19 +49,25 @@ struct Appended {
     std::uint64_t entries = 0, bytes = 0;
 };
 
-Appended appendedBy(const PassRun& run) {
+Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
     Appended sum;
     if (run.lanes == PassLanes::kOne) return sum; // it empties them
     const auto add = [&](std::uint32_t before, std::uint32_t after, std::uint64_t bytes) {
         sum.entries += after - before;
         sum.bytes += (after - before) * (kWord + bytes);
     };
-    for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], kPath);
-    add(run.before.light_queries_appended, run.after.light_queries_appended, kQuery);
+    for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], each_has.ray);
+    add(run.before.light_queries_appended, run.after.light_queries_appended, each_has.lit);
     add(run.before.asked_appended, run.after.asked_appended, 0);
     add(run.before.hits_appended, run.after.hits_appended, kHit);
     add(run.before.tile_count, run.after.tile_count, 0);
     return sum;
+}
+
+const PassBytes& bytesOf(const std::string& program) {
+    for (const PassBytes& each : kPassBytes)
+        if (program == each.program) return each;
+    throw std::logic_error("a profile knows nothing of what " + program + " moves");
 }
 
 /// The one of that name, at the end where there is none yet.
@@ -108,22 +119,18 @@ std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_
     return 0;
 }
 
-std::uint64_t passBytes(const std::string& program) {
-    for (const PassBytes& each : kPassBytes)
-        if (program == each.program) return each.bytes;
-    throw std::logic_error("a profile knows nothing of what " + program + " moves");
-}
-
 void addRun(PassProfile& profile, const PassRun& run) {
     PassTally& tally = tallyOf(profile.passes, run.name);
-    const Appended appended = appendedBy(run);
+    const PassBytes& bytes = bytesOf(run.name);
+    const Appended appended = appendedBy(run, bytes);
     const std::uint64_t lanes = lanesIn(run.before, run.lanes, run.tiles);
     ++tally.runs;
     tally.host_ms += run.host_ms;
+    tally.cpu_ms += run.cpu_ms;
     tally.device_ms += run.device_ms.value_or(0);
     tally.lanes_in += lanes;
     tally.lanes_out += appended.entries;
-    tally.bytes += lanes * passBytes(run.name) + appended.bytes;
+    tally.bytes += lanes * bytes.bytes + appended.bytes;
 }
 
 HostSpan::HostSpan(PassProfile* profile, const char* name) : profile_(profile), name_(name) {

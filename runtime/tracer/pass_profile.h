@@ -19,9 +19,12 @@ struct PassTally {
     std::uint64_t runs = 0;
     double device_ms = 0;        ///< by its clock, where it has one
     double host_ms = 0;          ///< recorded, submitted and waited for, by the host's
+    double cpu_ms = 0;           ///< of this process's threads meanwhile, a device's that is a processor among them
     std::uint64_t lanes_in = 0;  ///< that had something to do
     std::uint64_t lanes_out = 0; ///< entries they put into queues and lists
-    std::uint64_t bytes = 0;     ///< of queues, paths, hits, surfaces, light and film, loaded and stored (passBytes)
+    /// Of queues, paths, hits, surfaces, light and film, loaded and stored, by what the sources say. What walks and
+    /// blending read of a scan is not among it: that hangs on the way of each ray.
+    std::uint64_t bytes = 0;
 };
 
 /// What the host did that is no pass.
@@ -56,15 +59,11 @@ struct PassRun {
     PassLanes lanes = PassLanes::kOne;
     std::uint32_t tiles = 0;
     gpu::Control before, after;
-    double host_ms = 0;
+    double host_ms = 0, cpu_ms = 0;
     std::optional<double> device_ms;
 };
-/// Throws std::logic_error for a program that passBytes knows nothing of.
+/// Throws std::logic_error for a program whose bytes are not told in pass_profile.cpp.
 void addRun(PassProfile& profile, const PassRun& run);
-
-/// What a lane of a program loads and stores but for the entries it appends, by what the sources say. What walks and
-/// blending read of a scan is not among it: that hangs on the way of each ray.
-std::uint64_t passBytes(const std::string& program);
 
 /// Times what the host does while it lives, under a name. None of these may live within another, or around a pass.
 class HostSpan {

@@ -12,11 +12,14 @@
 #include "shaders/beam.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/first_hits.spv.h"
+#include "shaders/follow.spv.h"
 #include "shaders/light.spv.h"
 #include "shaders/photon.spv.h"
 #include "shaders/prepare.spv.h"
 #include "shaders/shade.spv.h"
 #include "shaders/shadow.spv.h"
+#include "shaders/shadow_light.spv.h"
+#include "shaders/shadow_light_paged.spv.h"
 #include "shaders/shadow_paged.spv.h"
 #include "shaders/shadow_shapes.spv.h"
 #include "shaders/surface.spv.h"
@@ -80,10 +83,38 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
     };
     order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
-    if (all.show_light) order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
+    if (all.form == PassForm::kFused)
+        order(programs.shadow_light, "shadow_light", shadow_light_spv, shadow_light_paged_spv);
+    else if (all.show_light)
+        order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
     if (!all.rays_go_on) return;
     order(programs.trace, "trace", trace_spv, trace_paged_spv);
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
+}
+
+/// What follows on a path's hits, in the fused form.
+void orderFused(const Constants& constants, const Constants& of_camera, Programs& programs,
+                std::vector<Order>& orders) {
+    orders.push_back({&programs.camera.follow, "follow (camera)", follow_spv, of_camera});
+    if (programs.rays_go_on) orders.push_back({&programs.queued.follow, "follow", follow_spv, constants});
+}
+
+/// The same in the other one.
+void orderQueued(const Constants& constants, const Constants& of_camera, Programs& programs, bool caustics,
+                 std::vector<Order>& orders) {
+    orders.push_back({&programs.camera.shade, "shade (camera)", shade_spv, of_camera});
+    if (programs.rays_go_on) {
+        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
+        orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
+    }
+    if (programs.show_light) {
+        orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
+        orders.push_back({&programs.light, "light", light_spv, constants});
+    }
+    if (programs.show_light && caustics) {
+        orders.push_back({&programs.photon, "photon", photon_spv, constants});
+        orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
+    }
 }
 
 /// What is needed, for places in programs.
@@ -93,20 +124,11 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     std::vector<Order> orders{{&programs.prepare, "prepare", prepare_spv, constants},
                               {&programs.first_hits, "first_hits", first_hits_spv, of_camera},
                               {&programs.camera.trace_shapes, "trace_shapes (camera)", trace_shapes_spv, of_camera},
-                              {&programs.beam, "beam", beam_spv, constants},
-                              {&programs.camera.shade, "shade (camera)", shade_spv, of_camera}};
-    if (programs.rays_go_on) {
-        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
-        orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
-    }
-    if (programs.show_light) {
-        orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
-        orders.push_back({&programs.light, "light", light_spv, constants});
-    }
-    if (programs.show_light && castsCaustics(scene)) {
-        orders.push_back({&programs.photon, "photon", photon_spv, constants});
-        orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
-    }
+                              {&programs.beam, "beam", beam_spv, constants}};
+    if (programs.form == PassForm::kFused)
+        orderFused(constants, of_camera, programs, orders);
+    else
+        orderQueued(constants, of_camera, programs, castsCaustics(scene), orders);
     for (const Instance& instance : scene.instances) {
         const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
         if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
@@ -123,8 +145,9 @@ void buildAll(Device& device, std::vector<Order> orders) {
 
 } // namespace
 
-Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings) {
+Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form) {
     Programs programs;
+    programs.form = passFormFor(device.type, formNeeds(scene, settings), form);
     programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
     programs.show_light = showsLight(settings.integrator);
     const OnError undo([&] { destroyPrograms(device, programs); });
@@ -133,13 +156,14 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
 }
 
 void destroyPrograms(Device& device, Programs& programs) {
-    for (Program* program : {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes,
-                             &programs.light, &programs.photon, &programs.caustic, &programs.camera.trace_shapes,
-                             &programs.camera.shade, &programs.queued.trace_shapes, &programs.queued.shade})
+    for (Program* program :
+         {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes, &programs.light,
+          &programs.photon, &programs.caustic, &programs.camera.trace_shapes, &programs.camera.shade,
+          &programs.camera.follow, &programs.queued.trace_shapes, &programs.queued.shade, &programs.queued.follow})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
-        for (Program* program :
-             {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface, &variant.shadow})
+        for (Program* program : {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface,
+                                 &variant.shadow, &variant.shadow_light})
             destroyProgram(device, *program);
     programs.variants.clear();
 }

@@ -9,6 +9,7 @@
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/paged_buffer.h"
 #include "runtime/gpu/program.h"
+#include "runtime/tracer/pass_form.h"
 
 namespace pointrt {
 
@@ -25,25 +26,27 @@ struct InstanceTraits {
 
 struct InstancePrograms {
     Program trace_primary, camera_surface;
-    Program trace, surface; ///< of rays that go on
-    Program shadow;         ///< of light
+    Program trace, surface;       ///< of rays that go on
+    Program shadow, shadow_light; ///< of light, of either form
 };
 
 /// What camera rays and queued rays have one each of (shaders/frame/features.glsl).
 struct PassPrograms {
     Program trace_shapes, shade;
+    Program follow; ///< of the fused form, in place of shade
 };
 
 /// All declare the same bindings in set 0 (shaders/frame/bindings.glsl), and those for paged instances in set 1.
 struct Programs {
+    PassForm form = PassForm::kQueued;
     bool rays_go_on = true, show_light = true; ///< else the programs for that are not built
     Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
 };
 
-/// Builds what the scene needs for the settings' integrator.
-Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings);
+/// Builds what the scene needs for the settings' integrator, in the form asked for where that can be.
+Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);

@@ -17,20 +17,44 @@ void SampleRecorder::firstHits() {
 void SampleRecorder::begin() {
     prepare(STEP_RESET);
     primary(center_);
-    shade(tracer_.programs.camera.shade, center_);
+    if (tracer_.programs.form == PassForm::kFused)
+        follow(tracer_.programs.camera.follow, center_);
+    else
+        shade(tracer_.programs.camera.shade, center_);
 }
 
 void SampleRecorder::pass(std::uint32_t index) {
     const std::uint32_t queue = index % 2 ? STEP_QUEUE_ONE : 0u;
     rays_ = index % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
     const PassPrograms& programs = tracer_.programs.queued;
+    if (tracer_.programs.form == PassForm::kFused) {
+        askInstances(queue);
+        return follow(programs.follow, queue);
+    }
     run(programs.trace_shapes, tracer_.sets, queue, rays_);
     prepare(queue | STEP_ASKED);
-    for (const TracerTarget& target : tracer_.targets) {
-        run(target.programs->trace, target.sets, queue, PassLanes::kAsked);
-        surface(target.programs->surface, target.sets, queue);
-    }
+    askInstances(queue);
     shade(programs.shade, queue);
+}
+
+/// What the rays listed for them hit.
+void SampleRecorder::askInstances(std::uint32_t bits) {
+    for (const TracerTarget& target : tracer_.targets) {
+        run(target.programs->trace, target.sets, bits, PassLanes::kAsked);
+        surface(target.programs->surface, target.sets, bits);
+    }
+}
+
+/// The fused form's shade: on to where instances are to be asked, at once for the light that is waiting.
+void SampleRecorder::follow(const Program& program, std::uint32_t bits) {
+    run(program, tracer_.sets, bits, rays_);
+    prepare(bits);
+    prepare(bits | STEP_ASKED);
+    if (!tracer_.shadows) return;
+    for (const TracerTarget& target : tracer_.targets) {
+        const std::uint32_t last = &target == &tracer_.targets.back() ? STEP_LAST : 0u;
+        run(target.programs->shadow_light, target.sets, bits | last, PassLanes::kLit);
+    }
 }
 
 void SampleRecorder::shade(const Program& program, std::uint32_t bits) {

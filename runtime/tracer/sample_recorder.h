@@ -23,6 +23,8 @@ public:
 
 private:
     void shade(const Program& program, std::uint32_t bits);
+    void follow(const Program& program, std::uint32_t bits);
+    void askInstances(std::uint32_t bits);
     void primary(std::uint32_t bits);
     void shadows(std::uint32_t first, std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);

@@ -55,6 +55,9 @@ layout(std430, binding = BINDING_SURFACES) buffer SurfaceBuffer { SurfaceInterac
 // bit l: light l does not reach it
 layout(std430, binding = BINDING_LIGHT_MASKS) buffer ShadowBuffer { uint light_masks[]; };
 layout(std430, binding = BINDING_DEFERRED) buffer DeferredBuffer { PathState deferred[]; }; // MAX_DEFERRED a pixel
+// of paths: they share their memory with light_queries, for no form has both
+layout(std430, binding = BINDING_SHADOW_RAYS) buffer ShadowRayBuffer { ShadowRay shadow_rays[]; };
+layout(binding = BINDING_SHADOW_RAYS_TEXELS) uniform usamplerBuffer shadow_ray_texels;
 layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // being traced
 layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // of surfaces
 layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // of light_queries
@@ -90,6 +93,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadBeam(tile) texelFetch(beam_texels, int(tile)).x
 #define loadSurfaceTexel(path, member) texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member))
 #define loadLightQueryTexel(path, member) texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member))
+#define loadShadowTexel(path, member) texelFetch(shadow_ray_texels, int(path) * SHADOW_RAY_VECTORS + (member))
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
 // Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.

@@ -18,6 +18,10 @@ layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 const bool kHasNoise = (kFeatures & FEATURE_NOISE) != 0u;
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)
+#define ROUGH(number, NAME, Name, word, label, lobes, traits)                                                          \
+    | (((traits) & MATERIAL_IS_ROUGH) != 0u ? FEATURE_MATERIAL(number) : 0u)
+const bool mayBeRough = (kFeatures & (0u MATERIALS(ROUGH))) != 0u;
+#define mayBeRough mayBeRough // known to material.glsl
 #define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)
 #define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)
 

@@ -5,23 +5,15 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "shaders/light/direct_light.glsl"
-#include "shaders/trace/shapes.glsl"
-#include "shaders/trace/offset.glsl"
+#include "shaders/light/shape_shadow.glsl"
+#include "shaders/trace/shape_hit.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/reach.glsl"
-
-// A lamp is not hidden by itself: its distance from here and as a shape differ by rounding.
-bool shapesHide(vec3 origin, bool on_shape, LightSample to, uint lamp) {
-    float t_min = on_shape ? ownShapeReach(origin) : 0.0;
-    ShapeHit hit = nearestShape(ofLane(params.shape_count), origin, to.direction, t_min);
-    return hit.shape != lamp && hit.t < to.distance * kBeforeLamp;
-}
 
 void main() {
     uint path;
     DirectLightQuery query = currentLightQuery(path);
     bool live = path != NO_INDEX;
-    bool on_shape = query.owner == OWNER_SHAPES;
     uint first = push.first_turn, end = min(lightTurns(), first + ASKED_TURNS), asked = 0u;
     uint mask = live && first > 0u ? light_masks[path] : 0u;
     for (uint turn = first; turn < end; turn++) {
@@ -32,7 +24,8 @@ void main() {
         bool faces = live && facesLight(query, to);
         float own_t;
         vec3 origin = leaveSurface(query.position, query.normal, query.radius, query.material, to.direction, own_t);
-        bool dark = !faces || (shadows && shapesHide(origin, on_shape, to, lampOf(light)));
+        ShapeHit hit = nearestShape(ofLane(params.shape_count), origin, to.direction, nearestFrom(query.owner, origin));
+        bool dark = !faces || (shadows && hides(hit, to, light));
         mask |= dark ? 1u << turn : 0u;
         asked += faces && shadows ? 1u : 0u;
         bool meets = meetsInstances(origin, to.direction, to.distance * kBeforeLamp);

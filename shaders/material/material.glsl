@@ -16,6 +16,10 @@
 #ifndef mayHaveMaterial
 #define mayHaveMaterial(kind) true
 #endif
+// And whether any of those has the glossy lobe: what a table tells of that need not be asked for else.
+#ifndef mayBeRough
+#define mayBeRough true
+#endif
 
 #include "shaders/math/basis.glsl"
 #include "shaders/material/fresnel.glsl"
@@ -146,7 +150,11 @@ Bsdf materialBsdf(Material material, vec3 albedo, bool back, float cosine) {
     s.eta = back && !s.thin ? index : 1.0 / index;
     s.alpha = rough * rough;
     s.table_row = ggxRow(rough);
-    vec2 seen = ggxAlbedo(s.table_row, facing), mean = ggxMeanAlbedo(s.table_row);
+    vec2 seen = vec2(0.0), mean = vec2(0.0);
+    if (mayBeRough) {
+        seen = ggxAlbedo(s.table_row, facing);
+        mean = ggxMeanAlbedo(s.table_row);
+    }
     Lobes lobes = lobesOf(material, Seen(albedo, index, s.eta, s.thin, facing, mean.x));
     s.reflect_chance = lobes.reflect_chance;
     s.refract_chance = lobes.refract_chance;
@@ -179,13 +187,19 @@ void smoothLobes(Bsdf s, vec3 n, vec3 wo, vec3 wi, out vec3 glossy, out vec3 mat
     float cosine_i = dot(n, wi);
     bool above = cosine_i > 0.0;
     cosine_i = max(cosine_i, 1e-6);
-    GgxLobe lobe = ggxLobe(s.alpha, n, wo, wi, max(dot(n, wo), 1e-6), cosine_i);
-    float grazing = schlickWeight(lobe.facing), by_cosine = cosine_i / kPi;
-    vec3 fresnel = s.facing + (s.grazing - s.facing) * grazing;
-    float leaves = coatLeaves(s.coat, ggxAlbedo(s.table_row, cosine_i));
-    glossy = above ? fresnel * lobe.value : vec3(0.0);
-    matte = above ? s.matte_albedo * (leaves / s.coat_mean * by_cosine) : vec3(0.0);
-    pdf = above ? s.glossy_chance * lobe.pdf + s.matte_chance * by_cosine : 0.0;
+    float by_cosine = cosine_i / kPi, share = by_cosine;
+    glossy = vec3(0.0);
+    pdf = 0.0;
+    if (mayBeRough) {
+        GgxLobe lobe = ggxLobe(s.alpha, n, wo, wi, max(dot(n, wo), 1e-6), cosine_i);
+        vec3 fresnel = s.facing + (s.grazing - s.facing) * schlickWeight(lobe.facing);
+        float leaves = coatLeaves(s.coat, ggxAlbedo(s.table_row, cosine_i));
+        glossy = above ? fresnel * lobe.value : vec3(0.0);
+        share = leaves / s.coat_mean * by_cosine;
+        pdf = s.glossy_chance * lobe.pdf;
+    }
+    matte = above ? s.matte_albedo * share : vec3(0.0);
+    pdf = above ? pdf + s.matte_chance * by_cosine : 0.0;
 }
 
 // bsdf * |dot(n, wi)| without perfectly reflected and refracted light. The bsdf is the same for exchanged directions.
@@ -217,7 +231,7 @@ Scattering sampleBsdf(Bsdf s, vec3 n, vec3 wo, vec3 u) {
     bool specular = u.z < sharp || !hasSmoothLobe(s);
     bool refracts = specular && u.z >= s.reflect_chance && s.refract_chance > 0.0;
     mat3 frame = frameAround(n);
-    vec3 smooth_wi = frame * ggxOrCosineSample(u.z < sharp + s.glossy_chance, s.alpha, wo * frame, u.xy);
+    vec3 smooth_wi = frame * ggxOrCosineSample(mayBeRough && u.z < sharp + s.glossy_chance, s.alpha, wo * frame, u.xy);
     vec3 sharp_wi = refracts ? refractedWay(s, n, wo) : reflect(-wo, n);
     vec3 glossy, matte;
     float pdf;

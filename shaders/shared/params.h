@@ -164,6 +164,19 @@ struct DirectLightQuery {
 };
 #define LIGHT_QUERY_VECTORS 5
 
+// The fused form's: a shadow ray that is to pass the instances, and what it brings then.
+struct ShadowRay {
+    vec3 origin;
+    float own_t; // as of a PathState
+    vec3 direction;
+    float t_max; // up to the lamp; negative: something stands in its way
+    vec3 left_normal;
+    uint owner; // of the surface it left
+    vec3 light;
+    uint scatterings; // of the light on its way to the eye
+};
+#define SHADOW_RAY_VECTORS 4
+
 // What is known of a pixel, in vectors of film, layer after layer: sums over the samples.
 #define LAYER_DIRECT 0u   // light scattered once, and what is seen itself; w: share covered by the scene
 #define LAYER_INDIRECT 1u // w: luminance of the sample under way
@@ -188,6 +201,7 @@ struct PushParams {
 #define STEP_PREVIEW 16u  // lamps are asked in the middle, and the first alone for shadows: pictures at once
 #define STEP_ASKED 32u    // prepare: the list of rays for instances is complete
 #define STEP_HITS 64u     // prepare: the list of an instance's hits is complete
+#define STEP_LAST 128u    // shadow_light: no instance comes after this one
 
 // A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
 #define ASKED_TURN_SHIFT 27u
@@ -209,6 +223,7 @@ POINTRT_ROWS(SurfaceInteraction, SURFACE_VECTORS);
 POINTRT_ROW(SurfaceInteraction, owner);
 POINTRT_ROWS(DirectLightQuery, LIGHT_QUERY_VECTORS);
 POINTRT_ROW(DirectLightQuery, view);
+POINTRT_ROWS(ShadowRay, SHADOW_RAY_VECTORS);
 POINTRT_ROWS(PushParams, 1);
 } // namespace pointrt::gpu
 #endif

@@ -116,6 +116,25 @@ ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 directi
     return hit;
 }
 
+// Of two rays, each with its own t_min, by one load of each shape.
+void nearestShapes(uint count, vec3 origin_a, vec3 direction_a, float t_min_a, vec3 origin_b, vec3 direction_b,
+                   float t_min_b, out ShapeHit hit_a, out ShapeHit hit_b) {
+    hit_a = ShapeHit(kNoShapeHit, count);
+    hit_b = hit_a;
+    uint i = 0u;
+    do { // as in nearestShapeWithout
+        bool going = i < count;
+        Shape shape = loadShape(going ? i : 0u);
+        float t_a = hitShape(shape, origin_a, direction_a, t_min_a), t_b = hitShape(shape, origin_b, direction_b, t_min_b);
+        bool nearer_a = going && t_a < hit_a.t, nearer_b = going && t_b < hit_b.t;
+        hit_a.t = nearer_a ? t_a : hit_a.t;
+        hit_a.shape = nearer_a ? i : hit_a.shape;
+        hit_b.t = nearer_b ? t_b : hit_b.t;
+        hit_b.shape = nearer_b ? i : hit_b.shape;
+        i++;
+    } while (i < count);
+}
+
 ShapeHit nearestShape(uint count, vec3 origin, vec3 direction, float t_min) {
     return nearestShapeWithout(0u, count, origin, direction, t_min);
 }

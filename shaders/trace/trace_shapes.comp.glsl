@@ -3,9 +3,7 @@
 // camera rays have their beams.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/frame/path.glsl"
-#include "shaders/trace/shapes.glsl"
-#include "shaders/trace/offset.glsl"
+#include "shaders/trace/shape_hit.glsl"
 #include "shaders/frame/append.glsl"
 #include "shaders/trace/reach.glsl"
 
@@ -13,14 +11,11 @@ void main() {
     uint index;
     PathState path = currentPath(index);
     bool live = index != NO_INDEX;
-    uint shapes = ofLane(params.shape_count);
     uint skipped = hasStep(STEP_FIRST_HIT) ? SHAPE_BACKDROP | SHAPE_UNSEEN_BY_CAMERA
                                            : (kCameraPass ? SHAPE_UNSEEN_BY_CAMERA : 0u);
-    vec3 origin = path.origin, direction = path.direction;
-    float t_min = path.bits >> PATH_OWNER_SHIFT == OWNER_SHAPES ? ownShapeReach(origin) : 0.0;
-    ShapeHit hit = nearestShapeWithout(skipped, shapes, origin, direction, t_min);
-    if (live)
-        imageStore(hit_texels, int(index),
-                   hit.shape >= shapes ? kNoHit : uvec4(floatBitsToUint(hit.t), 0u, hit.shape, OWNER_SHAPES));
-    appendEntry(APPEND_ASKED, live && !kCameraPass && meetsInstances(origin, direction, hit.t), index);
+    float t_min = nearestFrom(path.bits >> PATH_OWNER_SHIFT, path.origin);
+    ShapeHit hit = nearestShapeWithout(skipped, ofLane(params.shape_count), path.origin, path.direction, t_min);
+    if (live) imageStore(hit_texels, int(index), hitWords(hit));
+    bool asks = live && !kCameraPass && meetsInstances(path.origin, path.direction, hit.t);
+    appendEntry(APPEND_ASKED, asks, index);
 }

@@ -43,16 +43,18 @@ RenderSettings square(std::uint32_t size) {
     return settings;
 }
 
-Rendered renderScene(SceneDescription description, RenderSettings settings) {
+Rendered renderScene(SceneDescription description, RenderSettings settings, FormRequest form, bool in_steps) {
     Device& device = sharedDevice();
     settings.first_hits = true;
     LoadRequest request;
     request.scene = std::move(description);
     request.settings = settings;
     request.staging = settings.camera;
+    request.form = form;
     const std::unique_ptr<LoadedScene> loaded = loadScene(device, device, request, {});
     const DeviceScene& scene = loaded->scene;
     Rendered rendered;
+    rendered.form = loaded->tracer.programs.form;
     rendered.camera = loaded->camera;
     rendered.scene = scene.description;
     if (!scene.instances.empty()) {
@@ -64,6 +66,8 @@ Rendered renderScene(SceneDescription description, RenderSettings settings) {
     FrameJob job;
     job.samples = settings.spp;
     renderer.begin({settings, rendered.camera, tilingFor(device, settings.width, settings.height)}, job);
+    while (in_steps && renderer.openStrip(16))
+        for (std::uint32_t passes = 0; !renderer.traceStrip(passes); passes = 1) continue;
     renderer.run();
     rendered.rays = renderer.takeRays();
     rendered.film = renderer.takeFilm();

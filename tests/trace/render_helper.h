@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/film/form_of_passes.h"
 #include "runtime/image/film.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
@@ -16,6 +17,7 @@ namespace pointrt::test {
 
 struct Rendered {
     Film film;
+    PassForm form = PassForm::kQueued; ///< that its passes had
     RayCounts rays;
     Camera camera;
     gpu::FrameParams params{}; ///< what the shaders saw
@@ -27,8 +29,8 @@ struct Rendered {
 /// size x size pixels, one sample through each centre, three lights on the ring, no room.
 RenderSettings square(std::uint32_t size);
 
-/// first_hits is always on.
-Rendered renderScene(SceneDescription scene, RenderSettings settings);
+/// first_hits is always on. form: of its passes. in_steps: in strips of 16 rows, each pass by itself, as windows do.
+Rendered renderScene(SceneDescription scene, RenderSettings settings, FormRequest form = {}, bool in_steps = false);
 /// The same of a .pro alone.
 Rendered renderFile(const std::string& path, RenderSettings settings);
 

@@ -167,7 +167,7 @@ void Window::saveFilm() {
     const Viewport view = image_.live()->view();
     const std::uint32_t samples = image_.live()->progress().samples;
     SavedFilm saved{image_.takeFilm(), samples, work_.settings.seed,
-                    filmSignature(loaded_->scene, view.settings, view.camera)};
+                    filmSignature(loaded_->scene, view.settings, view.camera, loaded_->tracer.programs.form)};
     const std::string name = freeName(work_.scene.path, {".png", ".exr"});
     SaveLook look{work_.look.exposure, work_.denoise && samples < kCleanSamplesOfLight, {}};
     if (view.settings.legend.value_or(false)) look.legend = work_.legend;

@@ -15,7 +15,7 @@ constexpr double kPhotonsShare = 0.6;
 bool rebuildPrograms(Device& device, LoadedScene& loaded) {
     const ProgramKinds kinds = kindsOf(loaded.scene, loaded.settings);
     if (kinds == loaded.program_kinds) return false;
-    Programs programs = createPrograms(device, loaded.scene, loaded.settings);
+    Programs programs = createPrograms(device, loaded.scene, loaded.settings, {});
     destroyPrograms(device, loaded.tracer.programs);
     loaded.tracer.programs = std::exchange(programs, {});
     loaded.program_kinds = kinds;

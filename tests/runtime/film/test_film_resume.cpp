@@ -38,20 +38,24 @@ RenderSettings testSettings() {
 class FilmResume : public DeviceFixture {
 protected:
     void SetUp() override {
+        load(testSettings(), {});
+        camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 1);
+    }
+    void load(const RenderSettings& settings, FormRequest form) {
         LoadRequest request;
         request.scene = ballScene();
-        request.settings = testSettings();
+        request.settings = settings;
+        request.form = form;
         loaded = loadScene(device, device, request, {});
-        camera = frameCamera({}, {-2, 0, -1}, {2, 2, 1}, 1);
     }
     std::string path() const { return folder.file("film.exr"); }
     std::string signature(const RenderSettings& settings) const {
-        return filmSignature(loaded->scene, settings, camera);
+        return filmSignature(loaded->scene, settings, camera, loaded->tracer.programs.form);
     }
 
     /// The film start with this many samples in all.
     Film refine(const Film* start, std::uint32_t samples) {
-        const RenderSettings settings = testSettings();
+        const RenderSettings& settings = loaded->settings;
         ProgressiveRenderer renderer(device, loaded->tracer);
         FrameJob job;
         job.samples = samples;
@@ -104,6 +108,24 @@ TEST_F(FilmResume, GoesOnAsIfItHadNeverStopped) {
         EXPECT_EQ(fewestSamples(film), 64u);
     }
     EXPECT_GT(difference(refine(nullptr, 32).rgba, whole.rgba), 1e-2) << "the second half counts";
+}
+
+TEST_F(FilmResume, GoesOnInTheFormThatItBeganIn) {
+    EXPECT_FALSE(formToResume(path())) << "there is no film";
+    RenderSettings settings = testSettings();
+    settings.caustics = false; // those have one form
+    for (const PassForm form : {PassForm::kQueued, PassForm::kFused}) {
+        load(settings, form);
+        const Film whole = refine(nullptr, 16);
+        writeSavedFilm(path(), {refine(nullptr, 5), 5, settings.seed, signature(settings)});
+        ASSERT_EQ(formToResume(path()), form);
+        load(settings, form == PassForm::kQueued ? PassForm::kFused : PassForm::kQueued);
+        EXPECT_NE(refusal(settings).find("passes was"), std::string::npos);
+        load(settings, formToResume(path()));
+        const std::optional<Film> start = filmToResume(path(), signature(settings), settings);
+        const Film film = refine(&*start, 16);
+        EXPECT_LT(difference(film.rgba, whole.rgba), 2e-6);
+    }
 }
 
 TEST_F(FilmResume, TakesTheColoursFromTheLayers) {

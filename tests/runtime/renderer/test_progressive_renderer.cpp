@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 40, kHeight = 33, kSamples = 3;
 
-LoadRequest testRequest() {
+LoadRequest testRequest(FormRequest form = {}) {
     LoadRequest request;
     request.scene = ballScene();
     request.settings.width = kWidth;
@@ -25,13 +25,16 @@ LoadRequest testRequest() {
     request.settings.integrator = Integrator::kPath;
     request.settings.first_hits = true;
     request.settings.caustics = false;
+    request.form = form;
     return request;
 }
 
 class ProgressiveRendererTest : public DeviceFixture {
 protected:
-    void SetUp() override {
-        loaded = loadScene(device, device, testRequest(), {});
+    void SetUp() override { load({}); }
+
+    void load(FormRequest form) {
+        loaded = loadScene(device, device, testRequest(form), {});
         plan = {loaded->settings, loaded->camera, {kHeight, kHeight}};
         job.samples = kSamples;
         whole = render(plan);
@@ -79,6 +82,7 @@ TEST_F(ProgressiveRendererTest, ComesBackToItsBands) {
 }
 
 TEST_F(ProgressiveRendererTest, IsTheSameInSteps) {
+    load(PassForm::kQueued); // fused, shapes are done in one
     ProgressiveRenderer renderer(device, loaded->tracer);
     renderer.begin(plan, job);
     int steps = 0;

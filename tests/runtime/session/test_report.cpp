@@ -74,7 +74,7 @@ PassProfile testProfile() {
     PassProfile profile;
     profile.frames = 2;
     profile.frames_ms = 100;
-    profile.passes = {{"trace", 4, 7, 8, 2000, 500, 64'000}, {"shade", 4, 60, 70, 4000, 3000, 1'000'000}};
+    profile.passes = {{"trace", 4, 7, 8, 15, 2000, 500, 64'000}, {"shade", 4, 60, 70, 130, 4000, 3000, 1'000'000}};
     profile.host = {{"film read back", 12}};
     return profile;
 }
@@ -91,6 +91,7 @@ TEST(ProfileReport, NamesWhatNothingAccountsFor) {
                                                     {"runs", 4},
                                                     {"device_ms", nullptr}, // it has no clock here
                                                     {"host_ms", 8},
+                                                    {"cpu_ms", 15},
                                                     {"lanes_in", 2000},
                                                     {"lanes_out", 500},
                                                     {"bytes", 64'000}}));

@@ -35,6 +35,7 @@ protected:
         request.settings.spp = kSamples;
         request.settings.integrator = Integrator::kPath;
         request.settings.first_hits = true;
+        request.form = PassForm::kQueued;
         loaded = loadScene(device, device, request, {});
         profile.clock = createDeviceClock(device);
     }
@@ -99,7 +100,7 @@ TEST_F(PassProfileTest, LeavesThePictureAsItIs) {
 
 TEST(PassProfile, CountsBytesByLanesAndEntries) {
     PassProfile profile;
-    PassRun run{"trace", PassLanes::kAsked, 4, {}, {}, 3, 2};
+    PassRun run{"trace", PassLanes::kAsked, 4, {}, {}, 3, 6, 2};
     run.before.asked_count = run.after.asked_count = 100;
     run.before.hits_appended = 5;
     run.after.hits_appended = 15;
@@ -111,13 +112,14 @@ TEST(PassProfile, CountsBytesByLanesAndEntries) {
     // a word of the list, a path of four vectors, and what was hit before; a word and a vector for each hit
     EXPECT_EQ(trace.bytes, 100u * (4 + 64 + 16) + 10u * (4 + 16));
     EXPECT_EQ(trace.host_ms, 3);
+    EXPECT_EQ(trace.cpu_ms, 6);
     EXPECT_EQ(trace.device_ms, 2);
-    EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, {}}), std::logic_error);
+    EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, 0, {}}), std::logic_error);
 }
 
 TEST(PassProfile, CountsNothingWhereListsAreEmptied) {
     PassProfile profile;
-    PassRun run{"prepare", PassLanes::kOne, 4, {}, {}, 1, {}};
+    PassRun run{"prepare", PassLanes::kOne, 4, {}, {}, 1, 0, {}};
     run.before.queued[0] = 12;
     addRun(profile, run);
     EXPECT_EQ(profile.passes.front().lanes_in, 1u);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fused form's shadow rays: what they bring reaches the film unless an instance stands in their way.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define ANY_HIT
+#include "shaders/film/film.glsl"
+#include "shaders/trace/splat.glsl"
+#include "shaders/trace/trace.glsl"
+
+ShadowRay loadShadowRay(uint path) {
+    uvec4 origin = loadShadowTexel(path, 0), direction = loadShadowTexel(path, 1), left = loadShadowTexel(path, 2),
+          light = loadShadowTexel(path, 3);
+    return ShadowRay(asVector(origin), asFloat(origin.w), asVector(direction), asFloat(direction.w), asVector(left),
+                     left.w, asVector(light), light.w);
+}
+
+// Where another instance has stopped it, t_max is negative.
+bool isStopped(ShadowRay ray) {
+    bool own = ray.owner == instance.materials.x;
+    return trace(TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), 0.0, ray.t_max * cubeScale(),
+                          cubeDirection(ray.left_normal), own ? ray.own_t * cubeScale() : 0.0)).disc != NO_INDEX;
+}
+
+void main() {
+    uint lane = balancedLane();
+    if (lane >= control.light_query_count) return;
+    uint path = loadQueue(lightQueueStart() + lane);
+    ShadowRay ray = loadShadowRay(path);
+    bool stopped = isStopped(ray);
+    if (!hasStep(STEP_LAST)) {
+        if (stopped) shadow_rays[path].t_max = -1.0;
+        return;
+    }
+    if (!stopped && ray.t_max >= 0.0) addLight(path, ray.light, ray.scatterings);
+}

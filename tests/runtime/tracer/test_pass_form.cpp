@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which form passes have is known before anything is traced: it hangs on the kind of device and scene alone.
+#include "runtime/tracer/pass_form.h"
+
+#include <gtest/gtest.h>
+
+namespace pointrt {
+namespace {
+
+constexpr VkPhysicalDeviceType kProcessor = VK_PHYSICAL_DEVICE_TYPE_CPU;
+constexpr FormNeeds kPath{true, false};
+
+TEST(PassForm, IsFusedOnProcessors) {
+    EXPECT_EQ(passFormFor(kProcessor, kPath, {}), PassForm::kFused);
+    for (const VkPhysicalDeviceType device :
+         {VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,
+          VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, VK_PHYSICAL_DEVICE_TYPE_OTHER})
+        EXPECT_EQ(passFormFor(device, kPath, {}), PassForm::kQueued);
+}
+
+TEST(PassForm, IsQueuedForWhatTheFusedOneHasNot) {
+    for (const FormRequest asked : {FormRequest(), FormRequest(PassForm::kFused)}) {
+        EXPECT_EQ(passFormFor(kProcessor, {false, false}, asked), PassForm::kQueued) << "several lights at a hit";
+        EXPECT_EQ(passFormFor(kProcessor, {true, true}, asked), PassForm::kQueued) << "caustics";
+    }
+}
+
+TEST(PassForm, IsTheOneAskedForOnAnyDevice) {
+    for (const VkPhysicalDeviceType device : {kProcessor, VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU})
+        for (const PassForm form : {PassForm::kQueued, PassForm::kFused})
+            EXPECT_EQ(passFormFor(device, kPath, form), form);
+}
+
+} // namespace
+} // namespace pointrt
