@@ -101,6 +101,7 @@ Json toJson(const BakeReport& report) {
     json["attributes"] = attributeNames(report);
     json["noise"] = noiseJson(report);
     json["cleaned"] = cleanedJson(report);
+    json["radii"] = {{"seen_through", report.surface.seen_through}};
     json["files"] = filesJson(report);
     json["notes"] = Json::array();
     for (const Note& note : report.notes) json["notes"].push_back(noteLine(note));
@@ -123,11 +124,13 @@ std::string leftOut(const BakeReport& report) {
     return text.empty() ? text : " (left out: " + text + ")";
 }
 
-/// ", 463007 smoothed, 120 added in gaps", or nothing.
+/// ", 463007 smoothed, 120 added in gaps, 9 discs cut where a scanner looked through", or nothing.
 std::string moved(const BakeReport& report) {
     std::string text;
     if (report.surface.clean_moved > 0) text += fmt::format(", {} smoothed", report.surface.clean_moved);
     if (report.filled > 0) text += fmt::format(", {} added in gaps", report.filled);
+    if (report.surface.seen_through > 0)
+        text += fmt::format(", {} discs cut where a scanner looked through", report.surface.seen_through);
     return text;
 }
 

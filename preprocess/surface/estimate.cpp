@@ -14,6 +14,7 @@
 #include "preprocess/neighbors/points.h"
 #include "preprocess/neighbors/stages.h"
 #include "preprocess/range/rims.h"
+#include "preprocess/sight/sight.h"
 #include "preprocess/surface/check.h"
 #include "preprocess/surface/dimension.h"
 #include "preprocess/surface/lines.h"
@@ -260,6 +261,8 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         shrinkPlates(radii, points, lists);
         tightenSmoothed(radii, noise);
         limitRadii(radii);
+        report.seen_through =
+            endAtSights(points, points.size() - filled_from.size(), lists, noise, radii, {progress, "radii", 1, 1});
         keepGivenRadii(points, radii);
     }
     const double unit = std::ldexp(1.0, points.scale_exponent);
