@@ -103,8 +103,8 @@ case_progress_lines() {
 case_stats() {
     sphere 3000 >sphere.xyz
     expectDone pointrt-bake -q sphere.xyz -o out/scene.pro --stats stats.json
-    expectKeys stats.json radii.seen_through input_points splats nodes filled_leaves empty_leaves max_depth references_unpruned \
-        references bytes peak_rss_bytes seconds.total
+    expectKeys stats.json input_points splats nodes filled_leaves empty_leaves max_depth references_unpruned \
+        references radii.seen_through bytes peak_rss_bytes seconds.total
     [ "$(jsonValue stats.json input_points)" = 3000 ] || fail "input_points is not 3000"
     [ "$(jsonValue stats.json bytes)" = "$(stat -c %s out/scene.pro)" ] || fail "bytes is not the size of the file"
     [ "$(jsonValue stats.json references)" -le "$(jsonValue stats.json references_unpruned)" ] || fail "pruning added"
