@@ -16,10 +16,12 @@ namespace pointrt::surface {
 /// believed, nor is one so far away that it stands for a direction (setSensorAlongZ).
 /// @param measured points from there on were put between those of the scan (fillBetweenLines): nobody saw them
 /// @param noise [points], standard deviation across the surface, or empty
+/// @param sheets [points], sheetShares: discs of scattered points stay as they are; or empty, all are of surfaces
 /// @param radii [points], of the discs
 /// @return how many discs shrank; none where no sensor is known
 /// The result does not depend on the number of threads.
 std::size_t endAtSights(const Points& points, std::size_t measured, const NeighborLists& lists,
-                        const std::vector<float>& noise, std::vector<float>& radii, const StageShare& share);
+                        const std::vector<float>& noise, const std::vector<float>& sheets, std::vector<float>& radii,
+                        const StageShare& share);
 
 } // namespace pointrt::surface

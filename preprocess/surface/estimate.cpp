@@ -261,8 +261,8 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         shrinkPlates(radii, points, lists);
         tightenSmoothed(radii, noise);
         limitRadii(radii);
-        report.seen_through =
-            endAtSights(points, points.size() - filled_from.size(), lists, noise, radii, {progress, "radii", 1, 1});
+        report.seen_through = endAtSights(points, points.size() - filled_from.size(), lists, noise, sheets, radii,
+                                          {progress, "radii", 1, 1});
         keepGivenRadii(points, radii);
     }
     const double unit = std::ldexp(1.0, points.scale_exponent);

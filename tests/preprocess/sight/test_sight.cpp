@@ -14,7 +14,7 @@ using namespace surface;
 /// Discs that sensors look at.
 struct Scene {
     Points points;
-    std::vector<float> radii, noise;
+    std::vector<float> radii, noise, sheets;
 
     void add(const Vec3d& position, const Vec3d& normal, double radius, std::uint32_t sensor = 0) {
         points.positions.push_back(position.cast<float>());
@@ -32,7 +32,8 @@ std::vector<float> ended(const Scene& scene, std::size_t* shrunk = nullptr, std:
     const NeighborLists lists = findNeighbors(scene.points, search, 16, {silent, "neighbors"});
     std::vector<float> radii = scene.radii;
     const std::size_t measured = scene.points.size() - not_measured;
-    const std::size_t count = endAtSights(scene.points, measured, lists, scene.noise, radii, {silent, "radii"});
+    const std::size_t count =
+        endAtSights(scene.points, measured, lists, scene.noise, scene.sheets, radii, {silent, "radii"});
     if (shrunk) *shrunk = count;
     return radii;
 }
@@ -77,6 +78,15 @@ TEST(Sight, NothingShrinksWithoutASensor) {
 TEST(Sight, PointsPutBetweenOthersWereSeenByNobody) {
     const Scene scene = gap();
     EXPECT_EQ(ended(scene, nullptr, scene.points.size() - kPosts), scene.radii);
+}
+
+TEST(Sight, ScatteredPointsKeepTheirDiscs) {
+    Scene scene = gap();
+    scene.sheets.assign(scene.radii.size(), 1.0f);
+    scene.sheets[0] = 0.0f;
+    const std::vector<float> radii = ended(scene);
+    EXPECT_EQ(radii[0], scene.radii[0]);
+    EXPECT_NEAR(radii[1], 0.2f, 1e-5f);
 }
 
 /// Of another scan three sights must pass: 0.2 m from a post's middle one does, at the ends of a post with one more at
