@@ -33,9 +33,9 @@ constexpr float kTilted = 0.3f;
 constexpr std::size_t kOtherSights = 3;
 constexpr float kOtherClear = 0.5f;
 
-/// Share of a surface (sheetShares) below which a point's disc stands for leaves around it. It is as wide as what lets
-/// through as many sights as the crown does; ended at the nearest as well, it would let through too many (of the
-/// simulated house's trees 53% where the truth is 44%).
+/// Share of a surface (sheetShares) below which a point's disc may stand for leaves around it. It is as wide as what
+/// lets through as many sights as the crown does; ended at the nearest as well, it would let through too many: of the
+/// simulated house's trees 44% in truth, 53% then, 52% with a share of 0.5, 48% with 1.
 constexpr float kSheet = 1.0f;
 
 /// Beside its own as many sensors as stand nearest look at a disc: each costs as much.
