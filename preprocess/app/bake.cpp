@@ -178,7 +178,8 @@ BakeReport bake(const BakeOptions& options) {
     progress.begin("read", 0);
     Cloud cloud = readInputs(options.inputs, options.read, show_read, &report.files);
     progress.setPoints(cloud.positions.size());
-    report.input_points = options.read.sample_count > 0 ? cloud.positions.size() : cloud.points_read;
+    for (const FileReport& file : report.files) report.points_sampled += file.sampled;
+    report.input_points = report.points_sampled > 0 ? cloud.positions.size() : cloud.points_read;
     report.points_non_finite = cloud.points_non_finite;
     report.points_unused = cloud.points_unused;
     report.points_filtered = cloud.points_filtered;

@@ -105,9 +105,12 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
         "--compact", [&] { options.index = false; },
         "Leave the tracing index out: a file a quarter the size, which pointrt-view opens more slowly");
     addInputFormat(app, options.read.format);
-    app.add_option("--sample", options.read.sample_count,
-                   "Points to spread over a mesh's faces, 1 to 2000000000 (default: its vertices)")
-        ->check(range(std::uint64_t{1}, std::uint64_t{2000000000}))
+    app.add_option_function<std::uint64_t>(
+           "--sample", [&](std::uint64_t count) { options.read.sample_count = count; },
+           "Points to spread over a mesh's faces, 0 to 2000000000, 0 takes its vertices (default: as many as it needs "
+           "where its vertices are too few)")
+        ->check(range(std::uint64_t{0}, std::uint64_t{2000000000}))
+        ->check(notNegative())
         ->type_name("N");
     app.add_option("--seed", options.read.seed, "Of sampling and probe rays (default 0, 0 to 2^64 - 1)")
         ->check(notNegative())

@@ -22,7 +22,7 @@ struct BakeOptions {
     std::string stats_path;          ///< JSON report; "-" is standard output, "" none
     Verbosity verbosity = Verbosity::kNormal;
     ProgressStyle progress = ProgressStyle::kAuto;
-    ReadOptions read;
+    ReadOptions read{.format = "", .sample_count = std::nullopt, .scales_degrees = true};
     SurfaceOptions surface;
     OctreeOptions octree;
     bool prune = true;

@@ -35,6 +35,7 @@ Json filesJson(const BakeReport& report) {
                          {"format", file.format},
                          {"points", file.points},
                          {"kept", file.kept},
+                         {"sampled", file.sampled},
                          {"scans", file.scans},
                          {"seconds", file.seconds}});
     return files;
@@ -75,6 +76,7 @@ Json attributeNames(const BakeReport& report) {
 Json toJson(const BakeReport& report) {
     Json json;
     json["input_points"] = report.input_points;
+    json["points_sampled"] = report.points_sampled;
     json["points_non_finite"] = report.points_non_finite;
     json["points_unused"] = report.points_unused;
     json["points_filtered"] = report.points_filtered;
@@ -179,6 +181,7 @@ std::string fileLine(const FileReport& file) {
     const double rate = file.seconds > 0 ? static_cast<double>(file.points) / file.seconds : 0;
     std::string line = fmt::format("{}: {}, {} points", file.name, file.format, file.points);
     if (file.kept != file.points) line += fmt::format(", {} kept", file.kept);
+    if (file.sampled > 0) line += fmt::format(", {} spread over its faces", file.sampled);
     if (file.scans != 1) line += fmt::format(", {} scans", file.scans);
     return line + fmt::format(", {:.2f} s, {:.2g} million points/s", file.seconds, rate / 1e6);
 }
@@ -199,7 +202,7 @@ std::string metadataJson(const BakeOptions& options, const BakeReport& report) {
     const Json header = Json::parse(report.source_header, nullptr, false);
     if (header.is_object()) json["source_header"] = header;
     Json& settings = json["settings"];
-    settings["sample"] = options.read.sample_count;
+    settings["sample"] = report.points_sampled;
     settings["seed"] = options.read.seed;
     settings["neighbors"] = options.surface.neighbors;
     settings["normals"] = choiceName(options.surface.normals);

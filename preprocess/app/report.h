@@ -15,7 +15,8 @@ namespace pointrt {
 
 struct BakeReport {
     std::uint64_t input_points = 0, points_non_finite = 0, points_unused = 0, points_filtered = 0;
-    std::vector<Note> notes; ///< of reading
+    std::uint64_t points_sampled = 0; ///< spread over faces of meshes; input_points then counts them, not the vertices
+    std::vector<Note> notes;          ///< of reading
     std::vector<FileReport> files;
     WorldFrame world;
     std::string up_from;   ///< "option", "file", "format" (its custom) or "data"; "" where up is not known

@@ -2,6 +2,8 @@
 // What a mesh's vertices are worth as points: which belong to its surface, and whether they are dense enough for it.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/input/mesh.h"
@@ -14,15 +16,31 @@ namespace {
 /// of a thousand and fewer 0.06 and up.
 constexpr double kCoarseEdge = 0.05;
 
+/// Those radii over the edge.
+constexpr double kRadiusOverEdge = 0.8;
+
+/// What discs may stand off the faces in the mean, over the diagonal: a pixel of a picture of 512, which shows the
+/// diagonal 420 pixels long.
+constexpr double kStandOff = 1 / 420.0;
+
+/// Samples to a diagonal, three to two such pixels, as far as their number in all allows: with one to a pixel edges
+/// come out ragged.
+constexpr double kSamplesAcross = 630;
+constexpr double kLeastSamples = 100'000, kMostSamples = 1'000'000;
+/// Fewer would give up detail that the vertices have.
+constexpr double kSamplesPerVertex = 2;
+
 /// Faces that use less than this share of the vertices are not what a file is about.
 constexpr std::size_t kFewFaces = 10;
 
-/// Which points a face uses.
-std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<std::uint32_t>& bereft) {
+/// Which points a face uses; of meshes that are not sampled the bereft too.
+std::vector<bool> usedPoints(const Cloud& cloud, const std::vector<ScanRange>& scans,
+                             const std::vector<std::uint32_t>& bereft, const std::vector<bool>& sampled) {
     std::vector<bool> used(cloud.positions.size());
     for (const auto& face : cloud.triangles)
         for (const std::uint32_t corner : face) used[corner] = true;
-    for (const std::uint32_t point : bereft) used[point] = true;
+    for (const std::uint32_t point : bereft)
+        if (!sampled[scanOf(scans, point)]) used[point] = true;
     return used;
 }
 
@@ -33,6 +51,107 @@ void keepFlaggedValues(Attribute& attribute, const std::vector<bool>& keep) {
         if (keep[i]) kept = std::copy_n(attribute.values.data() + i * size, size, kept);
     attribute.values.resize(static_cast<std::size_t>(kept - attribute.values.data()));
 }
+
+/// Numbers of the points that faces use.
+std::vector<std::uint32_t> cornersOf(const Cloud& cloud) {
+    std::vector<std::uint32_t> corners;
+    for (const auto& face : cloud.triangles) corners.insert(corners.end(), face.begin(), face.end());
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+/// [points], the first corner at the place of each, whose normal the one disc there gets: files with an own vertex for
+/// each face and corner have several.
+std::vector<std::uint32_t> firstsAtPlaces(const Cloud& cloud) {
+    std::vector<std::uint32_t> corners = cornersOf(cloud), firsts(cloud.positions.size());
+    const auto key = [&](std::uint32_t point) {
+        const Vec3f& p = cloud.positions[point];
+        return std::tuple(p.x(), p.y(), p.z());
+    };
+    std::stable_sort(corners.begin(), corners.end(), [&](auto a, auto b) { return key(a) < key(b); });
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const bool again = i > 0 && key(corners[i - 1]) == key(corners[i]);
+        firsts[corners[i]] = again ? firsts[corners[i - 1]] : corners[i];
+    }
+    return firsts;
+}
+
+/// What is asked of the faces of one mesh.
+struct FaceSizes {
+    std::size_t faces = 0, flat = 0, corners = 0;
+    double area = 0, area_times_edge = 0, area_times_stand_off = 0; ///< edge: a face's longest
+    Eigen::AlignedBox3d box;
+
+    void add(const Cloud& cloud, const std::array<std::uint32_t, 3>& face, const std::vector<std::uint32_t>& firsts) {
+        std::array<Vec3d, 3> at;
+        for (int i = 0; i < 3; ++i) box.extend(at[i] = cloud.positions[face[i]].cast<double>());
+        const Vec3d u = at[1] - at[0], v = at[2] - at[0], cross = u.cross(v);
+        const double longest = std::max({u.norm(), v.norm(), (v - u).norm()}), twice_area = cross.stableNorm();
+        ++faces;
+        flat += twice_area == 0;
+        if (twice_area == 0) return;
+        double sine = 0; // between the face and the discs at its corners, in the mean
+        for (const std::uint32_t corner : face) {
+            const Vec3d normal = cloud.normals[firsts[corner]].cast<double>().stableNormalized();
+            sine += normal.cross(cross / twice_area).norm() / 3;
+        }
+        area += twice_area / 2;
+        area_times_edge += twice_area / 2 * longest;
+        area_times_stand_off += twice_area / 2 * longest * kRadiusOverEdge * sine;
+    }
+    double diagonal() const { return box.isEmpty() ? 0 : box.diagonal().norm(); }
+    /// Whether discs at the vertices do not make its surface: there are too few, or they stand off the faces.
+    bool areCoarse() const {
+        return area > 0 && (area_times_edge > kCoarseEdge * diagonal() * area ||
+                            area_times_stand_off > kStandOff * diagonal() * area);
+    }
+};
+
+std::vector<FaceSizes> faceSizes(const Cloud& cloud, const std::vector<ScanRange>& scans) {
+    const std::vector<std::uint32_t> firsts = firstsAtPlaces(cloud);
+    std::vector<FaceSizes> sizes(scans.size());
+    for (const auto& face : cloud.triangles) sizes[scanOf(scans, face[0])].add(cloud, face, firsts);
+    for (const std::uint32_t corner : cornersOf(cloud)) ++sizes[scanOf(scans, corner)].corners;
+    return sizes;
+}
+
+/// Points of one spacing for all of these meshes, which one picture shows.
+double samplesFor(const std::vector<FaceSizes>& sizes, const std::vector<bool>& sampled) {
+    FaceSizes all;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (!sampled[i]) continue;
+        all.area += sizes[i].area;
+        all.corners += sizes[i].corners;
+        all.box.extend(sizes[i].box);
+    }
+    const double across = kSamplesAcross / all.diagonal();
+    const double enough = std::max(all.area * across * across, kSamplesPerVertex * double(all.corners));
+    return std::clamp(std::round(enough), kLeastSamples, kMostSamples);
+}
+
+/// The meshes that vertices alone do not show, and a note for each.
+MeshSampling chooseCoarse(Cloud& cloud, const std::vector<ScanRange>& scans) {
+    const std::vector<FaceSizes> sizes = faceSizes(cloud, scans);
+    MeshSampling sampling{std::vector<bool>(scans.size())};
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const bool few = kFewFaces * sizes[i].corners < scans[i].position_count;
+        sampling.scans[i] = sizes[i].areCoarse() && !few && kSamplesPerVertex * double(sizes[i].corners) < kMostSamples;
+    }
+    if (std::find(sampling.scans.begin(), sampling.scans.end(), true) == sampling.scans.end()) return sampling;
+    sampling.points = std::uint64_t(samplesFor(sizes, sampling.scans));
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        if (!sampling.scans[i]) continue;
+        const std::string flat = sizes[i].flat > 0 ? fmt::format(", but {} without area", sizes[i].flat) : "";
+        addNote(cloud, scans[i].name,
+                fmt::format("its {} vertices are too few for its faces: points are spread over these{}; "
+                            "--sample N spreads N, --sample 0 takes the vertices",
+                            sizes[i].corners, flat));
+    }
+    return sampling;
+}
+
+} // namespace
 
 void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
     std::vector<std::uint32_t> renumbered(keep.size());
@@ -53,24 +172,6 @@ void keepPoints(Cloud& cloud, const std::vector<bool>& keep) {
     for (Attribute& attribute : cloud.attributes) keepFlaggedValues(attribute, keep);
 }
 
-/// Mean over the surface of the longest edge of the face there, over the diagonal of all faces.
-struct FaceSizes {
-    double area = 0, area_times_edge = 0;
-    Eigen::AlignedBox3d box;
-
-    void add(const Cloud& cloud, const std::array<std::uint32_t, 3>& face) {
-        std::array<Vec3d, 3> corners;
-        for (int i = 0; i < 3; ++i) box.extend(corners[i] = cloud.positions[face[i]].cast<double>());
-        const Vec3d u = corners[1] - corners[0], v = corners[2] - corners[0];
-        const double longest = std::max({u.norm(), v.norm(), (v - u).norm()});
-        const double twice_area = u.cross(v).norm();
-        area += twice_area;
-        area_times_edge += twice_area * longest;
-    }
-    bool areCoarse() const { return area > 0 && area_times_edge > kCoarseEdge * area * box.diagonal().norm(); }
-};
-
-/// The scan that a point belongs to; scans lie one after the other.
 std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point) {
     const auto after =
         std::upper_bound(scans.begin(), scans.end(), point,
@@ -78,12 +179,21 @@ std::size_t scanOf(const std::vector<ScanRange>& scans, std::size_t point) {
     return static_cast<std::size_t>(after - scans.begin()) - 1;
 }
 
-} // namespace
+MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> wanted) {
+    if (!wanted && !cloud.triangles.empty()) return chooseCoarse(cloud, scans);
+    MeshSampling sampling{std::vector<bool>(scans.size()), wanted.value_or(0)};
+    for (std::size_t i = 0; i < scans.size(); ++i) sampling.scans[i] = sampling.points > 0 && scans[i].has_faces;
+    return sampling;
+}
 
-void dropUnused(Cloud& cloud, const std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& bereft, bool dry) {
+void dropUnused(Cloud& cloud, std::vector<ScanRange>& scans, const std::vector<std::uint32_t>& bereft,
+                const std::vector<bool>& sampled) {
     if (cloud.triangles.empty()) return;
-    std::vector<bool> keep = usedPoints(cloud, bereft);
-    for (const ScanRange& scan : scans) {
+    std::vector<bool> keep = usedPoints(cloud, scans, bereft, sampled);
+    std::size_t kept = 0;
+    std::vector<ScanRange> left = scans;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const ScanRange& scan = scans[i];
         const auto first = keep.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
         const auto last = first + static_cast<std::ptrdiff_t>(scan.position_count);
         const auto used = static_cast<std::size_t>(std::count(first, last, true));
@@ -91,24 +201,16 @@ void dropUnused(Cloud& cloud, const std::vector<ScanRange>& scans, const std::ve
         if (scan.has_faces && few)
             addNote(cloud, scan.name,
                     fmt::format("its faces use {} of {} points only; {}", used, scan.position_count,
-                                dry ? "the others are not sampled" : "the others stay, as points"));
-        if (scan.has_faces && (dry || !few))
-            cloud.points_unused += scan.position_count - used;
-        else
-            std::fill(first, last, true);
+                                sampled[i] ? "the others are not sampled" : "the others stay, as points"));
+        if (scan.has_faces && (sampled[i] || !few)) cloud.points_unused += scan.position_count - used;
+        if (!scan.has_faces || sampled[i] || few) std::fill(first, last, true);
+        left[i].first_position = kept;
+        left[i].position_count = static_cast<std::size_t>(std::count(first, last, true));
+        kept += left[i].position_count;
     }
-    if (!dry && cloud.points_unused > 0) keepPoints(cloud, keep);
-}
-
-void noteCoarseMeshes(Cloud& cloud, const std::vector<ScanRange>& scans) {
-    std::vector<FaceSizes> sizes(scans.size());
-    for (const auto& face : cloud.triangles) sizes[scanOf(scans, face[0])].add(cloud, face);
-    for (std::size_t i = 0; i < scans.size(); ++i)
-        if (sizes[i].areCoarse())
-            addNote(
-                cloud, scans[i].name,
-                "its faces are large: splats at its vertices alone are giant discs; --sample N spreads N points over "
-                "the faces, say 500000");
+    if (kept == cloud.positions.size()) return;
+    keepPoints(cloud, keep);
+    scans = std::move(left);
 }
 
 } // namespace pointrt

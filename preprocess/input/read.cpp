@@ -7,6 +7,7 @@
 
 #include "preprocess/input/formats/detect.h"
 #include "preprocess/input/mesh.h"
+#include "preprocess/input/source/degrees.h"
 
 namespace pointrt {
 namespace {
@@ -41,11 +42,12 @@ void readFiles(const std::vector<std::string>& paths, const ReadOptions& options
 }
 
 void checkSampling(const ReadOptions& options, const Sink& sink) {
-    if (options.sample_count == 0) return;
+    const std::uint64_t count = options.sample_count.value_or(0);
+    if (count == 0) return;
     if (sink.cloud.triangles.empty())
         throw Error(ExitCode::kBadUsage, fmt::format("{}: has no faces to sample", sink.scans.front().name));
-    if (options.sample_count >= kNoSensor - sink.cloud.positions.size())
-        throw Error(ExitCode::kBadUsage, fmt::format("cannot take as many as {} samples", options.sample_count));
+    if (count >= kNoSensor - sink.cloud.positions.size())
+        throw Error(ExitCode::kBadUsage, fmt::format("cannot take as many as {} samples", count));
 }
 
 /// Files of some programs carry normals that are all zero.
@@ -53,6 +55,13 @@ void dropEmptyNormals(Cloud& cloud) {
     const bool empty =
         std::all_of(cloud.normals.begin(), cloud.normals.end(), [](const Vec3f& n) { return n.isZero(0); });
     if (empty) cloud.normals = {};
+}
+
+/// sampled: by scan, and each file has as many scans as its report says
+void tellSampled(const std::vector<std::uint64_t>& sampled, std::vector<FileReport>& files) {
+    auto scan = sampled.begin();
+    for (FileReport& file : files)
+        for (std::uint64_t i = 0; i < file.scans; ++i) file.sampled += *scan++;
 }
 
 /// What all points of several scans are told apart by, unless the files say something of that name themselves.
@@ -78,6 +87,17 @@ void numberScans(Cloud& cloud, Columns& columns, const std::vector<ScanRange>& s
     numberScansAs<std::uint32_t>(Scalar::kU32, cloud, scans);
 }
 
+/// Degrees are not as long as the metres of heights.
+void settleDegrees(std::size_t file_count, Sink& sink) {
+    if (!sink.scales_degrees || sink.files_in_degrees == 0) return;
+    const std::string& file = sink.scans.front().name;
+    if (sink.files_in_degrees == file_count)
+        scaleDegrees(sink.cloud, file);
+    else
+        addNote(sink.cloud, file,
+                "is one of several files, only some of which are in degrees: they do not fit together");
+}
+
 } // namespace
 
 Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& options, const ReadProgress& progress,
@@ -89,17 +109,19 @@ Cloud readInputs(const std::vector<std::string>& paths, const ReadOptions& optio
     sink.filter = PointFilter(options.filter);
     sink.world_from_input = options.transform;
     sink.level = options.level;
+    sink.scales_degrees = options.scales_degrees && !options.transform;
     readFiles(paths, options, progress, files, sink);
     narrowAttributes(cloud, sink.columns);
     dropMinorAttributes(cloud, sink.columns);
     numberScans(cloud, sink.columns, sink.scans, options.attributes);
     requireOffered(sink.columns, options.attributes);
     checkSampling(options, sink);
+    settleDegrees(paths.size(), sink);
     addMeshNormals(cloud);
-    const bool sampled = options.sample_count > 0;
-    if (!sampled) noteCoarseMeshes(cloud, sink.scans);
-    dropUnused(cloud, sink.scans, sink.bereft, sampled);
-    if (sampled) sampleMeshes(cloud, sink.scans, options.sample_count, options.seed);
+    const MeshSampling sampling = chooseSampling(cloud, sink.scans, options.sample_count);
+    dropUnused(cloud, sink.scans, sink.bereft, sampling.scans);
+    const std::vector<std::uint64_t> sampled = sampleMeshes(cloud, sink.scans, sampling, options.seed);
+    if (files) tellSampled(sampled, *files);
     dropEmptyNormals(cloud);
     return cloud;
 }

@@ -17,13 +17,16 @@ namespace pointrt {
 struct ReadOptions {
     /// Name of an InputFormat, to overrule detection; "" detects.
     std::string format;
-    /// Above 0, meshes are sampled with this many points spread over their area instead of by their vertices.
-    std::uint64_t sample_count = 0;
+    /// Above 0, meshes are sampled with this many points spread over their area; 0 takes their vertices. Without a
+    /// value those are sampled, with as many points as they need, whose vertices are too few for their faces.
+    std::optional<std::uint64_t> sample_count = 0;
     std::uint64_t seed = 0; ///< of the sampling
     AttributeChoice attributes = {};
     FilterOptions filter = {};
     std::optional<Eigen::Affine3d> transform = {}; ///< of all files, after their poses
-    std::optional<int> level = {};                 ///< of files with levels of detail: nothing finer is read
+    /// Makes degrees of longitude and latitude metres (scaleDegrees), unless there is a transform.
+    bool scales_degrees = false;
+    std::optional<int> level = {}; ///< of files with levels of detail: nothing finer is read
 };
 
 /// How far reading is.
@@ -38,6 +41,7 @@ using ReadProgress = std::function<void(const ReadStatus&)>;
 struct FileReport {
     std::string name, format;
     std::uint64_t points = 0, kept = 0, scans = 0;
+    std::uint64_t sampled = 0; ///< points spread over its faces, instead of its vertices
     double seconds = 0;
 };
 

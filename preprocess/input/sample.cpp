@@ -68,6 +68,17 @@ std::array<Vec3d, 3> cornerNormals(const Cloud& cloud, const Triangle& face) {
     return normals;
 }
 
+/// The values of the corner that has the largest say.
+void addAttributes(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cloud& samples) {
+    int nearest = 0;
+    weights.maxCoeff(&nearest);
+    for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
+        const std::size_t size = mesh.attributes[i].bytesEach();
+        const char* const value = mesh.attributes[i].values.data() + face[nearest] * size;
+        samples.attributes[i].values.insert(samples.attributes[i].values.end(), value, value + size);
+    }
+}
+
 void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cloud& samples) {
     const std::array<Vec3d, 3> corner_normals = cornerNormals(mesh, face);
     Vec3d position = Vec3d::Zero(), normal = Vec3d::Zero(), color = Vec3d::Constant(0.5);
@@ -86,55 +97,14 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
     }
     if (!mesh.radii.empty()) samples.radii.push_back(0); // a sample has its own
     if (!mesh.sensor_of_point.empty()) samples.sensor_of_point.push_back(mesh.sensor_of_point[face[0]]);
-}
-
-template <typename Item>
-void copyRange(const std::vector<Item>& from, const ScanRange& range, std::vector<Item>& to) {
-    if (from.empty()) return;
-    const auto first = from.begin() + static_cast<std::ptrdiff_t>(range.first_position);
-    to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(range.position_count));
-}
-
-/// The grids of a scan whose points come next.
-void copyGrids(const Cloud& from, std::size_t scan, Cloud& to) {
-    for (const RangeGrid& grid : from.grids) {
-        if (grid.scan != scan) continue;
-        const std::size_t fewer = from.scans[scan].first_point - to.positions.size();
-        for (std::uint32_t& cell : to.grids.emplace_back(grid).point_of_cell)
-            if (cell < RangeGrid::kLeftOut) cell -= static_cast<std::uint32_t>(fewer);
-    }
-}
-
-/// All but the vertices of meshes.
-Cloud pointsWithoutFaces(const Cloud& cloud, const std::vector<ScanRange>& scans) {
-    Cloud points;
-    points.origin = cloud.origin;
-    points.sensors = cloud.sensors;
-    points.points_read = cloud.points_read;
-    points.points_non_finite = cloud.points_non_finite;
-    points.points_unused = cloud.points_unused;
-    points.points_filtered = cloud.points_filtered;
-    points.world = cloud.world;
-    points.normal_sides = cloud.normal_sides;
-    points.scans = cloud.scans;
-    points.notes = cloud.notes;
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-        const ScanRange& scan = scans[i];
-        points.scans[i].first_point = points.positions.size();
-        if (scan.has_faces) continue;
-        copyGrids(cloud, i, points);
-        copyRange(cloud.positions, scan, points.positions);
-        copyRange(cloud.normals, scan, points.normals);
-        copyRange(cloud.colors, scan, points.colors);
-        copyRange(cloud.sensor_of_point, scan, points.sensor_of_point);
-        copyRange(cloud.radii, scan, points.radii);
-    }
-    return points;
+    addAttributes(mesh, face, weights, samples);
 }
 
 /// A point a stratum of equal area, jittered along the order of the faces; within faces by the R2 sequence (Roberts,
 /// "The unreasonable effectiveness of quasirandom sequences", 2018), of which consecutive points spread evenly.
-void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, Cloud& samples) {
+/// @param told hears of the face of each
+template <typename Told>
+void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, const Told& told, Cloud& samples) {
     constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
     const std::vector<std::uint32_t> order = coherentOrder(mesh);
     std::vector<double> area_up_to;
@@ -153,17 +123,49 @@ void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, Clou
         const Vec3d weights =
             barycentric(std::modf(start_u + index * kStepU, &whole), std::modf(start_v + index * kStepV, &whole));
         addSample(mesh, mesh.triangles[order[at]], weights, samples);
+        told(mesh.triangles[order[at]]);
     }
+}
+
+void removeVertices(Cloud& cloud, const std::vector<ScanRange>& scans, const std::vector<bool>& sampled) {
+    cloud.triangles.clear();
+    std::erase_if(cloud.grids, [&](const RangeGrid& grid) { return sampled[grid.scan]; });
+    std::vector<bool> keep;
+    for (std::size_t i = 0; i < scans.size(); ++i) keep.insert(keep.end(), scans[i].position_count, !sampled[i]);
+    keepPoints(cloud, keep);
+}
+
+template <typename Item>
+void append(const std::vector<Item>& from, std::vector<Item>& to) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+void append(const Cloud& samples, Cloud& cloud) {
+    append(samples.positions, cloud.positions);
+    append(samples.normals, cloud.normals);
+    append(samples.colors, cloud.colors);
+    append(samples.radii, cloud.radii);
+    append(samples.sensor_of_point, cloud.sensor_of_point);
+    for (std::size_t i = 0; i < samples.attributes.size(); ++i)
+        append(samples.attributes[i].values, cloud.attributes[i].values);
 }
 
 } // namespace
 
-void sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, std::uint64_t sample_count, std::uint64_t seed) {
-    if (!cloud.attributes.empty())
-        addNote(cloud, scans.front().name, "samples of faces have no attributes: those of the vertices are left out");
-    Cloud samples = pointsWithoutFaces(cloud, scans);
-    addSamples(cloud, sample_count, seed, samples);
-    cloud = std::move(samples);
+std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
+                                        std::uint64_t seed) {
+    std::vector<std::uint64_t> counts(scans.size());
+    if (sampling.points == 0) return counts;
+    const auto isSampled = [&](std::size_t point) { return sampling.scans[scanOf(scans, point)]; };
+    std::erase_if(cloud.triangles, [&](const Triangle& face) { return !isSampled(face[0]); });
+    Cloud samples;
+    for (const Attribute& each : cloud.attributes)
+        samples.attributes.push_back({each.name, each.type, each.components, {}});
+    addSamples(
+        cloud, sampling.points, seed, [&](const Triangle& face) { ++counts[scanOf(scans, face[0])]; }, samples);
+    removeVertices(cloud, scans, sampling.scans);
+    append(samples, cloud);
+    return counts;
 }
 
 } // namespace pointrt

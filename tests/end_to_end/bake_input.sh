@@ -192,19 +192,26 @@ cube() {
     printf 'f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n'
 }
 
-case_coarse_mesh_is_told() {
+case_coarse_mesh_is_sampled() {
     cube >cube.obj
     expectDone pointrt-bake cube.obj -o out/scene.pro --stats stats.json
-    [ "$(grep -c '^pointrt-bake: cube.obj: its faces are large: .*--sample N' stderr)" = 1 ] || fail "nothing was said"
+    [ "$(grep -c '^pointrt-bake: cube.obj: its 8 vertices are too few for its faces: .*--sample 0' stderr)" = 1 ] ||
+        fail "nothing was said"
     grep -q 'left out: 1 used by no face' stderr || fail "the vertex that no face uses was not counted"
     [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
-    [ "$(jsonValue stats.json splats)" = 8 ] || fail "8 vertices are used"
-    grep -q '"cube.obj: its faces are large' stats.json || fail "the note is not among the figures"
-    expectDone pointrt-bake -q cube.obj -f -o out/scene.pro
+    [ "$(jsonValue stats.json points_sampled)" = 793800 ] || fail "630 to the diagonal were due"
+    [ "$(jsonValue stats.json splats)" -gt 790000 ] || fail "793800 points were spread"
+    grep -q '"cube.obj: its 8 vertices' stats.json || fail "the note is not among the figures"
+    expectDone pointrt-bake -q cube.obj --prune off --compact -f -o out/scene.pro
     [ ! -s stderr ] || fail "-q is not quiet"
     expectDone pointrt-bake cube.obj --sample 2000 -f -o out/scene.pro --stats stats.json
-    ! grep -q 'its faces are large' stderr || fail "there is nothing to say of 2000 samples"
+    ! grep -q 'vertices' stderr || fail "there is nothing to say of 2000 samples"
     [ "$(jsonValue stats.json points_unused)" = 1 ] || fail "points_unused is not 1"
+    expectDone pointrt-bake cube.obj --sample 0 -f -o out/scene.pro --stats stats.json
+    ! grep -q 'vertices' stderr || fail "there is nothing to say of vertices that were asked for"
+    [ "$(jsonValue stats.json splats)" = 8 ] || fail "8 vertices are used"
+    [ "$(jsonValue stats.json points_sampled)" = 0 ] || fail "nothing was to be sampled"
+    expectError 2 '--sample' pointrt-bake -q cube.obj --sample -1 -f -o out/scene.pro
 }
 
 case_intensity_after_colors() {

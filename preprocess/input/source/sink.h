@@ -67,6 +67,9 @@ struct Sink {
     std::vector<Vec3d> first_positions;
     bool origin_settled = false;
 
+    bool scales_degrees = false;      ///< degrees will be scaled to metres, where all files are in degrees
+    std::size_t files_in_degrees = 0; ///< x and y are degrees
+
     Columns columns;
     bool first_frame = true; ///< no file has said yet how it lies in the world
 

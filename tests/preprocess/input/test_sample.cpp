@@ -120,23 +120,111 @@ TEST_F(SampleTest, ACloudWithSomeFacesKeepsItsPoints) {
     EXPECT_HAS(countedNotesOf(cloud), "a.obj +0: its faces use 3 of 40 points only; the others stay");
 }
 
-TEST_F(SampleTest, CoarseMeshesAreTold) {
+const ReadOptions kWhereCoarse{.format = "", .sample_count = std::nullopt};
+
+/// A square of cells x cells quads, every other row of vertices raised.
+std::string sheetOf(int cells, double raised = 0) {
+    std::string text;
+    for (int i = 0; i <= cells; ++i)
+        for (int k = 0; k <= cells; ++k) text += fmt::format("v {} {} {}\n", i, k, i % 2 * raised);
+    const auto vertex = [&](int i, int k) { return i * (cells + 1) + k + 1; };
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k)
+            text +=
+                fmt::format("f {} {} {} {}\n", vertex(i, k), vertex(i, k + 1), vertex(i + 1, k + 1), vertex(i + 1, k));
+    return text;
+}
+
+TEST_F(SampleTest, CoarseMeshesAreSampledUnlessThatIsUnwanted) {
     const std::string cube = write("c.off", kCube), again = write("d.off", kCube);
-    const std::string notes = countedNotesOf(readInputs({cube, again}, {}));
-    EXPECT_HAS(notes, "c.off +1: its faces are large");
-    EXPECT_HAS(notes, "--sample N");
+    std::vector<FileReport> files;
+    const Cloud cloud = readInputs({cube, again}, kWhereCoarse, {}, &files);
+    // 630 samples to the diagonal, an area of twice 24, a diagonal of sqrt(12): more than a million
+    EXPECT_EQ(cloud.positions.size(), 1'000'000u);
+    EXPECT_TRUE(cloud.triangles.empty());
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0].sampled + files[1].sampled, 1'000'000u);
+    EXPECT_NEAR(double(files[0].sampled), 500'000, 1000);
+    const std::string notes = countedNotesOf(cloud);
+    EXPECT_HAS(notes, "c.off +1: its 8 vertices are too few for its faces: points are spread over these; --sample N");
     EXPECT_EQ(notes.find('\n'), notes.size() - 1);
-    EXPECT_EQ(countedNotesOf(readInputs({cube}, {.format = "", .sample_count = 10})), "");
-    // A square of n x n cells: edges of sqrt(2) / n, a diagonal of sqrt(2). At 20 cells a side they are a twentieth.
-    for (const int n : {19, 21}) {
-        std::string grid;
-        for (int i = 0; i <= n; ++i)
-            for (int k = 0; k <= n; ++k) grid += fmt::format("v {} {} 0\n", i, k);
-        for (int i = 0; i < n; ++i)
-            for (int k = 1; k <= n; ++k)
-                grid += fmt::format("f {} {} {} {}\n", i * (n + 1) + k, i * (n + 1) + k + 1, (i + 1) * (n + 1) + k + 1,
-                                    (i + 1) * (n + 1) + k);
-        EXPECT_EQ(countedNotesOf(readText("g.obj", grid)).empty(), n == 21) << n;
+    EXPECT_EQ(read(cube, kWhereCoarse).positions.size(), 793'800u);
+    const Cloud vertices = read(cube, {.format = "", .sample_count = 0});
+    EXPECT_EQ(vertices.positions.size(), 8u);
+    EXPECT_EQ(countedNotesOf(vertices) + countedNotesOf(read(cube, {.format = "", .sample_count = 10})), "");
+}
+
+TEST_F(SampleTest, MeshesAreCoarseByTheirEdgesOrBySlopes) {
+    const auto points = [&](const std::string& text) {
+        return read(write("g.obj", text), kWhereCoarse).positions.size();
+    };
+    // edges of sqrt(2) / n, a diagonal of sqrt(2): at 20 cells a side they are a twentieth
+    EXPECT_EQ(points(sheetOf(19)), 198'450u); // 630 * 630 / 2
+    EXPECT_EQ(points(sheetOf(21)), 22u * 22);
+    // Pleats of 40 cells: faces at 45 degrees, edges of sqrt(3), discs level along the folds. They stand
+    // 0.8 sqrt(3) sin 45 = 0.98 off, of a diagonal of 56.6: 7 pixels of the 420. Flatter ones do not.
+    EXPECT_EQ(points(sheetOf(40, 1)), 280'563u); // 630 * 630 * 1600 * sqrt(2) / 3201
+    EXPECT_EQ(points(sheetOf(40, 0.1)), 41u * 41);
+}
+
+TEST_F(SampleTest, VerticesOfEachFaceCountAsOneDisc) {
+    // Pleats with their own vertices for each face, whose normals are all right: but one disc is left at each place.
+    const auto pleats = [](double raised) {
+        std::string text;
+        for (int i = 0; i < 40; ++i)
+            for (int k = 0; k < 40; ++k) {
+                for (const auto& [x, y] : {std::pair(i, k), {i, k + 1}, {i + 1, k + 1}, {i + 1, k}})
+                    text += fmt::format("v {} {} {}\n", x, y, x % 2 * raised);
+                text += "f -4 -3 -2 -1\n";
+            }
+        return text;
+    };
+    EXPECT_EQ(read(write("p.obj", pleats(1)), kWhereCoarse).positions.size(), 280'563u);
+    EXPECT_EQ(read(write("p.obj", pleats(0)), kWhereCoarse).positions.size(), 6400u);
+}
+
+TEST_F(SampleTest, WhatIsNotSampledByItselfIsSaid) {
+    const Cloud loose = read(write("d.off", kCubeAndMore), kWhereCoarse);
+    EXPECT_EQ(loose.positions.size(), 793'800u);
+    EXPECT_EQ(loose.points_unused, 2u);
+    std::string flat = kCube;
+    flat.replace(4, 5, "8 7 0").append("3 0 1 0\n");
+    EXPECT_HAS(countedNotesOf(read(write("f.off", flat), kWhereCoarse)), "spread over these, but 1 without area;");
+    const Cloud no_area = read(write("n.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), kWhereCoarse);
+    EXPECT_EQ(no_area.positions.size(), 3u);
+    std::string cloud;
+    for (int i = 0; i < 40; ++i) cloud += fmt::format("v {} {} 0\n", i % 7, i / 7);
+    EXPECT_EQ(read(write("a.obj", cloud + "f 1 2 8\n"), kWhereCoarse).positions.size(), 40u);
+}
+
+TEST_F(SampleTest, FineMeshesAndPointsBesideCoarseOnesStay) {
+    const std::string cube = write("c.off", kCube), points = write("a.xyz", "7 7 7\n8 8 8\n");
+    std::string fine = sheetOf(21);
+    fine += "v 9 9 9\n"; // no face uses it
+    const Cloud cloud = readInputs({cube, write("f.obj", fine), points}, kWhereCoarse);
+    ASSERT_EQ(cloud.positions.size(), 22u * 22 + 2 + 793'800);
+    EXPECT_EQ(cloud.points_unused, 1u);
+    EXPECT_EQ(world(cloud, 22 * 22 - 1), Vec3d(21, 21, 0));
+    EXPECT_EQ(world(cloud, 22 * 22 + 1), Vec3d(8, 8, 8));
+    for (std::size_t i = 22 * 22 + 2; i < cloud.positions.size(); ++i)
+        ASSERT_NEAR(world(cloud, i).cwiseAbs().maxCoeff(), 1, 1e-6);
+}
+
+TEST_F(SampleTest, SamplesHaveTheAttributesOfTheNearestCorner) {
+    const std::string mesh =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property ushort intensity\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 100\n1 0 0 200\n0 1 0 300\n3 0 1 2\n";
+    const Cloud cloud = read(write("m.ply", mesh), {.format = "", .sample_count = 3000});
+    ASSERT_EQ(cloud.attributes.size(), 1u);
+    ASSERT_EQ(cloud.attributes[0].values.size(), 3000 * sizeof(std::uint16_t));
+    for (std::size_t i = 0; i < 3000; ++i) {
+        const Vec3d p = world(cloud, i);
+        std::uint16_t value = 0;
+        std::memcpy(&value, cloud.attributes[0].values.data() + i * sizeof value, sizeof value);
+        const double weights[] = {1 - p[0] - p[1], p[0], p[1]};
+        EXPECT_GE(weights[value / 100 - 1], 1 / 3.0 - 1e-6);
+        EXPECT_EQ(value % 100, 0);
     }
 }
 

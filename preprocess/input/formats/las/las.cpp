@@ -8,6 +8,7 @@
 #include "preprocess/input/formats/formats.h"
 #include "preprocess/input/formats/las/las_blocks.h"
 #include "preprocess/input/formats/las/las_nodes.h"
+#include "preprocess/input/source/degrees.h"
 
 namespace pointrt {
 namespace {
@@ -54,26 +55,28 @@ std::vector<LazChunk> chunksOf(const Source& source, const LasFile& file, const 
 
 /// Scans from the air see every surface from above; a box that is this much wider than high, in metres this wide, was
 /// hardly scanned otherwise.
-bool isAirborne(const Cloud& cloud, std::size_t first, double metres_per_unit) {
+bool isAirborne(const Cloud& cloud, std::size_t first, const LasCrs& crs) {
     constexpr double kFlat = 2, kWide = 50;
     Eigen::AlignedBox3f box;
     for (std::size_t i = first; i < cloud.positions.size(); ++i) box.extend(cloud.positions[i]);
-    const Vec3f size = box.sizes();
-    const float width = size.head<2>().maxCoeff();
-    return width > kFlat * size.z() && width * (metres_per_unit > 0 ? metres_per_unit : 1) > kWide;
+    Vec3d size = box.sizes().cast<double>();
+    if (crs.kind == LasCrs::Kind::kGeographic)
+        size.head<2>() = size.head<2>().cwiseProduct(metresPerDegree(cloud.origin.y() + double(box.center().y())));
+    const double width = size.head<2>().maxCoeff();
+    return width > kFlat * size.z() && width * (crs.metres_per_unit > 0 ? crs.metres_per_unit : 1) > kWide;
 }
 
 /// Up is z in every system of coordinates that LAS files are in, but for those that measure from the earth's middle.
-void tellFrame(const LasFile& file, const Source& source, std::size_t first, Sink& sink) {
-    const LasCrs crs = lasCrs(file);
+void tellFrame(const LasCrs& crs, const Source& source, std::size_t first, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
     frame.metres_per_unit = crs.metres_per_unit;
     frame.crs = crs.name;
-    frame.from_above = !frame.up.isZero() && isAirborne(sink.cloud, first, crs.metres_per_unit);
+    frame.from_above = !frame.up.isZero() && isAirborne(sink.cloud, first, crs);
     setWorldFrame(sink, source, frame);
-    if (crs.kind == LasCrs::Kind::kGeographic)
-        addNote(sink.cloud, source.name, "is in degrees: x and y are not as long as z");
+    if (crs.kind != LasCrs::Kind::kGeographic) return;
+    if (!sink.scales_degrees) addNote(sink.cloud, source.name, "is in degrees: x and y are not as long as z");
+    ++sink.files_in_degrees;
 }
 
 void addBlock(const Source& source, const LasBlock& block, Sink& sink) {
@@ -102,8 +105,10 @@ void readLas(const Source& source, Sink& sink) {
     });
     finishScan(sink, source);
 
-    tellFrame(file, source, first, sink);
-    if (first == 0) sink.cloud.source_header = lasSourceHeader(file, sink.world_from_input.has_value());
+    const LasCrs crs = lasCrs(file);
+    tellFrame(crs, source, first, sink);
+    const bool scaled = sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // once all is read
+    if (first == 0) sink.cloud.source_header = lasSourceHeader(file, sink.world_from_input || scaled);
     for (const std::string& note : file.notes) addNote(sink.cloud, source.name, note);
 }
 
