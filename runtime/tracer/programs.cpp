@@ -37,14 +37,14 @@ namespace {
 /// Values of the programs' specialization constants.
 struct Constants {
     InstanceTraits instance;
-    std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0;
+    std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0;
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
-    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven}, {SPEC_ORIENTED, c.instance.oriented},
-                                     {SPEC_NOISY, c.instance.noisy},   {SPEC_SKY_IMAGE, c.sky_image},
-                                     {SPEC_INTEGRATOR, c.integrator},  {SPEC_FEATURES, c.features},
-                                     {SPEC_CAMERA_PASS, c.camera_pass}};
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven},  {SPEC_ORIENTED, c.instance.oriented},
+                                     {SPEC_NOISY, c.instance.noisy},    {SPEC_SKY_IMAGE, c.sky_image},
+                                     {SPEC_INTEGRATOR, c.integrator},   {SPEC_FEATURES, c.features},
+                                     {SPEC_CAMERA_PASS, c.camera_pass}, {SPEC_GATHERS_PHOTONS, c.gathers_photons}};
     if (!isPaged(c.instance.pages)) return values;
     for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
     return values;
@@ -64,7 +64,12 @@ void build(Device& device, const Order& order) {
 }
 
 Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings) {
-    return {{}, scene.sky_light != NO_LIGHT, static_cast<std::uint32_t>(settings.integrator), scene.features};
+    Constants constants;
+    constants.sky_image = scene.sky_light != NO_LIGHT;
+    constants.integrator = static_cast<std::uint32_t>(settings.integrator);
+    constants.features = scene.features;
+    constants.gathers_photons = castsCaustics(scene) && showsLight(settings.integrator);
+    return constants;
 }
 
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
@@ -100,21 +105,14 @@ void orderFused(const Constants& constants, const Constants& of_camera, Programs
 }
 
 /// The same in the other one.
-void orderQueued(const Constants& constants, const Constants& of_camera, Programs& programs, bool caustics,
+void orderQueued(const Constants& constants, const Constants& of_camera, Programs& programs,
                  std::vector<Order>& orders) {
     orders.push_back({&programs.camera.shade, "shade (camera)", shade_spv, of_camera});
-    if (programs.rays_go_on) {
-        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
-        orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
-    }
-    if (programs.show_light) {
-        orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
-        orders.push_back({&programs.light, "light", light_spv, constants});
-    }
-    if (programs.show_light && caustics) {
-        orders.push_back({&programs.photon, "photon", photon_spv, constants});
-        orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
-    }
+    if (programs.rays_go_on) orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
+    if (!programs.show_light) return;
+    orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
+    orders.push_back({&programs.light, "light", light_spv, constants});
+    if (constants.gathers_photons) orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
 }
 
 /// What is needed, for places in programs.
@@ -128,7 +126,10 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     if (programs.form == PassForm::kFused)
         orderFused(constants, of_camera, programs, orders);
     else
-        orderQueued(constants, of_camera, programs, castsCaustics(scene), orders);
+        orderQueued(constants, of_camera, programs, orders);
+    if (programs.rays_go_on && (programs.form == PassForm::kQueued || constants.gathers_photons))
+        orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
+    if (constants.gathers_photons) orders.push_back({&programs.photon, "photon", photon_spv, constants});
     for (const Instance& instance : scene.instances) {
         const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
         if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
@@ -147,7 +148,7 @@ void buildAll(Device& device, std::vector<Order> orders) {
 
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form) {
     Programs programs;
-    programs.form = passFormFor(device.type, formNeeds(scene, settings), form);
+    programs.form = passFormFor(device.type, settings.integrator, form);
     programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
     programs.show_light = showsLight(settings.integrator);
     const OnError undo([&] { destroyPrograms(device, programs); });

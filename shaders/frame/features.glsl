@@ -15,6 +15,9 @@ layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 // its own.
 layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
 
+// Whether points gather photons where they ask for light. In the queued form a program of its own does.
+layout(constant_id = SPEC_GATHERS_PHOTONS) const bool kGathersPhotons = false;
+
 #define mayHaveLight(kind) ((kFeatures & FEATURE_LIGHT(kind)) != 0u)
 const bool kHasNoise = (kFeatures & FEATURE_NOISE) != 0u;
 #define mayHaveMaterial(kind) ((kFeatures & FEATURE_MATERIAL(kind)) != 0u)

@@ -12,6 +12,7 @@
 #include "shaders/integrator/shade_hit.glsl"
 #include "shaders/film/film.glsl"
 #include "shaders/frame/append.glsl"
+#include "shaders/light/caustic_light.glsl"
 #include "shaders/light/scattered_light.glsl"
 #include "shaders/light/shape_shadow.glsl"
 #include "shaders/trace/shape_hit.glsl"
@@ -104,8 +105,10 @@ void bounceOn(inout Journey journey, SurfaceInteraction point, uint index) {
     ShapeHit between, next;
     nearestShapes(ofLane(params.shape_count), ray.origin, ray.to.direction, ray.t_min, after.origin, after.direction,
                   nearestFrom(point.owner, after.origin), between, next);
+    bool asks = journey.going && asksForLight(shading);
     // smooth lobes are the same from both sides
-    askLight(journey, journey.going && asksForLight(shading), query, bsdf, ray, between);
+    askLight(journey, asks, query, bsdf, ray, between);
+    if (kGathersPhotons) addCaustic(journey.sums, causticLight(asks && params.caustics.count.x > 0u, query, row, bsdf));
     takeNext(journey, mayGoOn() && journey.going && largest(shading.first.weight) > 0.0, after, next);
 }
 
@@ -125,8 +128,10 @@ void main() {
     Journey journey = Journey(path, hit, loadSums(index), live, false, false, false, kNoShadow, 0u, 0u);
     if (kCameraPass) {
         SurfaceInteraction point = pointOf(journey, splats);
-        bool covered = covers(point);
-        journey.sums = beginSums(index, live, covered ? 1.0 : 0.0, covered ? point.albedo : vec3(0.0));
+        bool first = push.sample_index == 0u;
+        float covered = covers(point) ? 1.0 : 0.0;
+        journey.sums = beginSums(journey.sums, first, covered);
+        if (live) addAlbedo(index, first, covered, covered * point.albedo);
     }
     do {
         bounceOn(journey, pointOf(journey, splats), index);

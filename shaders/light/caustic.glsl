@@ -28,8 +28,8 @@ vec3 photonShare(uint photon, float level, float squared_radius, vec3 position, 
     return counts ? flux.rgb * (inside * inside) : vec3(0.0);
 }
 
-vec3 levelIrradiance(PhotonLevel level, uint number, vec3 position, vec3 normal) {
-    bool reached = all(greaterThan(position, level.low.xyz)) && all(lessThan(position, level.high.xyz));
+vec3 levelIrradiance(PhotonLevel level, uint number, bool asks, vec3 position, vec3 normal) {
+    bool reached = asks && all(greaterThan(position, level.low.xyz)) && all(lessThan(position, level.high.xyz));
     uint bucket = photonBucket(ivec3(floor(position * level.low.w)), number);
     uint entry = reached ? loadPhotonWord(bucket) : 0u, end = reached ? loadPhotonWord(bucket + 1u) : 0u;
     float squared_radius = level.high.w * level.high.w;
@@ -41,10 +41,10 @@ vec3 levelIrradiance(PhotonLevel level, uint number, vec3 position, vec3 normal)
     return sum * (3.0 / (3.14159265358979 * squared_radius));
 }
 
-// Irradiance at a point whose unit normal is on the lit side.
-vec3 causticIrradiance(vec3 position, vec3 normal) {
+// Irradiance at a point whose unit normal is on the lit side. asks: whether this lane wants to know.
+vec3 causticIrradiance(bool asks, vec3 position, vec3 normal) {
     vec3 sum = vec3(0.0);
-    for (uint i = 0u; i < PHOTON_LEVELS; i++) sum += levelIrradiance(loadPhotonLevel(i), i, position, normal);
+    for (uint i = 0u; i < PHOTON_LEVELS; i++) sum += levelIrradiance(loadPhotonLevel(i), i, asks, position, normal);
     return sum;
 }
 

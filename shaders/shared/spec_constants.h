@@ -33,6 +33,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_SPLAT_PAGES POINTRT_SPEC(13)
 // Whether the instance has noise.
 #define SPEC_NOISY POINTRT_SPEC(17)
+// Whether points gather photons where they ask for light, in the fused form.
+#define SPEC_GATHERS_PHOTONS POINTRT_SPEC(18)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

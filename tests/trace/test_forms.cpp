@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "tests/trace/render_helper.h"
@@ -18,7 +19,6 @@ RenderSettings pathSettings() {
     RenderSettings settings = square(kSize);
     settings.integrator = Integrator::kPath;
     settings.spp = 4;
-    settings.caustics = false;
     settings.camera.eye = Vec3{0.5, 1.5, 5};
     settings.camera.target = Vec3{0, 0, 0};
     return settings;
@@ -77,6 +77,11 @@ Apart apart(const Film& a, const Film& b) {
     return result;
 }
 
+/// What photons bring, in the mean of all channels.
+double meanCaustic(const Film& film) {
+    return std::accumulate(film.caustic.begin(), film.caustic.end(), 0.0) / static_cast<double>(film.caustic.size());
+}
+
 void expectAlike(const SceneDescription& scene, const RenderSettings& settings) {
     const Rendered queued = renderScene(scene, settings, PassForm::kQueued);
     const Rendered fused = renderScene(scene, settings, PassForm::kFused);
@@ -117,6 +122,17 @@ TEST_F(Forms, AreAlikeWithoutInstances) {
 TEST_F(Forms, AreAlikeOfAllMaterials) { expectAlike(allMaterials(ball.path), pathSettings()); }
 
 TEST_F(Forms, AreAlikeUnderAllLights) { expectAlike(allLights(ball.path), pathSettings()); }
+
+TEST_F(Forms, AreAlikeWithCaustics) {
+    RenderSettings settings = pathSettings();
+    settings.light_parts = true;
+    const Film queued = renderScene(allLights(ball.path), settings, PassForm::kQueued).film;
+    const Film fused = renderScene(allLights(ball.path), settings, PassForm::kFused).film;
+    ASSERT_GT(meanCaustic(queued), 1e-3);
+    EXPECT_NEAR(meanCaustic(fused), meanCaustic(queued), 1e-4 * meanCaustic(queued));
+    settings.caustics = false;
+    expectAlike(allLights(ball.path), settings);
+}
 
 TEST_F(Forms, AreAlikeUnderASkyImage) {
     SceneDescription scene = allMaterials(ball.path);

@@ -19,5 +19,5 @@ layout(local_size_x = 64) in;
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= answers.length()) return;
-    answers[i] = vec4(causticIrradiance(points[2u * i].xyz, points[2u * i + 1u].xyz), 0.0);
+    answers[i] = vec4(causticIrradiance(true, points[2u * i].xyz, points[2u * i + 1u].xyz), 0.0);
 }

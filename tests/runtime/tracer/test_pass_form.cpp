@@ -8,7 +8,7 @@ namespace pointrt {
 namespace {
 
 constexpr VkPhysicalDeviceType kProcessor = VK_PHYSICAL_DEVICE_TYPE_CPU;
-constexpr FormNeeds kPath{true, false};
+constexpr Integrator kPath = Integrator::kPath;
 
 TEST(PassForm, IsFusedOnProcessors) {
     EXPECT_EQ(passFormFor(kProcessor, kPath, {}), PassForm::kFused);
@@ -18,11 +18,11 @@ TEST(PassForm, IsFusedOnProcessors) {
         EXPECT_EQ(passFormFor(device, kPath, {}), PassForm::kQueued);
 }
 
-TEST(PassForm, IsQueuedForWhatTheFusedOneHasNot) {
-    for (const FormRequest asked : {FormRequest(), FormRequest(PassForm::kFused)}) {
-        EXPECT_EQ(passFormFor(kProcessor, {false, false}, asked), PassForm::kQueued) << "several lights at a hit";
-        EXPECT_EQ(passFormFor(kProcessor, {true, true}, asked), PassForm::kQueued) << "caustics";
-    }
+TEST(PassForm, IsQueuedForIntegratorsThatAskAllLights) {
+    for (const FormRequest asked : {FormRequest(), FormRequest(PassForm::kFused)})
+        for (const Integrator integrator :
+             {Integrator::kPhong, Integrator::kWhitted, Integrator::kNormal, Integrator::kDepth})
+            EXPECT_EQ(passFormFor(kProcessor, integrator, asked), PassForm::kQueued);
 }
 
 TEST(PassForm, IsTheOneAskedForOnAnyDevice) {
