@@ -6,9 +6,13 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
 
 #include "format/base/error.h"
 
@@ -97,12 +101,28 @@ void onBusError(int number, siginfo_t* info, void*) {
 /// How large the process may become, for the message: there is no asking then.
 char address_limit[64] = "";
 
-void onSegmentationFault(int, siginfo_t*, void*) {
+/// Several threads may come here at once: one tells.
+[[noreturn]] void tellOfLackOfMemory() {
+    static std::atomic_flag told;
+    while (told.test_and_set()) pause();
     writeWord(running_tool);
     writeWord(": error: crashed, most likely for lack of memory: ulimit -v allows ");
     writeWord(address_limit);
     writeWord(" MiB, and not every library looks whether it got what it asked for\n");
     _exit(static_cast<int>(ExitCode::kCannotRun));
+}
+
+void onSegmentationFault(int, siginfo_t*, void*) { tellOfLackOfMemory(); }
+
+/// A driver's own threads have nobody to catch what they throw.
+[[noreturn]] void onTerminate() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        tellOfLackOfMemory();
+    } catch (...) {
+    }
+    std::abort();
 }
 
 void handle(int number, void (*handler)(int, siginfo_t*, void*)) {
@@ -118,6 +138,7 @@ void blameAddressLimit() {
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
     std::snprintf(address_limit, sizeof address_limit, "%llu", static_cast<unsigned long long>(limit.rlim_cur >> 20));
     handle(SIGSEGV, onSegmentationFault);
+    std::set_terminate(onTerminate);
 }
 
 } // namespace
