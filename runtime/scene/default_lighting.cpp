@@ -161,24 +161,31 @@ void addEyeLamp(SceneDescription& scene, const Staging& staging, float gain) {
     scene.sky = sky;
 }
 
-void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
-    const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
-    if (subject.around_eye) return addEyeLamp(scene, staging, gain);
+void addFloor(SceneDescription& scene, const Staging& staging, double level, float grey) {
     MaterialDescription floor;
     floor.name = "studio floor";
     floor.color = {grey, grey, grey};
-    ShapeDescription plane{
-        ShapeKind::kPlane, staging.center + (staging.floor - kStudioGap * staging.radius) * staging.up,
-        staging.right,     -1.0 * staging.towards_eye,
-        staging.up,        addMaterial(scene, floor)};
+    ShapeDescription plane{ShapeKind::kPlane, staging.center + level * staging.up,
+                           staging.right,     -1.0 * staging.towards_eye,
+                           staging.up,        addMaterial(scene, floor)};
     plane.backdrop = true;
     scene.shapes.push_back(plane);
+}
+
+void addStudio(SceneDescription& scene, const Staging& staging, const StudioSubject& subject) {
+    const float gain = lampGain(subject.reflectance), grey = kStudioFloor / gain;
+    if (subject.around_eye) return addEyeLamp(scene, staging, gain);
+    const double level = staging.floor - kStudioGap * staging.radius;
+    // from below a floor would hide all there is; the lamps then shine from there as well
+    const bool below = dot(staging.eye - staging.center, staging.up) <= level;
+    if (!below) addFloor(scene, staging, level, grey);
+    const Vec3 lamps_up = (below ? -1.0 : 1.0) * staging.up;
     SkyDescription sky;
     sky.horizon = {0, 0, 0};
     for (const StudioLamp& lamp : kStudioLamps) {
         const double angle = lamp.angle_deg * pi / 180, height = lamp.height_deg * pi / 180;
         const Vec3 across = std::cos(angle) * staging.towards_eye + std::sin(angle) * staging.right;
-        SunLight light{std::cos(height) * across + std::sin(height) * staging.up, lamp.radius_deg, lamp.light};
+        SunLight light{std::cos(height) * across + std::sin(height) * lamps_up, lamp.radius_deg, lamp.light};
         for (int c = 0; c < 3; ++c) {
             light.irradiance[c] = static_cast<float>(pi) * lamp.light[c] * gain;
             sky.horizon[c] += kStudioFloor * lamp.light[c] * static_cast<float>(std::sin(height));

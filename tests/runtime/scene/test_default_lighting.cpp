@@ -32,6 +32,13 @@ TEST(Studio, WhatLiesFlatAtTheBottomIsAboveTheFloor) {
     EXPECT_LT(gap, 0.01) << "a finger under a room";
 }
 
+TEST(Studio, HasNoFloorForAnEyeBelowIt) {
+    const SceneDescription scene = studio({0, -1, -10}, false);
+    EXPECT_TRUE(scene.shapes.empty());
+    ASSERT_EQ(scene.lights.size(), 3u);
+    for (const auto& light : scene.lights) EXPECT_LT(std::get<SunLight>(light).towards.z, 0) << "from where one looks";
+}
+
 double lampOn(const PointLight& lamp, Vec3 place) {
     const double away = length(lamp.position - place);
     return double{lamp.intensity[1]} / (away * away);
