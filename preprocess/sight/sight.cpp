@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "preprocess/cloud/clean_noise.h"
 #include "preprocess/sight/sight_map.h"
 
 namespace pointrt::surface {
@@ -15,9 +16,8 @@ namespace {
 
 /// What lies this near to the disc's plane may be the disc's own surface, in standard deviations.
 constexpr float kSigmas = 5;
-/// The same of clean clouds, whose noise is not known place by place but below 0.06 spacings (kCleanNoise): five times
-/// that.
-constexpr float kClean = 0.3f;
+/// The same of clean clouds, whose noise is not known place by place but below kCleanNoise spacings.
+constexpr float kClean = kSigmas * kCleanNoise;
 
 /// Over the distance from the disc's middle to where a sight passes its plane: a surface of a radius of curvature as
 /// small as the disc's own lies half the disc's radius behind its rim, half the distance squared over the radius.

@@ -23,8 +23,8 @@ public:
     explicit SightMap(const std::vector<Vec3f>& seen);
 
     /// Calls body(seen) for all points that lie in cells which a line of sight through the box may cross, box relative
-    /// to the sensor. Only faces of the cube
-    /// that the box lies wholly ahead of are looked at: nothing where the sensor stands in it.
+    /// to the sensor. Only faces of the cube that the box lies wholly ahead of are looked at: nothing where the sensor
+    /// stands in it.
     template <typename Body>
     void forSights(const Eigen::AlignedBox3f& box, const Body& body) const {
         for (int side = 0; side < 6; ++side) {
