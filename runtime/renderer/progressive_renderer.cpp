@@ -40,8 +40,16 @@ void ProgressiveRenderer::begin(const RenderPlan& plan, const FrameJob& job, std
     schedule_.emplace(job, std::move(bands), FrameGauges{noise, steadySeconds});
 }
 
+bool ProgressiveRenderer::preparePhotons() { return !schedule_ || showPhotonsFor(schedule_->samples()); }
+
+bool ProgressiveRenderer::showPhotonsFor(std::uint32_t sample) {
+    return showPhotons(device_, tracer_, sample, std::uint64_t{plan_.settings.width} * plan_.settings.height);
+}
+
 bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
     if (rows_done_ == 0 ? !openNextBand() : schedule_->breaksOff()) return false;
+    while (!showPhotonsFor(open_->samples))
+        if (schedule_->breaksOff()) return false;
     const RenderSettings& settings = plan_.settings;
     const Band& band = open_->band;
     const std::uint32_t rows = std::min(most_rows, band.rows - rows_done_);

@@ -39,8 +39,11 @@ public:
     /// Begins a film, or goes on with start, of the same scene, settings and camera. What there was is given up.
     void begin(const RenderPlan& plan, const FrameJob& job, std::optional<Film> start = {});
 
-    /// Begins a strip of at most so many rows. Only where none is under way; false where the job is done, interrupted
-    /// or late.
+    /// Of frames that are one band, where no strip is under way: works for some milliseconds on the photons that the
+    /// next one shows. True where they are there.
+    bool preparePhotons();
+    /// Begins a strip of at most so many rows, as soon as its photons are there. Only where none is under way; false
+    /// where the job is done, interrupted or late.
     bool openStrip(std::uint32_t rows);
     /// Traces it on, in one submission: the camera rays, and so many bounces. True where it is done, and gone.
     bool traceStrip(std::uint32_t bounces);
@@ -69,6 +72,7 @@ public:
 
 private:
     bool openNextBand();
+    bool showPhotonsFor(std::uint32_t sample);
     void store();
     void storeRows(std::uint32_t first, std::uint32_t rows, std::uint32_t samples);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/photons/map_schedule.h"
 #include "runtime/tracer/frame_params.h"
 #include "runtime/tracer/sample_recorder.h"
 #include "runtime/util/on_error.h"
@@ -16,11 +17,34 @@ void createBindings(Device& device, BandTracer& tracer) {
     const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
     tracer.pool = createDescriptorPool(device, 2 * count);
     const auto bind = [&](const Instance& instance) {
-        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, tracer.buffers, tracer.caustics);
+        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, tracer.buffers,
+                            shownMap(tracer.caustics));
     };
     for (const Instance& instance : scene.instances)
         tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), bind(instance)});
     tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
+}
+
+/// A step on to the later map of that number, in place of the one there is, so that there are never three. True where
+/// it is bound.
+bool traceLater(Device& device, BandTracer& tracer, std::uint32_t number) {
+    CausticMaps& maps = tracer.caustics;
+    if (!maps.job || maps.job->map() != number) {
+        maps.job.reset();
+        maps.later_number = 0;
+        if (std::exchange(maps.shows_later, false)) rebind(device, tracer);
+        destroyCaustics(device, maps.later);
+        maps.job = std::make_unique<CausticJob>(device, *tracer.scene, tracer.programs,
+                                                CausticOrder{kPhotons, number, maps.seed, maps.finest});
+    }
+    const OnError undo([&] { maps.job.reset(); });
+    if (maps.job->step()) return false;
+    maps.later = maps.job->take(maps.finest);
+    maps.job.reset();
+    maps.later_number = number;
+    maps.shows_later = true;
+    rebind(device, tracer);
+    return true;
 }
 
 /// Whether there is anything after the camera rays' pass. Fused, that ends where instances are to be asked.
@@ -37,7 +61,7 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     const OnError undo([&] { destroyBandTracer(device, tracer); });
     tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
     tracer.programs = createPrograms(device, scene, settings, form);
-    tracer.caustics = emptyCaustics(device);
+    tracer.caustics.first = emptyCaustics(device);
     createBindings(device, tracer);
 }
 
@@ -56,15 +80,40 @@ bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings) {
 }
 
 void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings) {
-    CausticMap map = wantsPhotons(*tracer.scene, settings)
-                         ? buildCaustics(device, *tracer.scene, tracer.programs, kPhotons)
-                         : emptyCaustics(device);
+    CausticMaps maps;
+    maps.seed = settings.seed;
+    if (wantsPhotons(*tracer.scene, settings)) {
+        CausticJob job(device, *tracer.scene, tracer.programs, {kPhotons, 0, maps.seed});
+        while (job.step()) {
+        }
+        maps.first = job.take(maps.finest);
+    } else {
+        maps.first = emptyCaustics(device);
+    }
     destroyCaustics(device, tracer.caustics);
-    tracer.caustics = std::exchange(map, {});
+    tracer.caustics = std::move(maps);
     rebind(device, tracer);
 }
 
-void forgetPhotons(BandTracer& tracer) { tracer.caustics.frame.count.x = 0; }
+bool showPhotons(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels) {
+    CausticMaps& maps = tracer.caustics;
+    const std::uint32_t wanted = mapOfSample(sample, pixels);
+    const bool later = wanted > 0 && maps.first.frame.count.x > 0;
+    if (later && maps.later_number != wanted) {
+        const HostSpan span(tracer.profile, "caustics");
+        return traceLater(device, tracer, wanted);
+    }
+    if (std::exchange(maps.shows_later, later) != later) rebind(device, tracer);
+    return true;
+}
+
+void forgetPhotons(BandTracer& tracer) {
+    CausticMaps& maps = tracer.caustics;
+    maps.first.frame.count.x = 0;
+    maps.shows_later = false;
+    maps.later_number = 0;
+    maps.job.reset();
+}
 
 void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
     createFilm(device, tracer.buffers, film_pixels);
@@ -78,7 +127,7 @@ void rebind(Device& device, BandTracer& tracer) {
 }
 
 std::uint64_t deviceBytes(const BandTracer& tracer) {
-    return tracer.buffers.device_bytes + tracer.caustics.photons.bytes + tracer.caustics.buckets.bytes;
+    return tracer.buffers.device_bytes + deviceBytes(tracer.caustics);
 }
 
 void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
@@ -86,7 +135,7 @@ void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings
     gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
     params.film_pixels = film.pixels;
     params.film_first = film.first_pixel;
-    params.caustics = tracer.caustics.frame;
+    params.caustics = shownMap(tracer.caustics).frame;
     const HostSpan span(tracer.profile, "parameters");
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
 }

@@ -27,7 +27,7 @@ struct BandTracer {
     bool shadows = true;
     Programs programs;
     FrameBuffers buffers;
-    CausticMap caustics;
+    CausticMaps caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<TracerTarget> targets;
     DescriptorSets sets;            ///< for what looks at no instance
@@ -47,8 +47,11 @@ void destroyBandTracer(Device& device, BandTracer& tracer);
 
 /// Whether the scene throws caustics, and the settings' integrator shows them.
 bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings);
-/// Puts the photons of its scene as it is now, where it wants any, in place of those there were, and binds them.
+/// Puts the first photons of its scene as it is now, where it wants any, in place of those there were, and binds them.
 void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings);
+/// Works for some milliseconds on the map that a sample of a picture of so many pixels shows; true where it is bound.
+/// Of a scene without photons none is wanted.
+bool showPhotons(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels);
 /// Leaves the photons there were out.
 void forgetPhotons(BandTracer& tracer);
 

@@ -2,15 +2,20 @@
 #include "runtime/tracer/caustics.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <future>
 #include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "runtime/photons/map_schedule.h"
+#include "runtime/photons/photon_emission.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/tracer/frame_params.h"
-#include "runtime/tracer/photon_emission.h"
-#include "runtime/tracer/photon_map.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 
@@ -24,12 +29,6 @@ constexpr std::uint32_t kPhotonBounces = 16;
 /// Each photon asks each instance: with more of them than this there are fewer photons, so that the time stays the
 /// same.
 constexpr std::size_t kInstancesForAll = 8;
-
-void storeMap(Device& device, CausticMap& map, PhotonMap sorted) {
-    map.frame = sorted.frame;
-    map.photons = createTexelRows(device, "photon buffer", std::move(sorted.photons), VK_FORMAT_R32G32B32A32_UINT);
-    map.buckets = createTexelRows(device, "photon buckets", std::move(sorted.buckets), VK_FORMAT_R32_UINT);
-}
 
 RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
     const Vec3 lo = renderPoint(space, bounds.lo), hi = renderPoint(space, bounds.hi);
@@ -67,44 +66,56 @@ std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
     return targets;
 }
 
-/// The tracer's programs over a batch of photons.
+/// The tracer's programs over photons, a batch at a time.
 class PhotonTracer {
 public:
-    PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, CausticMap& map)
-        : device_(device), scene_(scene), programs_(programs), map_(map),
-          buffers_(createFrameBuffers(device, kBatch, kBatch)) {
-        try {
-            bindAll();
-        } catch (...) {
-            release();
-            throw;
-        }
+    PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t seed)
+        : device_(device), scene_(scene), programs_(programs) {
+        const OnError undo([&] { release(); });
+        buffers_ = createFrameBuffers(device, kBatch, kBatch);
+        map_ = emptyCaustics(device);
+        destroyBuffer(device, map_.traced);
+        map_.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        bindAll(seed);
     }
     PhotonTracer(const PhotonTracer&) = delete;
     PhotonTracer& operator=(const PhotonTracer&) = delete;
     ~PhotonTracer() { release(); }
 
-    /// Appends what is left of count photons (at most kBatch) to kept.
-    void trace(const gpu::PathState* paths, std::size_t count, std::uint32_t batch, std::vector<gpu::Photon>& kept) {
-        std::vector<gpu::Photon> traced(kBatch);
-        uploadBuffer(device_, map_.traced, traced.data(), map_.traced.bytes);
-        uploadBuffer(device_, buffers_.paths, paths, count * sizeof *paths);
-        std::vector<std::uint32_t> queue(count);
+    /// Starts paths, at most kBatch and at least one, with numbers of the sampler that no other batch has.
+    void begin(const std::vector<gpu::PathState>& paths, std::uint32_t batch) {
+        batch_ = batch;
+        pass_ = 1;
+        std::vector<gpu::Photon> none(paths.size());
+        uploadBuffer(device_, map_.traced, none.data(), none.size() * sizeof none[0]);
+        uploadBuffer(device_, buffers_.paths, paths.data(), paths.size() * sizeof paths[0]);
+        std::vector<std::uint32_t> queue(paths.size());
         std::iota(queue.begin(), queue.end(), 0u);
         // pass 1 reads queue 1
-        uploadBuffer(device_, buffers_.queues, queue.data(), count * sizeof queue[0], kBatch * sizeof queue[0]);
+        uploadBuffer(device_, buffers_.queues, queue.data(), queue.size() * sizeof queue[0], kBatch * sizeof queue[0]);
         gpu::Control control{};
-        control.queued[1] = static_cast<std::uint32_t>(count);
-        control.ray_groups = {static_cast<std::uint32_t>((count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE), 1, 1};
+        control.queued[1] = count_ = static_cast<std::uint32_t>(paths.size());
+        control.ray_groups = {(count_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1};
         uploadBuffer(device_, buffers_.control, &control, sizeof control);
-        for (std::uint32_t pass = 1; pass <= kPhotonBounces + 1; ++pass) {
-            // by themselves: a window that shares the queue goes on between them
-            const VkCommandBuffer commands = beginCommands(device_);
-            record(commands, pass, batch);
-            submitAndWait(device_, commands);
-        }
-        downloadBuffer(device_, map_.traced, traced.data(), map_.traced.bytes);
-        std::copy_if(traced.begin(), traced.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(kept),
+    }
+
+    /// On to the next hits, by itself: a window that shares the queue goes on between them. False where no photon of
+    /// the batch is under way any more.
+    bool pass() {
+        const VkCommandBuffer commands = beginCommands(device_);
+        record(commands, pass_++);
+        submitAndWait(device_, commands);
+        gpu::Control control;
+        downloadBuffer(device_, buffers_.control, &control, sizeof control);
+        return pass_ <= kPhotonBounces + 1 && control.queued[0] + control.queued[1] > 0;
+    }
+
+    /// Appends what is left of the batch.
+    void keep(std::vector<gpu::Photon>& kept) const {
+        std::vector<gpu::Photon> traced(count_);
+        downloadBuffer(device_, map_.traced, traced.data(), traced.size() * sizeof traced[0]);
+        std::copy_if(traced.begin(), traced.end(), std::back_inserter(kept),
                      [](const gpu::Photon& photon) { return photon.flux.w > 0; });
     }
 
@@ -112,9 +123,10 @@ private:
     void release() {
         destroyDescriptorPool(device_, pool_);
         destroyFrameBuffers(device_, buffers_);
+        destroyCaustics(device_, map_);
     }
 
-    void bindAll() {
+    void bindAll(std::uint32_t seed) {
         const std::size_t count = std::max<std::size_t>(scene_.instances.size(), 1);
         pool_ = createDescriptorPool(device_, static_cast<std::uint32_t>(2 * count));
         for (const Instance& instance : scene_.instances) sets_.push_back(bind(instance));
@@ -127,6 +139,7 @@ private:
         params.sky_light = NO_LIGHT;
         params.integrator = static_cast<std::uint32_t>(Integrator::kPath);
         params.bounces = kPhotonBounces;
+        params.seed = seed;
         setReach(scene_, params);
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
@@ -135,15 +148,15 @@ private:
         return bindInstance(device_, pool_, programs_, scene_, instance, buffers_, map_);
     }
 
-    void record(VkCommandBuffer commands, std::uint32_t pass, std::uint32_t batch) {
+    void record(VkCommandBuffer commands, std::uint32_t pass) {
         const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
         const auto run = [&](const Program& program, const DescriptorSets& sets, std::size_t groups) {
-            const gpu::PushParams push{batch, 0, queue, 0};
+            const gpu::PushParams push{batch_, 0, queue, 0};
             recordDispatchIndirect(commands, program, sets, pushBytes(push), buffers_.control, groups);
             recordBarrier(commands);
         };
         const auto prepare = [&](std::uint32_t bits) {
-            const gpu::PushParams push{batch, 0, queue | bits, 0};
+            const gpu::PushParams push{batch_, 0, queue | bits, 0};
             recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
             recordBarrier(commands);
         };
@@ -162,54 +175,88 @@ private:
     Device& device_;
     const DeviceScene& scene_;
     const Programs& programs_;
-    CausticMap& map_;
+    CausticMap map_; ///< without photons but those in flight
     FrameBuffers buffers_;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     std::vector<DescriptorSets> sets_;
+    std::uint32_t batch_ = 0, pass_ = 0, count_ = 0;
 };
+
+PhotonEmission emissionOf(const DeviceScene& scene, const CausticOrder& order) {
+    const auto count = order.count / static_cast<std::uint32_t>(1 + scene.instances.size() / kInstancesForAll);
+    return {scene.light_rows,
+            findTargets(scene),
+            sphereAround(scene.space, boundsWithShapes(scene)),
+            count,
+            {order.map, order.seed}};
+}
 
 } // namespace
 
-CausticMap emptyCaustics(Device& device) {
-    CausticMap map;
-    storeMap(device, map, {});
-    map.traced = createBuffer(device, "traced photon buffer", sizeof(gpu::Photon), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    return map;
-}
+struct CausticJob::State {
+    State(Device& owner, const DeviceScene& scene, const CausticOrder& wanted)
+        : device(owner), order(wanted), scene_radius(sphereAround(scene.space, scene.bounds).radius),
+          emission(emissionOf(scene, wanted)) {}
 
-CausticMap buildCaustics(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t count) {
-    count /= static_cast<std::uint32_t>(1 + scene.instances.size() / kInstancesForAll);
-    const std::vector<gpu::PathState> paths =
-        emitPhotons(scene.light_rows, findTargets(scene), sphereAround(scene.space, boundsWithShapes(scene)), count);
-    CausticMap map = emptyCaustics(device);
-    if (paths.empty()) return map;
+    Device& device;
+    CausticOrder order;
+    double scene_radius;
+    PhotonEmission emission;
+    std::optional<PhotonTracer> tracer; ///< until all photons are traced
+    std::uint32_t batch = 0;            ///< the next one, of all maps' batches
+    bool in_flight = false;
     std::vector<gpu::Photon> kept;
-    try {
-        destroyBuffer(device, map.traced);
-        map.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
-                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-        PhotonTracer tracer(device, scene, programs, map);
-        for (std::size_t first = 0; first < paths.size(); first += kBatch)
-            tracer.trace(paths.data() + first, std::min<std::size_t>(kBatch, paths.size() - first),
-                         static_cast<std::uint32_t>(first / kBatch), kept);
-    } catch (...) {
-        destroyCaustics(device, map);
-        throw;
+    std::future<PhotonMap> sorted; ///< by a thread of its own, as that takes a while
+};
+
+CausticJob::CausticJob(Device& device, const DeviceScene& scene, const Programs& programs, const CausticOrder& order)
+    : state_(std::make_unique<State>(device, scene, order)) {
+    const auto batches = static_cast<std::uint32_t>((state_->emission.count() + kBatch - 1) / kBatch);
+    state_->batch = order.map * batches;
+    if (batches > 0) state_->tracer.emplace(device, scene, programs, order.seed);
+}
+
+CausticJob::~CausticJob() = default;
+
+std::uint32_t CausticJob::map() const { return state_->order.map; }
+
+bool CausticJob::step() {
+    State& state = *state_;
+    constexpr std::chrono::milliseconds kStep{5};
+    if (state.sorted.valid()) return state.sorted.wait_for(kStep) != std::future_status::ready;
+    if (state.in_flight) {
+        state.in_flight = state.tracer->pass();
+        if (!state.in_flight) state.tracer->keep(state.kept);
+        return true;
     }
-    destroyCaustics(device, map);
-    map = emptyCaustics(device);
-    for (Buffer* buffer : {&map.photons, &map.buckets}) destroyBuffer(device, *buffer);
-    storeMap(device, map, sortPhotons(std::move(kept), sphereAround(scene.space, scene.bounds).radius));
-    return map;
+    const std::vector<gpu::PathState> paths = state.emission.next(kBatch);
+    state.in_flight = !paths.empty();
+    if (state.in_flight) {
+        state.tracer->begin(paths, state.batch++);
+        return true;
+    }
+    state.tracer.reset();
+    state.sorted = std::async(std::launch::async, [&state] {
+        return sortPhotons(std::move(state.kept), state.scene_radius,
+                           {state.order.finest, discShrink(state.order.map)});
+    });
+    return true;
 }
 
-std::vector<BufferBinding> causticBindings(const CausticMap& map) {
-    return {
-        {BINDING_PHOTON_TEXELS, &map.photons}, {BINDING_PHOTON_BUCKETS, &map.buckets}, {BINDING_PHOTONS, &map.traced}};
+CausticMap CausticJob::take(double& finest) {
+    PhotonMap map = state_->sorted.get();
+    finest = map.finest;
+    return uploadCaustics(state_->device, std::move(map));
 }
 
-void destroyCaustics(Device& device, CausticMap& map) {
-    for (Buffer* buffer : {&map.photons, &map.buckets, &map.traced}) destroyBuffer(device, *buffer);
+const CausticMap& shownMap(const CausticMaps& maps) { return maps.shows_later ? maps.later : maps.first; }
+
+std::uint64_t deviceBytes(const CausticMaps& maps) { return deviceBytes(maps.first) + deviceBytes(maps.later); }
+
+void destroyCaustics(Device& device, CausticMaps& maps) {
+    maps.job.reset();
+    for (CausticMap* map : {&maps.first, &maps.later}) destroyCaustics(device, *map);
+    maps = {};
 }
 
 } // namespace pointrt

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "format/base/parallel.h"
-#include "runtime/tracer/caustics.h"
+#include "runtime/photons/caustic_map.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/util/on_error.h"
 #include "shaders/beam.spv.h"

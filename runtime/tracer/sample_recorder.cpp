@@ -66,7 +66,7 @@ void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
     // path has one turn, and nothing in a second go
     for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, bits);
     run(programs.light, tracer_.sets, bits, PassLanes::kLit);
-    if (tracer_.caustics.frame.count.x > 0) run(programs.caustic, tracer_.sets, bits, PassLanes::kLit);
+    if (shownMap(tracer_.caustics).frame.count.x > 0) run(programs.caustic, tracer_.sets, bits, PassLanes::kLit);
 }
 
 /// Which of the lights from first on reach the lit points.

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/splat_scenes.h"
@@ -301,6 +302,42 @@ TEST(Caustics, OfAPaneUnderAPoint) {
         EXPECT_NEAR(lightUnder(scene, integrator) / (1 - kPaneReflects), 1, 0.02);
         EXPECT_LT(lightUnder(scene, integrator, false), 0.002);
     }
+}
+
+/// Irradiance of each pixel under a pane under a point, the floor wide enough that it hardly changes: 1 over the known.
+std::vector<double> lightUnderAPane(std::uint32_t spp) {
+    constexpr double kHeight = 40;
+    SceneDescription scene =
+        under({thinGlass()}, {paneAt(0)}, PointLight{{0, kFloor + kHeight, 0}, grey(kHeight * kHeight)});
+    scene.sky = evenSky(0);
+    RenderSettings settings = view(Integrator::kWhitted, spp);
+    settings.width = 512; // as many maps as there are: 16 samples show each
+    settings.height = 32;
+    settings.camera.eye = Vec3{0.9, kFloor + 0.9, 0};
+    settings.camera.target = Vec3{0, kFloor, 0};
+    settings.camera.up = Vec3{0, 1, 0};
+    settings.camera.fov_deg = 3;
+    const Film film = renderScene(std::move(scene), settings).film;
+    std::vector<double> light;
+    for (std::size_t i = 0; i < film.samples.size(); ++i)
+        light.push_back(pi * film.caustic[3 * i] / kDark / (1 - kPaneReflects));
+    return light;
+}
+
+TEST(Caustics, ConvergeOverMaps) {
+    const auto spread = [](const std::vector<double>& light) {
+        const double mean = sumOf(light) / static_cast<double>(light.size());
+        double squares = 0;
+        for (const double each : light) squares += (each - mean) * (each - mean);
+        return std::pair{mean, std::sqrt(squares / static_cast<double>(light.size()))};
+    };
+    const auto [mean, noise] = spread(lightUnderAPane(16));
+    const auto [mean_of_4, noise_of_4] = spread(lightUnderAPane(4 * 16));
+    std::printf("a map: %.4f +- %.4f, four: %.4f +- %.4f\n", mean, noise, mean_of_4, noise_of_4);
+    EXPECT_NEAR(mean, 1, 0.02);
+    EXPECT_NEAR(mean_of_4, 1, 0.005);
+    // by independent maps half, times 1.2 as their discs shrink; all of it and more were they the same
+    EXPECT_LT(noise_of_4, 0.7 * noise);
 }
 
 TEST(Caustics, AreDimmedByWhatGlassAbsorbs) {

@@ -166,6 +166,7 @@ void ViewportRenderer::advance(double seconds_left) {
     if (stage_ == Stage::kDenoising) return denoiseOn();
     if (!renderer_.strip()) {
         slice_seconds_ = 0;
+        if (!renderer_.preparePhotons()) return;
         if (!renderer_.openStrip(sliceRows(seconds_left))) return next();
     }
     const Clock::time_point start = Clock::now();

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "runtime/gpu/device.h"
 #include "runtime/renderer/loaded_scene.h"
 #include "runtime/renderer/pick.h"
@@ -237,6 +241,91 @@ TEST_F(ProgressiveRendererTest, PicksWhatItsFilmHas) {
             EXPECT_EQ(pick->owner, whole.instance_id[at]);
         }
     EXPECT_GT(found, 3);
+}
+
+/// Caustics whose samples show the first map (0 to 7), the second (8 to 15) and the third one.
+class RendererOverMaps : public DeviceFixture {
+protected:
+    static constexpr std::uint32_t kSpp = 18;
+
+    void SetUp() override {
+        LoadRequest request = testRequest();
+        request.settings.width = 256;
+        request.settings.height = 144;
+        request.settings.spp = kSpp;
+        request.settings.bounces = 1;
+        request.settings.integrator = Integrator::kWhitted;
+        request.settings.caustics = true;
+        loaded = loadScene(device, device, request, {});
+        plan = {loaded->settings, loaded->camera, {144, 144}};
+    }
+
+    Film render(std::uint32_t samples, std::optional<Film> start = {}) {
+        ProgressiveRenderer renderer(device, loaded->tracer);
+        FrameJob job;
+        job.samples = samples;
+        renderer.begin(plan, job, std::move(start));
+        renderer.run();
+        return renderer.takeFilm();
+    }
+
+    /// Each from the film before, as --resume goes on.
+    Film renderInPieces(std::initializer_list<std::uint32_t> pieces) {
+        std::optional<Film> film;
+        for (const std::uint32_t samples : pieces) film = render(samples, std::move(film));
+        return std::move(*film);
+    }
+
+    /// In slices, as windows do; how many of them photons took.
+    std::pair<Film, int> renderInSlices() {
+        ProgressiveRenderer renderer(device, loaded->tracer);
+        FrameJob job;
+        job.samples = kSpp;
+        renderer.begin(plan, job);
+        int slices = 0;
+        do
+            while (!renderer.preparePhotons()) ++slices;
+        while (renderer.samples() < kSpp && renderer.openStrip(144) && renderer.traceStrip(20));
+        return {renderer.takeFilm(), slices};
+    }
+
+    static double difference(const std::vector<float>& a, const std::vector<float>& b) {
+        double largest = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) largest = std::max<double>(largest, std::abs(a[i] - b[i]));
+        return largest;
+    }
+
+    std::unique_ptr<LoadedScene> loaded;
+    RenderPlan plan;
+};
+
+TEST_F(RendererOverMaps, ShowsTheMapsOfItsSamplesHoweverItIsCut) {
+    const Film whole = render(kSpp);
+    EXPECT_EQ(loaded->tracer.caustics.later_number, 2u);
+    plan.tiling = {80, 80};
+    EXPECT_EQ(render(kSpp).caustic, whole.caustic) << "in bands, each from the first map to the last";
+    plan.tiling = {144, 144};
+    const auto [sliced, slices] = renderInSlices();
+    EXPECT_EQ(sliced.caustic, whole.caustic);
+    EXPECT_GT(slices, 2 * 8) << "of some milliseconds each";
+    const Film pieces = renderInPieces({4, 8, 16, kSpp}); // whose means are exact
+    EXPECT_EQ(pieces.samples, whole.samples);
+    EXPECT_EQ(pieces.caustic, whole.caustic);
+    // other maps are seen: the film is not that of the first one alone
+    EXPECT_GT(difference(render(8).caustic, whole.caustic), 1e-3);
+}
+
+TEST_F(RendererOverMaps, IsBrokenOffWhileItTracesPhotons) {
+    ProgressiveRenderer renderer(device, loaded->tracer);
+    FrameJob job;
+    job.samples = kSpp;
+    job.interrupted = [&] { return loaded->tracer.caustics.job != nullptr; };
+    renderer.begin(plan, job);
+    EXPECT_EQ(renderer.run().samples, 8u);
+    EXPECT_EQ(renderer.takeFilm().samples[0], 8.0f);
+    forgetPhotons(loaded->tracer);
+    rebind(device, loaded->tracer);
+    EXPECT_EQ(render(9).caustic, std::vector<float>(std::size_t{3} * 256 * 144, 0.0f)) << "nor of later maps";
 }
 
 using LoadScene = DeviceFixture;

@@ -287,12 +287,12 @@ TEST_F(LoadJobTest, LeavesPhotonsOutUntilThereIsTime) {
                moved = loadText(kScan + std::string(kGlassBall) + lamp("[12, 25, 31]"));
     const std::vector<float> expected = picture(*moved);
     relight(*loaded, *ball);
-    EXPECT_GT(loaded->tracer.caustics.frame.count.x, 0u);
+    EXPECT_GT(loaded->tracer.caustics.first.frame.count.x, 0u);
     EXPECT_FALSE(loaded->lacks_photons);
     EXPECT_EQ(picture(*loaded), picture(*ball));
     ASSERT_TRUE(furnishNow(*loaded, moved->scene.description, moved->settings));
     EXPECT_TRUE(loaded->lacks_photons);
-    EXPECT_EQ(loaded->tracer.caustics.frame.count.x, 0u);
+    EXPECT_EQ(loaded->tracer.caustics.first.frame.count.x, 0u);
     const std::vector<float> without = picture(*loaded);
     EXPECT_NE(without, expected);
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/tracer/photon_map.h"
+#include "runtime/photons/photon_map.h"
 
 #include <algorithm>
 #include <array>
@@ -176,16 +176,20 @@ void growBoxes(gpu::CausticFrame& frame, const std::vector<gpu::Photon>& photons
 
 } // namespace
 
-PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius) {
+PhotonMap sortPhotons(std::vector<gpu::Photon> photons, double scene_radius, PhotonDiscs discs) {
     PhotonMap map;
     map.buckets.assign(PHOTON_BUCKETS + 1, PHOTON_BUCKETS + 1);
     setRadii(map.frame, 1);
     if (photons.empty()) return map;
     // no narrower than what floats of that size tell apart
-    setRadii(map.frame, std::clamp(finestRadius(photons), 1e-5 * scene_radius, kMaxRadius * scene_radius));
+    const double least = 1e-5 * scene_radius;
+    map.finest = discs.finest > 0 ? discs.finest : std::clamp(finestRadius(photons), least, kMaxRadius * scene_radius);
     map.frame.count = {static_cast<std::uint32_t>(photons.size()), 0, 0, 0};
     const Levels levels(map.frame.levels);
+    // by cells that do not shrink: narrower ones would tell less and less of how dense photons are
+    setRadii(map.frame, map.finest);
     chooseLevels(photons, levels);
+    setRadii(map.frame, std::max(map.finest * discs.shrink, least));
     map.photons = sortedByCell(photons, levels);
     map.buckets = listByCell(map.photons, levels);
     growBoxes(map.frame, map.photons);

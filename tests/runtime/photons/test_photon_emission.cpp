@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "runtime/device_scene/render_space.h"
-#include "runtime/tracer/photon_emission.h"
+#include "runtime/photons/photon_emission.h"
 
 namespace pointrt {
 namespace {
@@ -37,6 +40,12 @@ void expectSound(const std::vector<gpu::PathState>& paths, const PhotonTarget& t
         ASSERT_NEAR(path.throughput.y / path.throughput.x, 0.5, 1e-6);
         ASSERT_NEAR(path.throughput.z / path.throughput.x, 0.25, 1e-6);
     }
+}
+
+/// All paths of a map.
+std::vector<gpu::PathState> emitPhotons(std::span<const gpu::Light> lights, const std::vector<PhotonTarget>& targets,
+                                        RenderSphere scene, std::uint32_t count, PhotonTurn turn = {}) {
+    return PhotonEmission(lights, targets, scene, count, turn).next(2 * count);
 }
 
 double fluxOf(const std::vector<gpu::PathState>& paths) {
@@ -253,6 +262,56 @@ TEST(PhotonEmission, IsTheSameEachTime) {
     ASSERT_EQ(once.size(), again.size());
     EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof once[0]), 0);
     EXPECT_NE(std::memcmp(&once[0].direction, &once[1].direction, sizeof(gpu::vec4)), 0);
+}
+
+/// How far the share of the photons in a cell of directions is from the cell's of the cone, the root mean square over
+/// cells, in shares of that.
+double unevenness(const std::vector<gpu::PathState>& paths, Vec3 from) {
+    constexpr int kCells = 24;
+    const Frame frame(normalize(kBall.center - from));
+    const double cap = capOf(kBall, from);
+    std::vector<double> counts(kCells * kCells);
+    for (const gpu::PathState& path : paths) {
+        const Vec3 d = vecOf(path.direction);
+        const double turn = std::atan2(dot(d, frame.t), dot(d, frame.s)) / (2 * pi) + 0.5;
+        const auto cell = [](double x) { return std::clamp(static_cast<int>(x * kCells), 0, kCells - 1); };
+        ++counts[static_cast<std::size_t>(cell((1 - dot(d, frame.n)) / cap) * kCells + cell(turn))];
+    }
+    double sum = 0;
+    for (const double count : counts)
+        sum += std::pow(count * kCells * kCells / static_cast<double>(paths.size()) - 1, 2);
+    return std::sqrt(sum) / kCells;
+}
+
+TEST(PhotonEmission, OfMapAfterMapIsOneEvenSequence) {
+    const PointLight light{{4, 0, 1}, kColor};
+    const std::vector<gpu::Light> lights{packLight({}, light)};
+    std::vector<gpu::PathState> all;
+    double one = 0;
+    for (std::uint32_t map = 0; map < 16; ++map) {
+        const auto paths = emitPhotons(lights, {kBall}, kScene, kCount, {map, 0});
+        EXPECT_NEAR(fluxOf(paths) / (2 * 2 * pi * capOf(kBall, light.position)), 1, 0.003) << map;
+        all.insert(all.end(), paths.begin(), paths.end());
+        if (map == 0) one = unevenness(paths, light.position);
+    }
+    // random ones would be a quarter as uneven, the same again as uneven as one map
+    std::printf("unevenness of one map %.5f, of sixteen %.5f\n", one, unevenness(all, light.position));
+    EXPECT_LT(unevenness(all, light.position), one / 8);
+    const auto at_once = emitPhotons(lights, {kBall}, kScene, 16 * kCount);
+    ASSERT_EQ(at_once.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        ASSERT_LT(length(vecOf(at_once[i].direction) - vecOf(all[i].direction)), 1e-5) << i;
+}
+
+TEST(PhotonEmission, OfSeedsDiffers) {
+    const std::vector<gpu::Light> lights{packLight({}, PointLight{{4, 0, 1}, kColor})};
+    const auto first = emitPhotons(lights, {kBall}, kScene, 1000),
+               other = emitPhotons(lights, {kBall}, kScene, 1000, {0, 1}),
+               third = emitPhotons(lights, {kBall}, kScene, 1000, {0, 2});
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        ASSERT_GT(length(vecOf(first[i].direction) - vecOf(other[i].direction)), 1e-6);
+        ASSERT_GT(length(vecOf(third[i].direction) - vecOf(other[i].direction)), 1e-6);
+    }
 }
 
 TEST(PhotonEmission, OfNothing) {

@@ -12,7 +12,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/program.h"
 #include "runtime/gpu/resources.h"
-#include "runtime/tracer/photon_map.h"
+#include "runtime/photons/photon_map.h"
 #include "runtime/util/vec.h"
 #include "shaders/photon_probe.spv.h"
 #include "tests/runtime/gpu/probe.h"
@@ -193,14 +193,12 @@ TEST(PhotonMap, GathersWhereBucketsAreShared) {
     expectAsSearched(map, probesAmong(map, 60, normal, 0.5));
 }
 
-TEST(PhotonMap, SpreadsTheLightAndLosesNone) {
-    // over a floor so fine that sums are integrals
-    std::vector<gpu::Photon> photons = floorPhotons(8000);
-    std::erase_if(photons, [](const gpu::Photon& p) { return std::hypot(p.position.x + 1, p.position.z - 1) < 0.4; });
+/// The light that a map spreads over a floor so fine that sums are integrals, over that of its photons.
+double lightSpread(std::vector<gpu::Photon> photons, PhotonDiscs discs) {
     double flux = 0;
     for (const gpu::Photon& photon : photons) flux += photon.flux.y;
-    // discs are at least this wide: a probe every third of their radius
-    const PhotonMap map = sortPhotons(std::move(photons), 40);
+    const PhotonMap map = sortPhotons(std::move(photons), 40, discs);
+    // discs are at least this wide: a probe every half of their radius
     const double step = map.frame.levels[0].high.w / 2;
     std::vector<Probe> probes;
     const double half = 10 + map.frame.levels[PHOTON_LEVELS - 1].high.w;
@@ -208,7 +206,32 @@ TEST(PhotonMap, SpreadsTheLightAndLosesNone) {
         for (double z = -half; z < half; z += step) probes.push_back({pack({x, 0, z}), {0, 1, 0, 0}});
     double sum = 0;
     for (const gpu::vec4& answer : ask(map, probes)) sum += answer.y * step * step;
-    EXPECT_NEAR(sum / flux, 1, 0.005) << probes.size();
+    return sum / flux;
+}
+
+TEST(PhotonMap, SpreadsTheLightAndLosesNone) {
+    std::vector<gpu::Photon> photons = floorPhotons(8000);
+    std::erase_if(photons, [](const gpu::Photon& p) { return std::hypot(p.position.x + 1, p.position.z - 1) < 0.4; });
+    EXPECT_NEAR(lightSpread(photons, {}), 1, 0.005);
+    EXPECT_NEAR(lightSpread(photons, {0, 0.6}), 1, 0.005) << "narrower discs are brighter";
+}
+
+TEST(PhotonMap, ShrinksItsDiscsAndKeepsTheirLevels) {
+    const std::vector<gpu::Photon> photons = floorPhotons(20'000);
+    const PhotonMap first = sortPhotons(photons, 10), narrow = sortPhotons(photons, 10, {0, 0.3}),
+                    given = sortPhotons(photons, 10, {2 * first.finest, 0.3});
+    EXPECT_EQ(narrow.finest, first.finest);
+    EXPECT_EQ(given.finest, 2 * first.finest);
+    const auto photonsOf = [](const PhotonMap& map, int level) {
+        return std::count_if(map.photons.begin(), map.photons.end(),
+                             [&](const gpu::Photon& p) { return p.flux.w == static_cast<float>(level); });
+    };
+    for (int level = 0; level < PHOTON_LEVELS; ++level) {
+        EXPECT_FLOAT_EQ(narrow.frame.levels[level].high.w, 0.3f * first.frame.levels[level].high.w);
+        EXPECT_FLOAT_EQ(given.frame.levels[level].high.w, 0.6f * first.frame.levels[level].high.w);
+        EXPECT_EQ(photonsOf(narrow, level), photonsOf(first, level));
+    }
+    expectAsSearched(narrow, probesAmong(narrow, 600, {0, 1, 0}, 10));
 }
 
 TEST(PhotonMap, LightsItsOwnSideAlone) {
