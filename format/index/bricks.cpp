@@ -12,8 +12,8 @@
 
 #include "format/base/error.h"
 #include "format/base/parallel.h"
-#include "format/index/cell_codec.h"
 #include "format/index/cell_meeting.h"
+#include "format/index/cell_runs.h"
 #include "format/index/node_walk.h"
 #include "pointrt/pro_index_layout.h"
 
@@ -45,7 +45,7 @@ constexpr float kMinHalfEdge = 16;
 /// Indices count from the part's own first.
 struct Part : CellWords {
     std::vector<Corner> corners;
-    std::vector<std::uint32_t> words, groups, lists, blending, blend_ranges;
+    std::vector<std::uint32_t> words, groups;
 };
 
 /// A cell of the grid, or a leaf above, with its node's word.
@@ -53,13 +53,6 @@ struct Source {
     std::uint32_t node = 0;
     Corner corner{};
     std::uint32_t shift = 0; ///< log2 of its edge in position steps
-};
-
-using Discs = std::vector<const CellDisc*>;
-
-/// What a cell lists: discs that cross it, and those whose slabs alone do.
-struct CellLists {
-    Discs hittable, blending;
 };
 
 void offer(const CellDisc& disc, const CellBox& box, CellLists& lists) {
@@ -87,7 +80,7 @@ Discs likeliestFirst(const Discs& discs, const CellBox& box) {
     return sorted;
 }
 
-std::size_t listedBy(const Part& part) { return part.lists.size() + part.blending.size(); }
+std::size_t listedBy(const Part& part) { return part.listed.size() + part.blending.size(); }
 
 /// What all parts list so far, and may.
 struct ListedTotal {
@@ -142,11 +135,15 @@ private:
         if (std::all_of(cells_.begin(), cells_.end(), [](const CellLists& cell) { return cell.hittable.empty(); }))
             return;
         const std::size_t before = listedBy(part_);
+        listed_.clear();
+        first_cell_ = part_.slabs.size();
         part_.corners.push_back(corner);
         for (std::uint32_t c = 0; c < PRO_BRICK_WORDS; ++c) {
             const std::uint32_t word = emit(cells_[c], boxOf(c, offset), 0);
             part_.words.push_back(word);
         }
+        constexpr float kHalf = 0.5f * PRO_BRICK_SIDE;
+        encodeCells(listed_, {{offset[0] + kHalf, offset[1] + kHalf, offset[2] + kHalf}, kHalf, slack_}, part_);
         total_.listed += listedBy(part_) - before;
     }
 
@@ -245,16 +242,10 @@ private:
     }
 
     std::uint32_t emitCell(const CellLists& lists, const CellBox& box) {
-        if (lists.hittable.size() > PRO_CELL_COUNT_MASK || lists.blending.size() > PRO_INDEX_BLEND_MAX)
-            throw Error(ExitCode::kCannotRun, "discs crowd: a cell of the tracing index would list more than 65535");
-        const auto cell = static_cast<std::uint32_t>(part_.slabs.size());
-        const Discs hittable = likeliestFirst(lists.hittable, box);
-        encodeCell(hittable, box, static_cast<std::uint32_t>(part_.lists.size()), part_);
-        for (const CellDisc* disc : hittable) part_.lists.push_back(disc->splat);
-        part_.lists.resize(part_.near.size() / PRO_NEAR_WORDS);
-        part_.blend_ranges.push_back(static_cast<std::uint32_t>(part_.blending.size()));
-        part_.blend_ranges.push_back(static_cast<std::uint32_t>(lists.blending.size()));
-        for (const CellDisc* disc : lists.blending) part_.blending.push_back(disc->splat);
+        if (lists.hittable.size() + lists.blending.size() > PRO_CELL_LISTED_MAX)
+            throw Error(ExitCode::kCannotRun, "discs crowd: a cell of the tracing index would list more than 32767");
+        const auto cell = static_cast<std::uint32_t>(first_cell_ + listed_.size());
+        listed_.push_back({{likeliestFirst(lists.hittable, box), lists.blending}, box});
         return cell << PRO_CELL_INDEX_SHIFT;
     }
 
@@ -267,6 +258,8 @@ private:
     float slack_;
     std::uint32_t halvings_; ///< at most
     std::vector<CellDisc> discs_;
+    std::vector<ListedCell> listed_; ///< of the brick
+    std::size_t first_cell_ = 0;     ///< of those
     std::array<CellLists, PRO_BRICK_WORDS> cells_;
 };
 
@@ -285,7 +278,7 @@ void appendAll(All& all, std::vector<Part>& parts, Member member) {
 
 /// The sizes of the parts before one.
 struct Offsets {
-    std::size_t groups = 0, cells = 0, lists = 0, blending = 0;
+    std::size_t groups = 0, cells = 0, near = 0, blending = 0;
 };
 
 void relocate(Part& part, const Offsets& before) {
@@ -296,33 +289,41 @@ void relocate(Part& part, const Offsets& before) {
     };
     std::for_each(part.words.begin(), part.words.end(), moved);
     std::for_each(part.groups.begin(), part.groups.end(), moved);
-    for (std::size_t w = PRO_CELL_FIRST; w < part.cells.size(); w += PRO_CELL_WORDS)
-        part.cells[w] += static_cast<std::uint32_t>(before.lists);
-    for (std::size_t w = 0; w < part.blend_ranges.size(); w += PRO_BLEND_RANGE_WORDS)
-        part.blend_ranges[w] += static_cast<std::uint32_t>(before.blending);
+    for (std::size_t w = 0; w < part.cells.size(); w += PRO_CELL_WORDS) {
+        part.cells[w + PRO_CELL_FIRST] += static_cast<std::uint32_t>(before.near);
+        part.cells[w + PRO_CELL_BLENDING] += static_cast<std::uint32_t>(before.blending);
+    }
 }
 
-/// Of all parts; groups start behind the bricks, and what only blends behind the discs.
+/// Of all parts; groups start behind the bricks.
 Offsets firstOffsets(const std::vector<Part>& parts) {
     Offsets at;
-    for (const Part& part : parts) {
-        at.groups += part.words.size() / PRO_GROUP_WORDS;
-        at.blending += part.lists.size();
-    }
+    for (const Part& part : parts) at.groups += part.words.size() / PRO_GROUP_WORDS;
     return at;
 }
 
 void pass(Offsets& at, const Part& part) {
     at.groups += part.groups.size() / PRO_GROUP_WORDS;
     at.cells += part.slabs.size();
-    at.lists += part.lists.size();
+    at.near += part.listed.size();
     at.blending += part.blending.size();
 }
 
 bool fits(const std::vector<Part>& parts, const BrickLimits& limits) {
     Offsets end = firstOffsets(parts);
     for (const Part& part : parts) pass(end, part);
-    return end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
+    return end.near + end.blending <= limits.listed && std::max(end.cells, end.groups) <= limits.cells;
+}
+
+/// Two numbers to a word; never none, as devices have no empty buffers.
+void appendNumbers(Words& all, std::vector<Part>& parts) {
+    for (Part& part : parts) {
+        for (std::size_t i = 0; i < part.blending.size(); i += 2)
+            all.push_back(static_cast<std::uint16_t>(part.blending[i]) |
+                          static_cast<std::uint32_t>(static_cast<std::uint16_t>(part.blending[i + 1])) << 16);
+        std::vector<std::int16_t>().swap(part.blending);
+    }
+    if (all.empty()) all.push_back(0);
 }
 
 /// Puts the parts behind one another.
@@ -339,11 +340,9 @@ Bricks join(std::vector<Part>& parts) {
     appendAll(all.cells, parts, &Part::cells);
     appendAll(all.slabs, parts, &Part::slabs);
     appendAll(all.near, parts, &Part::near);
-    all.lists.reserve(at.blending + 3);
-    appendAll(all.lists, parts, &Part::lists);
-    appendAll(all.lists, parts, &Part::blending);
-    appendAll(all.blend_ranges, parts, &Part::blend_ranges);
-    all.lists.resize((all.lists.size() + 3) / 4 * 4);
+    appendAll(all.listed, parts, &Part::listed);
+    all.blending.reserve(at.blending / 2 + 1);
+    appendNumbers(all.blending, parts);
     return all;
 }
 

@@ -19,18 +19,18 @@ namespace pointrt {
 struct Bricks {
     std::vector<Corner> corners; ///< of each brick, lowest, in position steps
     std::uint32_t brick_count = 0;
-    Words words;        ///< PRO_BRICK_WORDS for each brick, then groups; empty ones kEmptyWord
-    Words cells;        ///< PRO_CELL_WORDS for each listed cell
-    Words slabs;        ///< one for each listed cell
-    Words near;         ///< PRO_NEAR_WORDS for each disc that crosses a cell, each cell's padded to even
-    Words lists;        ///< the splats of near, then those that only blend; whole texels of four
-    Words blend_ranges; ///< PRO_BLEND_RANGE_WORDS for each listed cell: first in lists, count
+    Words words;    ///< PRO_BRICK_WORDS for each brick, then groups; empty ones kEmptyWord
+    Words cells;    ///< PRO_CELL_WORDS for each listed cell
+    Words slabs;    ///< one for each listed cell
+    Words near;     ///< PRO_NEAR_WORDS for each near splat
+    Words listed;   ///< which splat that is
+    Words blending; ///< what only blends in each cell, two numbers to a word
 };
 
 /// How many of each the words that name them allow.
 struct BrickLimits {
     std::size_t cells = std::size_t{1} << (32 - PRO_CELL_INDEX_SHIFT); ///< and groups, bricks as 8 of them
-    std::size_t listed = PRO_INDEX_LISTED_MAX - 3;                     ///< splats of lists, in whole texels of four
+    std::size_t listed = PRO_INDEX_LISTED_MAX;                         ///< near splats and what blends
 };
 
 struct IndexOptions {

@@ -32,15 +32,15 @@ pro_index indexView(const TracingIndex& index) {
     plain.brick_count = bricks.brick_count;
     plain.group_count = count(bricks.words, PRO_GROUP_WORDS) - bricks.brick_count * (PRO_BRICK_WORDS / PRO_GROUP_WORDS);
     plain.cell_count = count(bricks.cells, PRO_CELL_WORDS);
-    plain.near_count = count(bricks.near, PRO_NEAR_WORDS);
-    plain.list_count = count(bricks.lists, 1);
+    plain.near_count = count(bricks.listed, 1);
+    plain.blending_count = 2 * count(bricks.blending, 1);
     plain.grid = grid.words.data();
     plain.bricks = bricks.words.data();
     plain.cells = bricks.cells.data();
     plain.slabs = bricks.slabs.data();
     plain.near_splats = bricks.near.data();
-    plain.lists = bricks.lists.data();
-    plain.blend_ranges = bricks.blend_ranges.data();
+    plain.listed = bricks.listed.data();
+    plain.blending = bricks.blending.data();
     return plain;
 }
 

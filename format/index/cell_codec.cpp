@@ -58,19 +58,10 @@ std::uint32_t bits(std::int32_t value, std::uint32_t count) {
 
 constexpr float kMaxHalf = 65504;
 
-/// Exact for values that are halves.
-std::uint32_t toHalf(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    const std::uint32_t sign = bits >> 16 & 0x8000u;
-    const int exponent = static_cast<int>(bits >> 23 & 0xFF) - 127;
-    if (exponent < -14) return sign | static_cast<std::uint32_t>(std::lround(std::fabs(value) * 0x1p24f));
-    return sign | static_cast<std::uint32_t>(exponent + 15) << 10 | (bits >> 13 & 0x3FFu);
-}
-
 /// Few values to choose from: lists that differ in a disc or two, of a pruned file and an unpruned one, round alike.
 /// All are halves.
-float quarterOctaveBelow(float value) {
-    const float step = std::ldexp(0.25f, std::ilogb(value));
+float sixteenthOctaveBelow(float value) {
+    const float step = std::ldexp(0.0625f, std::ilogb(value));
     return std::floor(value / step) * step;
 }
 
@@ -94,7 +85,70 @@ void widen(Heights& heights, const CellDisc& disc, const Vector& normal, const C
     heights.most = std::max(heights.most, middle + sine * reachInCube(placed, up, half));
 }
 
-/// Planes along the mean normal, rounded, outside of all discs' parts in the cell and slack.
+/// The upper bits of the float, rounded.
+std::uint32_t radiusCode(float squared) {
+    const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (PRO_NEAR_RADIUS_SHIFT - 1));
+    return rounded <= PRO_NEAR_RADIUS_BIAS ? 0u : (rounded - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT;
+}
+
+/// std::lround, which compilers do not inline.
+std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f)); }
+
+/// A lattice point beside a position: of the eight around it one that hardly stands off the disc's plane, as far as it
+/// lies close. Which of two discs a ray meets first hangs on the planes, a place in them tells at the rim alone.
+std::array<std::int32_t, 3> positionCodes(const Vector& position, const Vector& normal) {
+    // so much more counts what is off the plane
+    constexpr float kHeightWeight = 16;
+    std::array<std::int32_t, 3> best{};
+    float least = std::numeric_limits<float>::infinity();
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        std::array<std::int32_t, 3> codes;
+        Vector off;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            codes[axis] = std::clamp(static_cast<std::int32_t>(std::floor(position[axis])) +
+                                         static_cast<std::int32_t>(corner >> axis & 1),
+                                     -PRO_NEAR_POSITION_MAX, PRO_NEAR_POSITION_MAX);
+            off[axis] = static_cast<float>(codes[axis]) - position[axis];
+        }
+        const float height = dot(off, normal), cost = dot(off, off) + kHeightWeight * height * height;
+        if (cost < least) best = codes, least = cost;
+    }
+    return best;
+}
+
+/// codes: position codes to a cell edge.
+void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
+    const float normal_codes = PRO_NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+    const std::array<std::int32_t, 3> center = positionCodes(sum(Vector{}, codes, place.center), n);
+    std::uint32_t position = 0, normal = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        position = position << PRO_NEAR_POSITION_BITS | bits(center[axis], PRO_NEAR_POSITION_BITS);
+        normal = normal << PRO_NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), PRO_NEAR_NORMAL_BITS);
+    }
+    const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
+    near.push_back(position << PRO_NEAR_RADIUS_HIGH_BITS | radius >> PRO_NEAR_RADIUS_LOW_BITS);
+    near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
+}
+
+/// How far places reach from the middle by any axis, in edges, at most: discs come into the cell, so the largest tells,
+/// and lists that differ in another disc are written alike.
+float reachOf(std::span<const Place> places, const CellBox& box) {
+    float radius = 0;
+    for (const Place& place : places) radius = std::max(radius, place.radius);
+    const float side = (box.half_edge + box.slack) * (0.5f / box.half_edge), corner = side * std::sqrt(3.0f);
+    return radius + (radius < kLargestRadius ? side : corner); // the centres of larger ones were moved off the middle
+}
+
+} // namespace
+
+std::uint32_t toHalf(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const std::uint32_t sign = bits >> 16 & 0x8000u;
+    const int exponent = static_cast<int>(bits >> 23 & 0xFF) - 127;
+    if (exponent < -14) return sign | static_cast<std::uint32_t>(std::lround(std::fabs(value) * 0x1p24f));
+    return sign | static_cast<std::uint32_t>(exponent + 15) << 10 | (bits >> 13 & 0x3FFu);
+}
+
 std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box) {
     const Vector mean = meanNormal(discs);
     const float length = std::sqrt(dot(mean, mean));
@@ -118,51 +172,13 @@ std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& bo
     return word;
 }
 
-/// The upper bits of the float, rounded.
-std::uint32_t radiusCode(float squared) {
-    const std::uint32_t rounded = std::bit_cast<std::uint32_t>(squared) + (1u << (PRO_NEAR_RADIUS_SHIFT - 1));
-    return rounded <= PRO_NEAR_RADIUS_BIAS ? 0u : (rounded - PRO_NEAR_RADIUS_BIAS) >> PRO_NEAR_RADIUS_SHIFT;
-}
-
-/// std::lround, which compilers do not inline.
-std::int32_t rounded(float value) { return static_cast<std::int32_t>(value + (value < 0 ? -0.5f : 0.5f)); }
-
-/// codes: position codes to a cell edge.
-void appendNear(const Place& place, const Vector& n, float codes, std::vector<std::uint32_t>& near) {
-    const float normal_codes = PRO_NEAR_NORMAL_MAX / std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
-    std::uint32_t position = 0, normal = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float limited =
-            std::clamp<float>(place.center[axis] * codes, -PRO_NEAR_POSITION_MAX, PRO_NEAR_POSITION_MAX);
-        position = position << PRO_NEAR_POSITION_BITS | bits(rounded(limited), PRO_NEAR_POSITION_BITS);
-        normal = normal << PRO_NEAR_NORMAL_BITS | bits(rounded(n[axis] * normal_codes), PRO_NEAR_NORMAL_BITS);
-    }
-    const std::uint32_t radius = radiusCode(place.radius * codes * place.radius * codes);
-    near.push_back(position << PRO_NEAR_RADIUS_HIGH_BITS | radius >> PRO_NEAR_RADIUS_LOW_BITS);
-    near.push_back(normal << PRO_NEAR_RADIUS_LOW_BITS | bits(radius, PRO_NEAR_RADIUS_LOW_BITS));
-}
-
-/// How far places reach from the middle by any axis, and at least the largest radius.
-float reachOf(std::span<const Place> places) {
-    float reach = 0;
-    for (const Place& place : places)
-        reach = std::max(
-            {reach, place.radius, std::fabs(place.center[0]), std::fabs(place.center[1]), std::fabs(place.center[2])});
-    return reach;
-}
-
-} // namespace
-
-void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out) {
+float encodeNear(std::span<const CellDisc* const> discs, const CellBox& box, std::vector<std::uint32_t>& near) {
     std::vector<Place> places;
     places.reserve(discs.size());
     for (const CellDisc* disc : discs) places.push_back(placeIn(*disc, box));
-    const float codes = quarterOctaveBelow(std::min(kMaxHalf, PRO_NEAR_POSITION_MAX / reachOf(places)));
-    for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, out.near);
-    if (discs.size() % 2) out.near.insert(out.near.end(), PRO_NEAR_WORDS, 0u); // its normal of 0 is never hit
-    const auto count = static_cast<std::uint32_t>(discs.size());
-    out.cells.insert(out.cells.end(), {first, count | toHalf(codes) << PRO_CELL_CODES_SHIFT});
-    out.slabs.push_back(slabWord(discs, box));
+    const float codes = sixteenthOctaveBelow(std::min(kMaxHalf, PRO_NEAR_POSITION_MAX / reachOf(places, box)));
+    for (std::size_t k = 0; k < discs.size(); ++k) appendNear(places[k], discs[k]->normal, codes, near);
+    return codes;
 }
 
 } // namespace pointrt

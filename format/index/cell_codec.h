@@ -19,6 +19,7 @@ struct CellDisc {
     std::uint32_t splat = 0;
     Vector center{}, normal{}, reach{};
     float radius = 0, slab = 0;
+    mutable std::uint32_t place = 0; ///< in what is made of its block at the time (cell_runs.cpp)
 };
 
 /// A cube, in the discs' unit; slack is by how much it is taken larger.
@@ -27,14 +28,14 @@ struct CellBox {
     float half_edge = 0, slack = 0;
 };
 
-/// What cells are written to.
-struct CellWords {
-    std::vector<std::uint32_t> cells; ///< PRO_CELL_WORDS each
-    std::vector<std::uint32_t> slabs; ///< one word each
-    std::vector<std::uint32_t> near;  ///< PRO_NEAR_WORDS for each disc, and for one more where a cell's number is odd
-};
+/// Two planes along the mean normal of discs (not empty), outside of all their parts in the cell and its slack.
+std::uint32_t slabWord(std::span<const CellDisc* const> discs, const CellBox& box);
 
-/// Appends a cell with these discs (not empty, at most PRO_CELL_COUNT_MASK). first: the index of its first near splat.
-void encodeCell(std::span<const CellDisc* const> discs, const CellBox& box, std::uint32_t first, CellWords& out);
+/// Appends discs (not empty) as near splats around the middle of box, PRO_NEAR_WORDS each. Position codes to an edge of
+/// box, a number whose exact half there is even of an edge 2^-PRO_CELL_OFFSET_BITS as long.
+float encodeNear(std::span<const CellDisc* const> discs, const CellBox& box, std::vector<std::uint32_t>& near);
+
+/// The float as a half; exact for values that are halves.
+std::uint32_t toHalf(float value);
 
 } // namespace pointrt

@@ -47,8 +47,8 @@ std::string indexText(const Summary& summary, const pro_index* index) {
                     static_cast<double>(summary.index_bytes) / summary.info.splat_count, size[0], size[1], size[2],
                     index->brick_count);
     if (index->group_count > 0) text += fmt::format("{} groups, ", index->group_count);
-    return text + fmt::format("{} cells, {:.2f} near splats a cell", index->cell_count,
-                              static_cast<double>(index->near_count) / index->cell_count);
+    return text + fmt::format("{} cells, {:.2f} near splats for each splat", index->cell_count,
+                              static_cast<double>(index->near_count) / summary.info.splat_count);
 }
 
 std::string sectionsText(const Summary& summary) {
@@ -160,10 +160,10 @@ Json levelsJson(const Summary& summary) {
 /// Null where the file has none.
 Json indexJson(const Summary& summary, const pro_index* index) {
     if (!index) return nullptr;
-    return {{"bytes", summary.index_bytes}, {"grid", {index->size[0], index->size[1], index->size[2]}},
-            {"bricks", index->brick_count}, {"groups", index->group_count},
-            {"cells", index->cell_count},   {"near_splats", index->near_count},
-            {"listed", index->list_count}};
+    return {{"bytes", summary.index_bytes},     {"grid", {index->size[0], index->size[1], index->size[2]}},
+            {"bricks", index->brick_count},     {"groups", index->group_count},
+            {"cells", index->cell_count},       {"near_splats", index->near_count},
+            {"blending", index->blending_count}};
 }
 
 Json materialsJson(const ProFile& file) {

@@ -56,7 +56,7 @@ std::vector<SectionSummary> listSections(std::span<const std::byte> bytes) {
 
 /// A file that opens has all of them or none.
 std::uint64_t indexBytes(const std::vector<SectionSummary>& sections) {
-    constexpr std::array<std::string_view, 7> kKinds = {"GRID", "BRIK", "CELL", "SLAB", "NEAR", "LIST", "BLND"};
+    constexpr std::array<std::string_view, 7> kKinds = {"ENTR", "BRKS", "CELS", "SLBS", "DSCS", "DSPL", "BLDS"};
     std::uint64_t bytes = 0;
     for (const SectionSummary& section : sections)
         if (std::find(kKinds.begin(), kKinds.end(), section.kind) != kKinds.end()) bytes += section.bytes;

@@ -16,8 +16,12 @@ constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
 constexpr std::uint64_t kMaxNumbers = std::uint64_t{1} << (32 - PRO_CELL_INDEX_SHIFT);
 constexpr std::uint32_t kHalfInfinity = 0x7C00; ///< so are larger ones, infinite, negative or no number
 
-/// Words of LIST that a thread checks at once.
+/// Words of DSPL that a thread checks at once.
 constexpr std::size_t kRunWords = std::size_t{1} << 20;
+
+/// The bit above the offsets is not used.
+constexpr std::uint32_t kBlendingKnown = 0x7FFFFFFFu;
+static_assert(PRO_CELL_OFFSET_SHIFT + 3 * PRO_CELL_OFFSET_BITS == 31);
 
 bool isEmpty(std::uint32_t word) { return (word & PRO_SKIP_MASK) != 0; }
 
@@ -26,8 +30,9 @@ bool hasZeroNibble(std::uint32_t word) { return ((word - 0x11111111u) & ~word & 
 
 /// What the checks found, each in its own, so that they can run side by side.
 struct IndexTallies {
-    Tally grid_brick, grid_skip, brick_skip, brick_word, group_depth, cell_range, cell_codes, list_splat, blend_range;
-    bool bricks_missing = false, words_missing = false, near_missing = false, lists_missing = false;
+    Tally grid_brick, grid_skip, brick_skip, brick_word, group_depth, cell_run, cell_codes, cell_reserved,
+        cell_blending, listed_splat;
+    bool bricks_missing = false, words_missing = false, blending_missing = false;
 };
 
 void checkGrid(const pro_index& index, IndexTallies& tallies) {
@@ -98,38 +103,47 @@ private:
     std::uint64_t first_group_, next_cell_ = 0, next_group_ = 0;
 };
 
-void checkCells(const pro_index& index, IndexTallies& tallies) {
-    std::uint64_t next = 0;
-    for (std::uint64_t i = 0; i < index.cell_count; ++i) {
-        const std::uint32_t* cell = index.cells + i * PRO_CELL_WORDS;
-        const std::uint32_t count = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK,
-                            codes = cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT;
-        if (cell[PRO_CELL_FIRST] != next || count == 0) tallies.cell_range.hit(i);
-        if (codes == 0 || codes >= kHalfInfinity) tallies.cell_codes.hit(i);
-        next += (count + 1) / 2 * 2;
+std::uint32_t countOf(const std::uint32_t* cell) { return cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK; }
+std::uint32_t blendingOf(const std::uint32_t* cell) { return cell[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK; }
+
+/// Whether what only blends in a cell, whose numbers start at first, are near splats.
+bool blendsNear(const pro_index& index, const std::uint32_t* cell, std::uint64_t first) {
+    std::int32_t least = 0, most = 0;
+    for (std::uint64_t i = first; i < first + blendingOf(cell); ++i) {
+        const auto number = static_cast<std::int16_t>(index.blending[i / 2] >> (i % 2 * 16));
+        least = std::min<std::int32_t>(least, number);
+        most = std::max<std::int32_t>(most, number);
     }
-    tallies.near_missing = next != index.near_count;
+    return std::int64_t{cell[PRO_CELL_FIRST]} + least >= 0 &&
+           std::int64_t{cell[PRO_CELL_FIRST]} + most < index.near_count;
 }
 
-void checkBlendRanges(const pro_index& index, IndexTallies& tallies) {
-    std::uint64_t next = index.near_count;
+/// Each cell has numbers of its own, so that what is looked at here is as much as BLDS holds.
+void checkCells(const pro_index& index, IndexTallies& tallies) {
+    std::uint64_t numbers = 0;
     for (std::uint64_t i = 0; i < index.cell_count; ++i) {
-        const std::uint32_t* range = index.blend_ranges + i * PRO_BLEND_RANGE_WORDS;
-        if (range[0] != next || range[1] > PRO_INDEX_BLEND_MAX) tallies.blend_range.hit(i);
-        next += range[1];
+        const std::uint32_t* cell = index.cells + i * PRO_CELL_WORDS;
+        const std::uint32_t codes = cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT;
+        if (countOf(cell) == 0 || std::uint64_t{cell[PRO_CELL_FIRST]} + countOf(cell) > index.near_count)
+            tallies.cell_run.hit(i);
+        if (codes == 0 || codes >= kHalfInfinity) tallies.cell_codes.hit(i);
+        if (cell[PRO_CELL_BLENDING_COUNT] & ~kBlendingKnown) tallies.cell_reserved.hit(i);
+        const std::uint64_t first = cell[PRO_CELL_BLENDING], end = first + blendingOf(cell);
+        numbers += (std::uint64_t{blendingOf(cell)} + 1) / 2 * 2;
+        if (first % 2 != 0 || end > index.blending_count || numbers > index.blending_count)
+            tallies.cell_blending.hit(i);
+        else if (!blendsNear(index, cell, first))
+            tallies.cell_blending.hit(i);
     }
-    tallies.lists_missing = (next + 3) / 4 * 4 != index.list_count;
+    tallies.blending_missing = std::max<std::uint64_t>(numbers, 2) != index.blending_count;
 }
 
 /// The words from first on, kRunWords at most.
 Tally checkListed(const pro_info& info, const pro_index& index, std::size_t first) {
     Tally tally;
-    const std::size_t end = std::min<std::size_t>(index.list_count, first + kRunWords);
-    std::uint32_t largest = 0;
-    for (std::size_t i = first; i < end; ++i) largest = std::max(largest, index.lists[i]);
-    if (largest < info.splat_count) return tally; // what vectors tell fast
+    const std::size_t end = std::min<std::size_t>(index.near_count, first + kRunWords);
     for (std::size_t i = first; i < end; ++i)
-        if (index.lists[i] >= info.splat_count) tally.hit(i);
+        if (index.listed[i] >= info.splat_count) tally.hit(i);
     return tally;
 }
 
@@ -144,15 +158,13 @@ void report(const IndexTallies& tallies, const pro_index& index, Findings& findi
         findings.add(Finding::kBrickWord, "bricks do not name all of %u cells and %u groups", index.cell_count,
                      index.group_count);
     tallies.group_depth.addTo(findings, Finding::kGroupDepth, "brick word", "its group lies too deep");
-    tallies.cell_range.addTo(findings, Finding::kCellRange, "cell", "empty, or does not follow the cell before it");
-    if (tallies.near_missing)
-        findings.add(Finding::kCellRange, "cells do not add up to %u near splats", index.near_count);
+    tallies.cell_run.addTo(findings, Finding::kCellRun, "cell", "has nothing to hit, or near splats past the last");
     tallies.cell_codes.addTo(findings, Finding::kCellCodes, "cell", "its position codes are no number above 0");
-    tallies.list_splat.addTo(findings, Finding::kListSplat, "listed splat", "past the last splat");
-    tallies.blend_range.addTo(findings, Finding::kBlendRange, "cell",
-                              "what blends in it is too much, or does not follow the cell before it");
-    if (tallies.lists_missing)
-        findings.add(Finding::kBlendRange, "what blends does not end with %u listed splats", index.list_count);
+    tallies.cell_reserved.addTo(findings, Finding::kCellReserved, "cell", "its reserved bit is not 0");
+    tallies.cell_blending.addTo(findings, Finding::kCellBlending, "cell", "what blends in it is not there");
+    if (tallies.blending_missing)
+        findings.add(Finding::kCellBlending, "cells do not add up to %u splats that blend", index.blending_count);
+    tallies.listed_splat.addTo(findings, Finding::kListSplat, "listed splat", "past the last splat");
 }
 
 void checkCounts(const pro_index& index, Findings& findings) {
@@ -162,10 +174,10 @@ void checkCounts(const pro_index& index, Findings& findings) {
                      index.group_count);
     if (index.cell_count == 0 || index.cell_count > kMaxNumbers)
         findings.add(Finding::kSectionCount, "an index of %u cells, not 1 to 2^27", index.cell_count);
-    if (index.near_count % 2 != 0 || index.list_count % 4 != 0 || index.near_count > index.list_count ||
-        index.list_count > PRO_INDEX_LISTED_MAX)
-        findings.add(Finding::kSectionCount, "an index of %u near splats and %u listed ones", index.near_count,
-                     index.list_count);
+    if (index.near_count == 0 || index.near_count % 2 != 0 || index.near_count > PRO_INDEX_LISTED_MAX ||
+        index.blending_count % 2 != 0 || index.blending_count > PRO_INDEX_LISTED_MAX)
+        findings.add(Finding::kSectionCount, "an index of %u near splats and %u that only blend", index.near_count,
+                     index.blending_count);
 }
 
 } // namespace
@@ -186,10 +198,10 @@ bool checkIndexFrame(const pro_index& index, Findings& findings) {
 
 void checkIndex(const pro_info& info, const pro_index& index, Findings& findings) {
     IndexTallies tallies;
-    std::vector<Tally> listed((std::size_t{index.list_count} + kRunWords - 1) / kRunWords);
-    const std::array<std::function<void()>, 4> whole = {
-        [&] { BrickWalk(index, tallies).run(); }, [&] { checkGrid(index, tallies); },
-        [&] { checkCells(index, tallies); }, [&] { checkBlendRanges(index, tallies); }};
+    std::vector<Tally> listed((std::size_t{index.near_count} + kRunWords - 1) / kRunWords);
+    const std::array<std::function<void()>, 3> whole = {[&] { BrickWalk(index, tallies).run(); },
+                                                        [&] { checkGrid(index, tallies); },
+                                                        [&] { checkCells(index, tallies); }};
     forAll(
         whole.size() + listed.size(),
         [&](std::size_t k) {
@@ -198,8 +210,8 @@ void checkIndex(const pro_info& info, const pro_index& index, Findings& findings
             else
                 listed[k - whole.size()] = checkListed(info, index, (k - whole.size()) * kRunWords);
         },
-        index.list_count < kRunWords ? 1 : 0);
-    for (const Tally& run : listed) tallies.list_splat.join(run);
+        index.near_count < kRunWords ? 1 : 0);
+    for (const Tally& run : listed) tallies.listed_splat.join(run);
     report(tallies, index, findings);
 }
 

@@ -82,10 +82,11 @@ enum class Finding : std::uint32_t {
     kEmptySkip = 9102,
     kBrickWord = 9103,
     kGroupDepth = 9104,
-    kCellRange = 9105,
-    kCellCodes = 9106,
+    kCellCodes = 9106, // 9105 and 9108 were of the index of 1.1
     kListSplat = 9107,
-    kBlendRange = 9108,
+    kCellRun = 9109,
+    kCellReserved = 9110,
+    kCellBlending = 9111,
 
     kAttributeName = 9201,
     kAttributeType = 9202,

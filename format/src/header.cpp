@@ -52,8 +52,8 @@ std::array<char, 5> kindName(std::uint32_t kind) {
 
 namespace {
 
+constexpr std::uint32_t kPair = 2; ///< near splats, and numbers of what blends, of an element
 constexpr std::uint32_t kBrickGroups = PRO_BRICK_WORDS / PRO_GROUP_WORDS;
-constexpr std::uint32_t kNearOfElement = 2, kListedOfElement = 4;
 
 /// Calls visit(field) for a known kind, where field(content) is the section's pointer in a Content.
 template <typename Visit>
@@ -73,20 +73,20 @@ void visitPointer(std::uint32_t kind, Visit&& visit) {
         return visit([](auto& content) -> auto& { return content.view.order; });
     case PRO_KIND_META:
         return visit([](auto& content) -> auto& { return content.view.metadata; });
-    case PRO_KIND_GRID:
+    case PRO_KIND_ENTR:
         return visit([](auto& content) -> auto& { return content.index.grid; });
-    case PRO_KIND_BRIK:
+    case PRO_KIND_BRKS:
         return visit([](auto& content) -> auto& { return content.index.bricks; });
-    case PRO_KIND_CELL:
+    case PRO_KIND_CELS:
         return visit([](auto& content) -> auto& { return content.index.cells; });
-    case PRO_KIND_SLAB:
+    case PRO_KIND_SLBS:
         return visit([](auto& content) -> auto& { return content.index.slabs; });
-    case PRO_KIND_NEAR:
+    case PRO_KIND_DSCS:
         return visit([](auto& content) -> auto& { return content.index.near_splats; });
-    case PRO_KIND_LIST:
-        return visit([](auto& content) -> auto& { return content.index.lists; });
-    case PRO_KIND_BLND:
-        return visit([](auto& content) -> auto& { return content.index.blend_ranges; });
+    case PRO_KIND_DSPL:
+        return visit([](auto& content) -> auto& { return content.index.listed; });
+    case PRO_KIND_BLDS:
+        return visit([](auto& content) -> auto& { return content.index.blending; });
     case PRO_KIND_NOIS:
         return visit([](auto& content) -> auto& { return content.sampling.noise; });
     case PRO_KIND_SENS:
@@ -115,18 +115,18 @@ std::uint64_t elementCount(std::uint32_t kind, const pro_info& info, const Conte
         return info.splat_count;
     case PRO_KIND_MATL:
         return info.material_count;
-    case PRO_KIND_GRID:
+    case PRO_KIND_ENTR:
         return gridWords(index);
-    case PRO_KIND_BRIK:
+    case PRO_KIND_BRKS:
         return std::uint64_t{index.brick_count} * kBrickGroups + index.group_count;
-    case PRO_KIND_CELL:
-    case PRO_KIND_SLAB:
-    case PRO_KIND_BLND:
+    case PRO_KIND_CELS:
+    case PRO_KIND_SLBS:
         return index.cell_count;
-    case PRO_KIND_NEAR:
-        return index.near_count / kNearOfElement;
-    case PRO_KIND_LIST:
-        return index.list_count / kListedOfElement;
+    case PRO_KIND_DSCS:
+    case PRO_KIND_DSPL:
+        return index.near_count / kPair;
+    case PRO_KIND_BLDS:
+        return index.blending_count / kPair;
     case PRO_KIND_SENS:
         return content.world.sensor_count;
     case PRO_KIND_ATTD:
@@ -144,10 +144,10 @@ void setSection(Content& content, std::uint32_t kind, const std::byte* data, std
     pro_index& index = content.index;
     const auto words = static_cast<std::uint32_t>(count);
     if (kind == PRO_KIND_META) content.view.metadata_bytes = count;
-    if (kind == PRO_KIND_BRIK) index.group_count = words - index.brick_count * kBrickGroups;
-    if (kind == PRO_KIND_CELL) index.cell_count = words;
-    if (kind == PRO_KIND_NEAR) index.near_count = words * kNearOfElement;
-    if (kind == PRO_KIND_LIST) index.list_count = words * kListedOfElement;
+    if (kind == PRO_KIND_BRKS) index.group_count = words - index.brick_count * kBrickGroups;
+    if (kind == PRO_KIND_CELS) index.cell_count = words;
+    if (kind == PRO_KIND_DSCS) index.near_count = words * kPair;
+    if (kind == PRO_KIND_BLDS) index.blending_count = words * kPair;
     if (kind == PRO_KIND_SENS) content.world.sensor_count = words;
     if (kind == PRO_KIND_ATTD) content.attribute_count = count;
 }
@@ -159,8 +159,8 @@ const void* sectionData(const Content& content, std::uint32_t kind) {
 }
 
 bool isWhole(const pro_index& index) {
-    return index.grid && index.bricks && index.cells && index.slabs && index.near_splats && index.lists &&
-           index.blend_ranges;
+    return index.grid && index.bricks && index.cells && index.slabs && index.near_splats && index.listed &&
+           index.blending;
 }
 
 std::uint64_t gridWords(const pro_index& index) {

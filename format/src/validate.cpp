@@ -44,7 +44,8 @@ bool checkIdentity(Bytes bytes, Findings& findings) {
 std::size_t fieldsEnd(std::uint32_t version_minor) {
     if (version_minor == 0) return PRO_FIELDS_END_1_0;
     if (version_minor == 1) return PRO_FIELDS_END_1_1;
-    return version_minor == 2 ? PRO_FIELDS_END_1_2 : PRO_FIELDS_END;
+    if (version_minor == 2) return PRO_FIELDS_END_1_2;
+    return version_minor == 3 ? PRO_FIELDS_END_1_3 : PRO_FIELDS_END;
 }
 
 void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
@@ -56,7 +57,9 @@ void checkHeader(Bytes bytes, const pro_info& info, Findings& findings) {
     checkRanges(info, findings);
     if (info.version_minor > PRO_VERSION_MINOR) return; // later minors may use reserved bytes and flags
     const std::size_t fields_end = fieldsEnd(info.version_minor);
-    if (!allZero(bytes.subspan(fields_end, PRO_TABLE_OFFSET - fields_end)))
+    const bool old_grid =
+        info.version_minor > 3 && !allZero(bytes.subspan(PRO_OFF_OLD_GRID, PRO_OFF_UP - PRO_OFF_OLD_GRID));
+    if (old_grid || !allZero(bytes.subspan(fields_end, PRO_TABLE_OFFSET - fields_end)))
         findings.add(Finding::kHeaderReserved, "reserved header bytes are not 0");
     if (info.flags & ~PRO_FLAGS_KNOWN) findings.add(Finding::kUnknownFlags, "unknown flags 0x%x", info.flags);
 }
@@ -137,15 +140,14 @@ bool countFits(const Section& section, const Parsed& parsed) {
     case PRO_KIND_ATTD:
         return section.count <= PRO_ATTRIBUTE_MAX;
     case PRO_KIND_SENS:
-    case PRO_KIND_BRIK:
-    case PRO_KIND_CELL:
-    case PRO_KIND_SLAB:
-    case PRO_KIND_BLND:
+    case PRO_KIND_BRKS:
+    case PRO_KIND_CELS:
+    case PRO_KIND_SLBS:
         return section.count <= PRO_INDEX_LISTED_MAX;
-    case PRO_KIND_NEAR:
+    case PRO_KIND_DSCS:
+    case PRO_KIND_DSPL:
+    case PRO_KIND_BLDS:
         return section.count <= PRO_INDEX_LISTED_MAX / 2;
-    case PRO_KIND_LIST:
-        return section.count <= PRO_INDEX_LISTED_MAX / 4;
     default:
         return section.count == elementCount(section.kind, parsed.info, parsed.content);
     }
@@ -219,8 +221,8 @@ void checkIndexSections(Bytes bytes, const std::vector<Section>& placed, Parsed&
     const auto listed = std::count_if(placed.begin(), placed.end(), belongs);
     const std::size_t before = findings.count();
     if (listed == 0) {
-        if (!allZero(bytes.subspan(PRO_FIELDS_END_1_0, PRO_FIELDS_END_1_1 - PRO_FIELDS_END_1_0)) &&
-            parsed.info.version_minor > 0)
+        if (!allZero(bytes.subspan(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END - PRO_OFF_GRID_SHIFT)) &&
+            parsed.info.version_minor > 3)
             findings.add(Finding::kGridFrame, "an entry grid without its sections");
     } else if (!isWhole(index)) {
         findings.add(Finding::kIndexIncomplete, "the tracing index is not whole");
@@ -266,9 +268,9 @@ Parsed validate(Bytes bytes, Level level, bool checksums, Findings& findings) {
     Parsed parsed;
     if (!checkIdentity(bytes, findings)) return parsed;
     parsed.info = loadInfo(bytes.data());
-    if (parsed.info.version_minor > 0) parsed.content.index = loadFrame(bytes.data());
     if (parsed.info.version_minor > 1) parsed.content.world = loadWorld(bytes.data());
     if (parsed.info.version_minor > 2) parsed.content.sampling = loadSampling(bytes.data());
+    if (parsed.info.version_minor > 3) parsed.content.index = loadFrame(bytes.data());
     checkHeader(bytes, parsed.info, findings);
     checkWorld(parsed.content.world, findings);
     checkSampling(parsed.info, parsed.content.sampling, findings);

@@ -157,9 +157,10 @@ bool isTold(const pro_sampling& sampling) { return sampling.noise || sampling.fi
 
 /// What a reader of an earlier version would miss nothing of is of that version.
 std::uint32_t leastMinor(const pro_content& content) {
+    if (content.index) return 4;
     if (content.sampling && isTold(*content.sampling)) return 3;
     if (content.attribute_count > 0 || (content.world && isKnown(*content.world))) return 2;
-    return content.index ? 1 : 0;
+    return 0;
 }
 
 pro_result writeAs(Existing existing, const char* path, const pro_content& given, pro_message* message) {

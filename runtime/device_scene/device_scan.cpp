@@ -35,12 +35,11 @@ struct ScanBuffer {
 };
 constexpr ScanBuffer kScanBuffers[] = {
     {&DeviceScan::brick_words, "brick buffer", VK_FORMAT_R32_UINT, BINDING_BRICK_WORDS, BINDING_BRICK_PAGES},
-    {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32_UINT, BINDING_CELLS, BINDING_CELL_PAGES},
+    {&DeviceScan::cells, "cell buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_CELLS, BINDING_CELL_PAGES},
     {&DeviceScan::slabs, "slab buffer", VK_FORMAT_R32_UINT, BINDING_SLABS, BINDING_SLAB_PAGES},
-    {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_CELL_DISCS, BINDING_DISC_PAGES},
-    {&DeviceScan::lists, "list buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_LISTS, BINDING_LIST_PAGES},
-    {&DeviceScan::blend_ranges, "blend range buffer", VK_FORMAT_R32G32_UINT, BINDING_BLEND_RANGES,
-     BINDING_BLEND_RANGE_PAGES},
+    {&DeviceScan::near, "near splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_NEAR, BINDING_NEAR_PAGES},
+    {&DeviceScan::listed, "listed splat buffer", VK_FORMAT_R32G32_UINT, BINDING_LISTED, BINDING_LISTED_PAGES},
+    {&DeviceScan::blending, "blending splat buffer", VK_FORMAT_R32_UINT, BINDING_BLENDING, BINDING_BLENDING_PAGES},
     {&DeviceScan::splats, "splat buffer", VK_FORMAT_R32G32B32A32_UINT, BINDING_SPLATS, BINDING_SPLAT_PAGES}};
 constexpr std::size_t kIndexBuffers = std::size(kScanBuffers) - 1; // the splats come last
 static_assert(std::equal(std::begin(kScanBuffers), std::end(kScanBuffers), kPagedPlaces.begin(), kPagedPlaces.end(),
@@ -80,8 +79,8 @@ std::array<std::span<const std::uint32_t>, kIndexBuffers> wordsOf(const pro_inde
             words(index.cells, index.cell_count, PRO_CELL_WORDS),
             words(index.slabs, index.cell_count, 1),
             words(index.near_splats, index.near_count, PRO_NEAR_WORDS),
-            words(index.lists, index.list_count, 1),
-            words(index.blend_ranges, index.cell_count, PRO_BLEND_RANGE_WORDS)};
+            words(index.listed, index.near_count, 1),
+            words(index.blending, index.blending_count / 2, 1)};
 }
 
 void uploadIndex(Device& device, DeviceScan& scan) {
@@ -101,8 +100,8 @@ void buildAndUploadIndex(Device& device, DeviceScan& scan) {
     scan.index = indexView(scan.built);
     uploadIndex(device, scan);
     Bricks& bricks = scan.built.bricks;
-    std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells, &bricks.slabs,
-                                            &bricks.near,  &bricks.lists, &bricks.blend_ranges};
+    std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells,  &bricks.slabs,
+                                            &bricks.near,  &bricks.listed, &bricks.blending};
     for (std::size_t k = 0; k < words.size(); ++k)
         if (!isImported(scan.*kScanBuffers[k].buffer)) Words().swap(*words[k]); // {} would keep the memory
     if (!scan.grid_words.imported) Words().swap(scan.built.grid.words);

@@ -23,7 +23,7 @@ struct DeviceScan {
     pro_index index{};  ///< frame and counts; its pointers hold for an index from the file
     TracingIndex built; ///< of a file without an index, as far as the device reads it here
     Buffer grid_words;  ///< too few for pages (PRO_GRID_WORDS_MAX)
-    PagedBuffer splats, brick_words, cells, slabs, near, lists, blend_ranges;
+    PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages; ///< of those
     Buffer noise;     ///< bytes; of a clean scan a blank texel
     bool noisy = false;

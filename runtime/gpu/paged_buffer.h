@@ -46,9 +46,9 @@ struct PagedPlace {
 constexpr std::array<PagedPlace, PAGED_BUFFERS> kPagedPlaces{{{BINDING_BRICK_PAGES, SPEC_BRICK_PAGES},
                                                               {BINDING_CELL_PAGES, SPEC_CELL_PAGES},
                                                               {BINDING_SLAB_PAGES, SPEC_SLAB_PAGES},
-                                                              {BINDING_DISC_PAGES, SPEC_DISC_PAGES},
-                                                              {BINDING_LIST_PAGES, SPEC_LIST_PAGES},
-                                                              {BINDING_BLEND_RANGE_PAGES, SPEC_BLEND_RANGE_PAGES},
+                                                              {BINDING_NEAR_PAGES, SPEC_NEAR_PAGES},
+                                                              {BINDING_LISTED_PAGES, SPEC_LISTED_PAGES},
+                                                              {BINDING_BLENDING_PAGES, SPEC_BLENDING_PAGES},
                                                               {BINDING_SPLAT_PAGES, SPEC_SPLAT_PAGES}}};
 
 /// The pages in use of an instance's buffers, in the order of kPagedPlaces.

@@ -17,7 +17,8 @@ constexpr double kSecondsPerListed = 50e-9;
 constexpr double kShareOfFaster = 0.3;
 
 double splatsPerCell(const pro_index& index) {
-    return static_cast<double>(index.list_count) / std::max(index.cell_count, 1u);
+    const double listed = static_cast<double>(index.near_count) + index.blending_count;
+    return listed / std::max(index.cell_count, 1u);
 }
 
 } // namespace

@@ -14,12 +14,12 @@
 
 // One instance's.
 layout(binding = BINDING_BRICK_WORDS, r32ui) uniform readonly uimageBuffer brick_words;
-layout(binding = BINDING_LISTS, rgba32ui) uniform readonly uimageBuffer list_words;
+layout(binding = BINDING_LISTED) uniform usamplerBuffer listed_words;
 layout(binding = BINDING_SPLATS, rgba32ui) uniform readonly uimageBuffer splat_words;
 layout(binding = BINDING_GRID_WORDS, r32ui) uniform readonly uimageBuffer grid_words;
 layout(binding = BINDING_CELLS) uniform usamplerBuffer cell_words;
-layout(binding = BINDING_CELL_DISCS, rgba32ui) uniform readonly uimageBuffer disc_words;
-layout(binding = BINDING_BLEND_RANGES) uniform usamplerBuffer blend_range_words;
+layout(binding = BINDING_NEAR, rgba32ui) uniform readonly uimageBuffer near_words;
+layout(binding = BINDING_BLENDING, r32ui) uniform readonly uimageBuffer blending_words;
 layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
 layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // bytes, 16 to a texel: one page holds 2^31
 layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
@@ -67,13 +67,12 @@ layout(push_constant) uniform Push { PushParams push; };
 #include "shaders/frame/pages.glsl"
 #else
 #define loadBrickWord(i) imageLoad(brick_words, int(i)).x
-#define loadCell(i) texelFetch(cell_words, int(i)).xy
+#define loadCell(i) texelFetch(cell_words, int(i))
 #define loadSlab(i) imageLoad(slab_words, int(i)).x
-#define loadDiscs(i) imageLoad(disc_words, int(i))
-#define loadBlendRange(i) texelFetch(blend_range_words, int(i)).xy
-// four to a texel: drivers count texels, often no more than 2^27
-#define loadListedTexel(i) imageLoad(list_words, int(i))
-#define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
+#define loadNearPair(i) imageLoad(near_words, int(i))
+#define loadBlending(i) imageLoad(blending_words, int(i)).x
+#define loadListedPair(i) texelFetch(listed_words, int(i)).xy
+#define loadListed(i) loadListedPair((i) >> 1)[(i) & 1u]
 #define loadSplat(i) imageLoad(splat_words, int(i))
 #endif
 #define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)

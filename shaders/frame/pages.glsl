@@ -13,17 +13,17 @@ layout(constant_id = SPEC_PAGE_BITS) const uint kPageBits = 27u;
 layout(constant_id = SPEC_BRICK_PAGES) const uint kBrickPages = 1u;
 layout(constant_id = SPEC_CELL_PAGES) const uint kCellPages = 1u;
 layout(constant_id = SPEC_SLAB_PAGES) const uint kSlabPages = 1u;
-layout(constant_id = SPEC_DISC_PAGES) const uint kDiscPages = 1u;
-layout(constant_id = SPEC_LIST_PAGES) const uint kListPages = 1u;
-layout(constant_id = SPEC_BLEND_RANGE_PAGES) const uint kBlendRangePages = 1u;
+layout(constant_id = SPEC_NEAR_PAGES) const uint kNearPages = 1u;
+layout(constant_id = SPEC_LISTED_PAGES) const uint kListedPages = 1u;
+layout(constant_id = SPEC_BLENDING_PAGES) const uint kBlendingPages = 1u;
 layout(constant_id = SPEC_SPLAT_PAGES) const uint kSplatPages = 1u;
 
 layout(set = SET_PAGES, binding = BINDING_BRICK_PAGES) uniform usamplerBuffer brick_pages[MAX_PAGES - 1];
 layout(set = SET_PAGES, binding = BINDING_CELL_PAGES) uniform usamplerBuffer cell_pages[MAX_PAGES - 1];
 layout(set = SET_PAGES, binding = BINDING_SLAB_PAGES) uniform usamplerBuffer slab_pages[MAX_PAGES - 1];
-layout(set = SET_PAGES, binding = BINDING_DISC_PAGES) uniform usamplerBuffer disc_pages[MAX_PAGES - 1];
-layout(set = SET_PAGES, binding = BINDING_LIST_PAGES) uniform usamplerBuffer list_pages[MAX_PAGES - 1];
-layout(set = SET_PAGES, binding = BINDING_BLEND_RANGE_PAGES) uniform usamplerBuffer blend_range_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_NEAR_PAGES) uniform usamplerBuffer near_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_LISTED_PAGES) uniform usamplerBuffer listed_pages[MAX_PAGES - 1];
+layout(set = SET_PAGES, binding = BINDING_BLENDING_PAGES) uniform usamplerBuffer blending_pages[MAX_PAGES - 1];
 layout(set = SET_PAGES, binding = BINDING_SPLAT_PAGES) uniform usamplerBuffer splat_pages[MAX_PAGES - 1];
 
 #define FETCH_PAGE(texels, k) \
@@ -53,18 +53,18 @@ layout(set = SET_PAGES, binding = BINDING_SPLAT_PAGES) uniform usamplerBuffer sp
 DEFINE_FETCH(fetchBrickWord, imageLoad, brick_words, brick_pages, kBrickPages)
 DEFINE_FETCH(fetchCell, texelFetch, cell_words, cell_pages, kCellPages)
 DEFINE_FETCH(fetchSlab, imageLoad, slab_words, slab_pages, kSlabPages)
-DEFINE_FETCH(fetchDiscs, imageLoad, disc_words, disc_pages, kDiscPages)
-DEFINE_FETCH(fetchListed, imageLoad, list_words, list_pages, kListPages)
-DEFINE_FETCH(fetchBlendRange, texelFetch, blend_range_words, blend_range_pages, kBlendRangePages)
+DEFINE_FETCH(fetchNear, imageLoad, near_words, near_pages, kNearPages)
+DEFINE_FETCH(fetchListed, texelFetch, listed_words, listed_pages, kListedPages)
+DEFINE_FETCH(fetchBlending, imageLoad, blending_words, blending_pages, kBlendingPages)
 DEFINE_FETCH(fetchSplat, imageLoad, splat_words, splat_pages, kSplatPages)
 
 #define loadBrickWord(i) fetchBrickWord(i).x
-#define loadCell(i) fetchCell(i).xy
+#define loadCell(i) fetchCell(i)
 #define loadSlab(i) fetchSlab(i).x
-#define loadDiscs(i) fetchDiscs(i)
-#define loadBlendRange(i) fetchBlendRange(i).xy
-#define loadListedTexel(i) fetchListed(i)
-#define loadListed(i) loadListedTexel((i) >> 2)[(i) & 3u]
+#define loadNearPair(i) fetchNear(i)
+#define loadBlending(i) fetchBlending(i).x
+#define loadListedPair(i) fetchListed(i).xy
+#define loadListed(i) loadListedPair((i) >> 1)[(i) & 1u]
 #define loadSplat(i) fetchSplat(i)
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef POINTRT_SHADERS_BLEND_GLSL
 #define POINTRT_SHADERS_BLEND_GLSL
 #include "format/base/blend_weight.h"
+#include "shaders/trace/cell_list.glsl"
 #include "shaders/trace/entry_grid.glsl"
 #include "shaders/trace/splat.glsl"
 
@@ -96,40 +97,40 @@ void fillUp(inout Field field, uvec4 words, vec4 coding, Probe probe) {
     field.radius += missing * splatRadius(words, coding);
 }
 
-// A loop over a cell's discs and then those that only blend there, two words of the lists a turn, from an even one on.
+// A loop over a cell's discs and then those that only blend there, two a turn, from an even one on.
 struct Turns {
     uint of_discs, all;
-    uvec2 discs, others; // words of the lists: the first one, and the one behind the last
+    uvec2 discs;  // the first near splat, and the one behind the last
+    uvec2 others; // numbers of what only blends, likewise
 };
 
-uint turnsOver(uvec2 range) { return (range.y - (range.x & ~1u) + 1u) / 2u; }
-
 Turns turnsOf(uint cell_index) {
-    uvec2 cell = loadCell(cell_index), blending = loadBlendRange(cell_index);
-    uint first = cell[PRO_CELL_FIRST];
+    uvec4 cell = loadCell(cell_index);
+    uint first = cell[PRO_CELL_FIRST], first_other = cell[PRO_CELL_BLENDING];
     uvec2 discs = uvec2(first, first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK));
-    uvec2 others = uvec2(blending.x, blending.x + blending.y);
-    return Turns(turnsOver(discs), turnsOver(discs) + turnsOver(others), discs, others);
+    uvec2 others = uvec2(first_other, first_other + (cell[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK));
+    uint of_discs = (discs.y - (discs.x & ~1u) + 1u) / 2u;
+    return Turns(of_discs, of_discs + (others.y - others.x + 1u) / 2u, discs, others);
 }
 
-// The splats of a turn, 0 where there is none.
+// The splats of a turn, any where there is none.
 uvec2 splatsOf(Turns turns, uint turn, out bvec2 there) {
     bool is_disc = turn < turns.of_discs;
-    uvec2 range = is_disc ? turns.discs : turns.others;
-    uint word = (range.x & ~1u) + 2u * (is_disc ? turn : turn - turns.of_discs);
-    there = bvec2(word >= range.x, word + 1u < range.y);
-    uvec4 texel = loadListedTexel(word >> 2);
-    return mix(uvec2(0u), (word & 2u) == 0u ? texel.xy : texel.zw, there);
+    uint disc = (turns.discs.x & ~1u) + 2u * (is_disc ? turn : 0u);
+    uint other = turns.others.x + 2u * (is_disc ? 0u : turn - turns.of_discs);
+    uvec2 blending = blendingPair(turns.others.y > turns.others.x ? other : 0u, turns.discs.x);
+    there = is_disc ? bvec2(disc >= turns.discs.x, disc + 1u < turns.discs.y) : bvec2(true, other + 1u < turns.others.y);
+    return uvec2(loadListed(is_disc ? disc : blending.x), loadListed(is_disc ? disc + 1u : there.y ? blending.y : 0u));
 }
 
-// The field around the disc hit first.
-Field evaluateField(uint cell_index, uvec4 first, Probe probe) {
+// The field around the disc hit first. asks: whether this lane wants to know; else it is that disc's alone.
+Field evaluateField(uint cell_index, bool asks, uvec4 first, Probe probe) {
     Field field = Field(0.0, 0.0, vec3(0.0), vec3(0.0), 0.0, 0.0, splatMaterial(first));
     Turns turns = turnsOf(cell_index);
     vec4 coding = codingInCodes();
-    uint turn = 0u;
+    uint turn = 0u, end = asks ? turns.all : 0u;
     // asked at its top: at its end some lanes would lose what their last turn added (trace.glsl)
-    while (turn < turns.all) {
+    while (turn < end) {
         bvec2 there;
         uvec2 splats = splatsOf(turns, turn, there);
         addToField(field, loadSplat(splats.x), loadSplat(splats.y), there, coding, probe);
@@ -195,13 +196,18 @@ vec3 bentToViewer(vec3 normal, vec3 direction) {
     return away > 0.0 ? normalize(normal - away * direction) : normal;
 }
 
-// The surface at a traced hit, its words as stored, of the ray.
+// Whether the picture shows what a path with these bits meets, by mirrors and glass at most. What scattered light has met
+// no eye tells from the discs that are there (NOTES.md, Frames).
+bool isSeen(uint bits) { return (bits & PATH_DIFFUSED) == 0u; }
+
+// The surface at a traced hit, its words as stored, of the ray. blends: whether anybody can see how smooth it is; else it
+// is the disc, with the side that is told below.
 //
 // A back that a front covers is no surface. Where a body turns away from the viewer, the discs beyond its outline stick
 // out over it, and rays that pass the front ones by their rims meet those from behind, where no light is. Such a hit is
 // the rim of the front whose slab holds it, and has its side. Hits nearer than own_t of the surface that the ray left are
 // what they are: from within a body, or a hollow, rays meet backs at grazing angles beside fronts of that surface.
-BlendedSurface surfaceAt(vec3 origin, vec3 direction, float own_t, uvec4 hit) {
+BlendedSurface surfaceAt(vec3 origin, vec3 direction, float own_t, uvec4 hit, bool blends) {
     uint splat = loadListed(hit.z);
     uvec4 words = loadSplat(splat);
     float t = exactDistance(hit, words, origin, direction);
@@ -221,13 +227,13 @@ BlendedSurface surfaceAt(vec3 origin, vec3 direction, float own_t, uvec4 hit) {
         front = covered ? 1.0 : front;
         surface.back = surface.back && !covered;
     }
-    Field field = evaluateField(cell, words, Probe(codesOf(point), side, front));
+    Field field = evaluateField(cell, blends, words, Probe(codesOf(point), side, front));
     float t_blended = t + newtonStep(field, direction, radius);
     point = origin + t_blended * direction;
     uint second_cell = cellAt(point);
-    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, words, Probe(codesOf(point), side, front));
+    field = evaluateField(second_cell == NO_INDEX ? cell : second_cell, blends, words, Probe(codesOf(point), side, front));
     t_blended += newtonStep(field, direction, radius);
-    surface.t = clamp(t_blended, t - radius, t + radius);
+    surface.t = blends ? clamp(t_blended, t - radius, t + radius) : t;
     surface.normal = bentToViewer(normalize(field.normal), direction);
     surface.color = field.color / field.weight;
     surface.radius = field.radius * PRO_POSITION_STEP / field.weight;

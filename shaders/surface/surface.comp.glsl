@@ -33,7 +33,8 @@ void main() {
     PathState path = pathOf(index);
     uvec4 hit = loadHit(index);
     hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
-    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.own_t * cubeScale(), hit);
+    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.own_t * cubeScale(), hit,
+                                       isSeen(path.bits));
     float t = surface.t / cubeScale();
     uint material = materialOf(surface);
     Material row = loadMaterial(material);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shaders/trace/entry_grid.glsl"
+#include "shaders/trace/cell_list.glsl"
 #include "shaders/trace/instance.glsl"
 
 // Stackless traversal, in grid units. Each step finds the cell that the ray enters and passes it: an empty one with as
@@ -14,7 +15,7 @@
 struct TraceHit {
     float t;   // along the ray to the cell disc: rounded, exactDistance knows better; t_max when nothing is hit
     uint cell; // whose list the hit's surroundings are in
-    uint disc; // the cell disc, NO_INDEX when nothing is hit
+    uint disc; // the near splat, NO_INDEX when nothing is hit
 };
 
 // A ray in cube units and what its own surface is: hits nearer than own_t on discs facing like own_normal are ignored,
@@ -157,9 +158,9 @@ Visit nextVisit(inout Walk walk, Grid grid, float t_end) {
     return visit;
 }
 
-// The cell discs k and k + 1; going: whether this lane has such.
+// The near splats k and k + 1, k even; going: whether this lane has such.
 void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start, inout TraceHit hit) {
-    uvec4 pair = loadDiscs((going ? k : 0u) >> 1);
+    uvec4 pair = loadNearPair((going ? k : 0u) >> 1);
     float first = hitDisc(pair.xy, cell_ray, ray, t_start, hit.t);
     float second = hitDisc(pair.zw, cell_ray, ray, t_start, first);
     bool nearer = going && second < hit.t;
@@ -170,11 +171,14 @@ void testPair(uint k, bool going, CellRay cell_ray, TraceRay ray, float t_start,
 // The nearest hit in a visited cell, if it is nearer than hit. hit.t is from the walk's origin.
 void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHit hit) {
     bool visits = visit.cell != NO_INDEX;
-    uvec2 cell = loadCell(visits ? visit.cell : 0u);
+    uvec4 cell = loadCell(visits ? visit.cell : 0u);
     float codes = unpackHalf2x16(cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT).x / visit.edge;
-    CellRay cell_ray = CellRay((walk.origin - visit.middle) * codes, walk.direction * codes,
+    vec3 middle = visit.middle + middleOffset(cell[PRO_CELL_BLENDING_COUNT]) * (0.5 * visit.edge);
+    CellRay cell_ray = CellRay((walk.origin - middle) * codes, walk.direction * codes,
                                dot(walk.direction, ray.own_normal));
-    uint k = cell[PRO_CELL_FIRST], end = visits ? k + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : k;
+    // runs start and end where they will: what is tested beside them are discs as well
+    uint first = cell[PRO_CELL_FIRST], end = visits ? first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : 0u;
+    uint k = visits ? first & ~1u : 0u;
     float t_before = hit.t;
     do {
         bool going = k < end;

@@ -95,12 +95,15 @@ inline std::uint64_t touchWord(const pro_index& index, std::uint32_t word, std::
     }
     const std::size_t at = word >> PRO_CELL_INDEX_SHIFT;
     const std::uint32_t* cell = index.cells + at * PRO_CELL_WORDS;
-    const std::uint32_t* range = index.blend_ranges + at * PRO_BLEND_RANGE_WORDS;
-    const std::uint32_t count = cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK;
-    for (std::uint32_t k = 0; k < (count + 1) / 2 * 2; ++k)
-        sum += index.near_splats[(std::size_t{cell[PRO_CELL_FIRST]} + k) * PRO_NEAR_WORDS + 1] +
-               index.lists[cell[PRO_CELL_FIRST] + k];
-    for (std::uint32_t k = 0; k < range[1]; ++k) sum += index.lists[std::size_t{range[0]} + k];
+    const std::uint32_t first = cell[PRO_CELL_FIRST] & ~1u;
+    const std::uint32_t end = cell[PRO_CELL_FIRST] + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK);
+    for (std::uint32_t k = first; k < (end + 1) / 2 * 2; ++k)
+        sum += index.near_splats[std::size_t{k} * PRO_NEAR_WORDS + 1] + index.listed[k];
+    for (std::uint32_t k = 0; k < (cell[PRO_CELL_BLENDING_COUNT] & PRO_CELL_BLENDING_MASK); ++k) {
+        const std::size_t i = std::size_t{cell[PRO_CELL_BLENDING]} + k;
+        const auto number = static_cast<std::int16_t>(index.blending[i / 2] >> (i % 2 * 16));
+        sum += index.listed[static_cast<std::size_t>(std::int64_t{cell[PRO_CELL_FIRST]} + number)];
+    }
     return sum + index.slabs[at];
 }
 
@@ -113,8 +116,8 @@ inline std::uint64_t touchIndex(const pro_info& info, const pro_view& view, cons
             sum +=
                 touchWord(index, index.bricks[std::size_t{word >> PRO_GRID_BRICK_SHIFT} * PRO_BRICK_WORDS + k], walked);
     }
-    for (std::size_t i = 0; i < index.list_count; ++i)
-        sum += view.splats[std::size_t{index.lists[i]} * PRO_SPLAT_WORDS];
+    for (std::size_t i = 0; i < index.near_count; ++i)
+        sum += view.splats[std::size_t{index.listed[i]} * PRO_SPLAT_WORDS];
     return sum + info.splat_count;
 }
 

@@ -52,8 +52,8 @@ void expectRefused(std::size_t offset, T value, std::uint32_t finding) {
 std::size_t record(std::uint32_t kind, std::size_t field) { return recordOf(indexed(), kind) + field; }
 std::size_t word(std::uint32_t kind, std::size_t index) { return sectionOf(indexed(), kind) + 4 * index; }
 
-constexpr std::uint32_t kKinds[] = {PRO_KIND_GRID, PRO_KIND_BRIK, PRO_KIND_CELL, PRO_KIND_SLAB,
-                                    PRO_KIND_NEAR, PRO_KIND_LIST, PRO_KIND_BLND};
+constexpr std::uint32_t kKinds[] = {PRO_KIND_ENTR, PRO_KIND_BRKS, PRO_KIND_CELS, PRO_KIND_SLBS,
+                                    PRO_KIND_DSCS, PRO_KIND_DSPL, PRO_KIND_BLDS};
 
 TEST(HostileIndex, TheIntactFileOpens) {
     EXPECT_EQ(openCopy(indexed()).result, PRO_OK);
@@ -69,7 +69,8 @@ TEST(HostileIndex, EveryFlippedByteIsFound) {
             ASSERT_FALSE(findingsOf(bytes).empty()) << "byte " << i;
         }
     };
-    expectFound(PRO_FIELDS_END_1_0, PRO_FIELDS_END + 4);
+    expectFound(PRO_OFF_OLD_GRID, PRO_OFF_UP);
+    expectFound(PRO_OFF_GRID_SHIFT, PRO_FIELDS_END + 4);
     for (const std::uint32_t kind : kKinds) { // with the first of its padding
         expectFound(recordOf(indexed(), kind), recordOf(indexed(), kind) + PRO_SECTION_BYTES);
         const auto length = loadAt<std::uint64_t>(indexed(), record(kind, PRO_SEC_OFF_LENGTH));
@@ -145,44 +146,44 @@ TEST(HostileIndex, SectionCounts) {
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2009);
     }
-    for (const std::uint32_t kind : {PRO_KIND_SLAB, PRO_KIND_BLND}) { // those of CELL
+    for (const std::uint32_t kind : {PRO_KIND_SLBS, PRO_KIND_DSPL}) { // those of CELS and DSCS
         Bytes bytes = indexed();
         const auto stride = loadAt(indexed(), record(kind, PRO_SEC_OFF_STRIDE));
-        storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), std::uint64_t{3});
-        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), std::uint64_t{3} * stride);
+        storeAt(bytes, record(kind, PRO_SEC_OFF_COUNT), std::uint64_t{2});
+        storeAt(bytes, record(kind, PRO_SEC_OFF_LENGTH), std::uint64_t{2} * stride);
         fixHeaderChecksum(bytes);
         expectFinding(bytes, 2009);
     }
 }
 
 TEST(HostileIndex, GridWords) {
-    expectRefused(word(PRO_KIND_GRID, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
-    expectRefused(word(PRO_KIND_GRID, 1), 0xFFFFFFF0u, 9101);
-    expectRefused(word(PRO_KIND_GRID, 0), 0u, 9101);           // named twice
-    expectRefused(word(PRO_KIND_GRID, 1), kNothingNear, 9101); // named never
-    expectRefused(word(PRO_KIND_GRID, 0), 0x10111111u, 9102);
-    expectRefused(word(PRO_KIND_GRID, 0), 1u, 9102);
+    expectRefused(word(PRO_KIND_ENTR, 1), 1u << PRO_GRID_BRICK_SHIFT, 9101);
+    expectRefused(word(PRO_KIND_ENTR, 1), 0xFFFFFFF0u, 9101);
+    expectRefused(word(PRO_KIND_ENTR, 0), 0u, 9101);           // named twice
+    expectRefused(word(PRO_KIND_ENTR, 1), kNothingNear, 9101); // named never
+    expectRefused(word(PRO_KIND_ENTR, 0), 0x10111111u, 9102);
+    expectRefused(word(PRO_KIND_ENTR, 0), 1u, 9102);
 }
 
 TEST(HostileIndex, BrickWords) {
-    expectRefused(word(PRO_KIND_BRIK, 3), 0x01111111u, 9102);
-    expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS + 1), 0x11111101u, 9102);
+    expectRefused(word(PRO_KIND_BRKS, 3), 0x01111111u, 9102);
+    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS + 1), 0x11111101u, 9102);
     for (const std::uint32_t cell : {1u, 2u, 4u, 0x7FFFFFFu}) {
-        expectRefused(word(PRO_KIND_BRIK, 0), cellWord(cell), 9103);
-        expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
+        expectRefused(word(PRO_KIND_BRKS, 0), cellWord(cell), 9103);
+        expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), cellWord(cell == 2 ? 0 : cell), 9103);
     }
-    expectRefused(word(PRO_KIND_BRIK, 3), cellWord(4), 9103);
-    expectRefused(word(PRO_KIND_BRIK, 2), kNothingNear, 9103); // no word for cell 3
-    expectRefused(word(PRO_KIND_BRIK, 1), kNothingNear, 9103); // nor for groups
+    expectRefused(word(PRO_KIND_BRKS, 3), cellWord(4), 9103);
+    expectRefused(word(PRO_KIND_BRKS, 2), kNothingNear, 9103); // no word for cell 3
+    expectRefused(word(PRO_KIND_BRKS, 1), kNothingNear, 9103); // nor for groups
     for (const std::uint32_t group : {0u, 7u, 8u, 10u, 0x7FFFFFFu})
-        expectRefused(word(PRO_KIND_BRIK, 1), groupWord(group), 9103);
-    expectRefused(word(PRO_KIND_BRIK, 3), groupWord(9), 9103); // twice
+        expectRefused(word(PRO_KIND_BRKS, 1), groupWord(group), 9103);
+    expectRefused(word(PRO_KIND_BRKS, 3), groupWord(9), 9103); // twice
 }
 
 TEST(HostileIndex, GroupsCannotHangAWalk) {
-    expectRefused(word(PRO_KIND_BRIK, 8 * PRO_GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
-    expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS), groupWord(9), 9104);     // one that meets none
-    expectRefused(word(PRO_KIND_BRIK, 9 * PRO_GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
+    expectRefused(word(PRO_KIND_BRKS, 8 * PRO_GROUP_WORDS), groupWord(9), 9103);     // a cycle that meets cell 1 again
+    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS), groupWord(9), 9104);     // one that meets none
+    expectRefused(word(PRO_KIND_BRKS, 9 * PRO_GROUP_WORDS + 3), groupWord(8), 9103); // no cycle, but a group twice
     EXPECT_EQ(openCopy(bytesOf(deepIndex(PRO_INDEX_HALVINGS_MAX))).result, PRO_OK);
     const TemporaryFolder folder;
     Scene scene = tinyScene();
@@ -196,38 +197,49 @@ TEST(HostileIndex, GroupsCannotHangAWalk) {
 }
 
 TEST(HostileIndex, Cells) {
-    const auto cell = [](std::size_t index, std::size_t field) { return word(PRO_KIND_CELL, 2 * index + field); };
+    const auto cell = [](std::size_t index, std::size_t field) {
+        return word(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
+    };
     constexpr std::uint32_t kOne = 0x3C00u << PRO_CELL_CODES_SHIFT;
-    expectRefused(cell(0, PRO_CELL_FIRST), 1u, 9105);
-    expectRefused(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9105);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne, 9105);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 3, 9105);
-    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 0xFFFF, 9105);
+    expectRefused(cell(0, PRO_CELL_FIRST), 6u, 9109);
+    expectRefused(cell(2, PRO_CELL_FIRST), 4u, 9109); // the last of three is past the end
+    expectRefused(cell(1, PRO_CELL_FIRST), 0xFFFFFFFEu, 9109);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne, 9109);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 3, 9109);
+    expectRefused(cell(3, PRO_CELL_COUNT), kOne | 0xFFFF, 9109);
     for (const std::uint32_t half : {0u, 0x7C00u, 0x7E00u, 0x8001u, 0xBC00u})
         expectRefused(cell(0, PRO_CELL_COUNT), half << PRO_CELL_CODES_SHIFT | 1, 9106);
+    expectRefused(cell(0, PRO_CELL_BLENDING_COUNT), 0x80000000u, 9110);
 }
 
-TEST(HostileIndex, Lists) {
-    for (std::size_t i = 0; i < 16; ++i)
+TEST(HostileIndex, ListedSplats) {
+    for (std::size_t i = 0; i < 6; ++i)
         for (const std::uint32_t splat : {5u, 0x80000000u, 0xFFFFFFFFu})
-            expectRefused(word(PRO_KIND_LIST, i), splat, 9107);
+            expectRefused(word(PRO_KIND_DSPL, i), splat, 9107);
 }
 
-TEST(HostileIndex, BlendRanges) {
-    expectRefused(word(PRO_KIND_BLND, 0), 9u, 9108);
-    expectRefused(word(PRO_KIND_BLND, 1), 0xFFFFFFFFu, 9108);
-    expectRefused(word(PRO_KIND_BLND, 2), 0xFFFFFFFFu, 9108);
-    expectRefused(word(PRO_KIND_BLND, 7), 4u, 9108);
-    Index index = tinyIndex();
-    index.blend_ranges[7] = PRO_INDEX_BLEND_MAX + 1;
-    index.finish();
-    expectWriterRefuses(index, 9108u);
+/// Cells 1 and 2 have numbers 0 and 2, 3 of the four: they start at near splats 1 and 2 of 6.
+TEST(HostileIndex, WhatBlends) {
+    const auto cell = [](std::size_t index, std::size_t field) {
+        return word(PRO_KIND_CELS, PRO_CELL_WORDS * index + field);
+    };
+    constexpr std::uint32_t kOffset = 3u << PRO_CELL_OFFSET_SHIFT;
+    expectRefused(cell(1, PRO_CELL_BLENDING), 1u, 9111);
+    expectRefused(cell(1, PRO_CELL_BLENDING), 4u, 9111);
+    expectRefused(cell(1, PRO_CELL_BLENDING), 0xFFFFFFFEu, 9111);
+    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset | 3, 9111); // more than there are
+    expectRefused(cell(2, PRO_CELL_BLENDING_COUNT), kOffset, 9111);     // numbers of no cell
+    expectRefused(cell(0, PRO_CELL_BLENDING_COUNT), kOffset | 0xFFFF, 9111);
+    expectRefused(word(PRO_KIND_BLDS, 0), 0xFFFEu, 9111); // 2 before cell 1's first, which is 1
+    expectRefused(word(PRO_KIND_BLDS, 0), 5u, 9111);
+    expectRefused(word(PRO_KIND_BLDS, 1), 0x8000FFFFu, 9111);
+    expectRefused(word(PRO_KIND_BLDS, 1), 0x00040000u, 9111);
 }
 
 TEST(HostileIndex, RandomDamageNeverLeadsOutside) {
     std::mt19937 random(12);
     const std::uint32_t extremes[] = {0, 1, 16, 0x11111111, 0x7FFFFFFF, 0x80000000, 0xFFFFFFF0, 0xFFFFFFFF};
-    const std::size_t first = sectionOf(indexed(), PRO_KIND_GRID);
+    const std::size_t first = sectionOf(indexed(), PRO_KIND_ENTR);
     int opened = 0;
     for (int round = 0; round < 20000; ++round) {
         Bytes bytes = indexed();
@@ -262,7 +274,7 @@ TEST(Index, TracersNeedNoOctree) {
     EXPECT_NE(view.splats, nullptr);
     EXPECT_NE(view.materials, nullptr);
     pro_close(file);
-    bytes[sectionOf(bytes, PRO_KIND_NEAR)] ^= std::byte{1};
+    bytes[sectionOf(bytes, PRO_KIND_DSCS)] ^= std::byte{1};
     EXPECT_EQ(openCopy(bytes, PRO_OPEN_TRACE).message.finding, 2012u);
 }
 

@@ -92,17 +92,18 @@ TEST_F(Info, Index) {
     Scene scene = tinyScene();
     tinyIndex().write(scene, pro);
     const auto json = nlohmann::json::parse(run(pro + " --json").out);
-    EXPECT_EQ(json["version"], "1.1");
-    EXPECT_EQ(json["index"]["bytes"], 2 * 4 + 80 * 4 + 4 * (8 + 4 + 8) + 10 * 8 + 16 * 4);
+    EXPECT_EQ(json["version"], "1.4");
+    EXPECT_EQ(json["index"]["bytes"], 2 * 4 + 80 * 4 + 4 * (16 + 4) + 6 * (8 + 4) + 4 * 2);
     EXPECT_EQ(json["index"]["grid"], (nlohmann::json{2, 1, 1}));
     EXPECT_EQ(json["index"]["bricks"], 1);
     EXPECT_EQ(json["index"]["groups"], 2);
     EXPECT_EQ(json["index"]["cells"], 4);
-    EXPECT_EQ(json["index"]["near_splats"], 10);
-    EXPECT_EQ(json["index"]["listed"], 16);
+    EXPECT_EQ(json["index"]["near_splats"], 6);
+    EXPECT_EQ(json["index"]["blending"], 4);
     EXPECT_EQ(json["sections"].size(), 14u);
     const std::string text = run(pro).out;
-    EXPECT_NE(text.find("grid of 2 x 1 x 1, 1 bricks, 2 groups, 4 cells, 2.50 near splats a cell"), std::string::npos)
+    EXPECT_NE(text.find("grid of 2 x 1 x 1, 1 bricks, 2 groups, 4 cells, 1.20 near splats for each splat"),
+              std::string::npos)
         << text;
 }
 

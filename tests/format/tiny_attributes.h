@@ -22,6 +22,7 @@ struct Said {
     std::array<std::int64_t, 5> wide{std::numeric_limits<std::int64_t>::min(), 0, 1, 2, -3};
     std::vector<pro_attribute> attributes;
     const pro_sampling* sampling = nullptr;
+    bool indexed = true;
 
     Said() {
         world.up[2] = 1;
@@ -49,9 +50,13 @@ struct Said {
         const pro_view view = scene.view();
         Index index = tinyIndex();
         const pro_index pointers = index.view();
-        const pro_content content{
-            &scene.info, &view, &pointers, &world, attributes.data(), static_cast<std::uint32_t>(attributes.size()),
-            sampling};
+        const pro_content content{&scene.info,
+                                  &view,
+                                  indexed ? &pointers : nullptr,
+                                  &world,
+                                  attributes.data(),
+                                  static_cast<std::uint32_t>(attributes.size()),
+                                  sampling};
         return pro_write_content(path.c_str(), &content, 1, message);
     }
 };

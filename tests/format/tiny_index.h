@@ -13,7 +13,7 @@ namespace pointrt::test {
 
 struct Index {
     pro_index frame{};
-    std::vector<std::uint32_t> grid, bricks, cells, slabs, near_splats, lists, blend_ranges;
+    std::vector<std::uint32_t> grid, bricks, cells, slabs, near_splats, listed, blending;
 
     /// Sets the counts in frame and returns it with pointers into this index.
     pro_index view() {
@@ -23,35 +23,33 @@ struct Index {
         frame.group_count = count(bricks, PRO_GROUP_WORDS) - frame.brick_count * (PRO_BRICK_WORDS / PRO_GROUP_WORDS);
         frame.cell_count = count(slabs, 1);
         frame.near_count = count(near_splats, PRO_NEAR_WORDS);
-        frame.list_count = count(lists, 1);
+        frame.blending_count = 2 * count(blending, 1);
         frame.grid = grid.data();
         frame.bricks = bricks.data();
         frame.cells = cells.data();
         frame.slabs = slabs.data();
         frame.near_splats = near_splats.data();
-        frame.lists = lists.data();
-        frame.blend_ranges = blend_ranges.data();
+        frame.listed = listed.data();
+        frame.blending = blending.data();
         return frame;
     }
 
-    /// A cell of count near splats; blending of them are listed besides, by finish().
-    void addCell(std::uint32_t count, std::uint32_t blending) {
-        constexpr std::uint32_t kHalfOne = 0x3C00;
-        cells.insert(cells.end(), {static_cast<std::uint32_t>(near_splats.size()) / PRO_NEAR_WORDS,
-                                   count | kHalfOne << PRO_CELL_CODES_SHIFT});
+    /// A cell of count near splats from first on; blending of the row's first ones are listed besides.
+    void addCell(std::uint32_t first, std::uint32_t count, std::uint32_t blending_count) {
+        constexpr std::uint32_t kHalfOne = 0x3C00, kOffset = 3u << PRO_CELL_OFFSET_SHIFT;
+        cells.insert(cells.end(), {first, count | kHalfOne << PRO_CELL_CODES_SHIFT,
+                                   2 * static_cast<std::uint32_t>(blending.size()), blending_count | kOffset});
         slabs.push_back(0x12345678);
-        near_splats.resize(near_splats.size() + (count + 1) / 2 * 2 * PRO_NEAR_WORDS, 0x01020304);
-        blend_ranges.insert(blend_ranges.end(), {0, blending});
+        const auto number = [&](std::uint32_t k) { return (k - first) & 0xFFFFu; };
+        for (std::uint32_t k = 0; k < blending_count; k += 2)
+            blending.push_back(number(k) | (k + 1 < blending_count ? number(k + 1) << 16 : 0u));
     }
 
-    /// Lists splat 0 throughout and lets the blend ranges follow one another.
-    void finish() {
-        std::uint32_t next = static_cast<std::uint32_t>(near_splats.size()) / PRO_NEAR_WORDS;
-        for (std::size_t k = 0; k < blend_ranges.size(); k += PRO_BLEND_RANGE_WORDS) {
-            blend_ranges[k] = next;
-            next += blend_ranges[k + 1];
-        }
-        lists.assign((next + 3) / 4 * 4, 0);
+    /// A row of these splats.
+    void finish(std::vector<std::uint32_t> row) {
+        listed = std::move(row);
+        near_splats.assign(listed.size() * PRO_NEAR_WORDS, 0x01020304);
+        if (blending.empty()) blending.push_back(0);
     }
 
     void write(Scene& scene, const std::string& path) {
@@ -83,12 +81,11 @@ inline Index tinyIndex() {
     index.bricks[9 * PRO_GROUP_WORDS] = cellWord(1);
     index.bricks[9 * PRO_GROUP_WORDS + 1] = groupWord(8);
     index.bricks[8 * PRO_GROUP_WORDS] = cellWord(2);
-    index.addCell(1, 1);
-    index.addCell(2, 0);
-    index.addCell(3, 2);
-    index.addCell(1, 0);
-    index.finish();
-    index.lists = {0, 0, 1, 2, 2, 3, 4, 0, 4, 0, 1, 3, 4, 0, 0, 0};
+    index.addCell(0, 1, 0);
+    index.addCell(1, 2, 1);
+    index.addCell(2, 3, 2);
+    index.addCell(4, 1, 0);
+    index.finish({0, 1, 2, 3, 4, 0});
     return index;
 }
 
@@ -100,9 +97,9 @@ inline Index deepIndex(std::uint32_t halvings) {
     for (std::uint32_t k = 1; k < halvings; ++k) index.bricks[(first + k) * PRO_GROUP_WORDS] = groupWord(first + k - 1);
     index.bricks[first * PRO_GROUP_WORDS] = cellWord(0);
     index.bricks[5] = groupWord(first + halvings - 1);
-    for (auto* words : {&index.cells, &index.slabs, &index.near_splats, &index.blend_ranges}) words->clear();
-    index.addCell(2, 0);
-    index.finish();
+    for (auto* words : {&index.cells, &index.slabs, &index.blending}) words->clear();
+    index.addCell(0, 2, 0);
+    index.finish({0, 1});
     return index;
 }
 

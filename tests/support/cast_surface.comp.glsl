@@ -9,7 +9,7 @@ void main() {
     uint i;
     uvec4 hit;
     if (!isRay(i) || !castHit(i, hit)) return;
-    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, paths[i].own_t, hit);
+    BlendedSurface surface = surfaceAt(paths[i].origin, paths[i].direction, paths[i].own_t, hit, isSeen(paths[i].bits));
     first_hits[i] = vec4(surface.normal, surface.t);
     film[i] = vec4(surface.radius, surface.back ? 1.0 : 0.0, 0.0, 0.0);
 }

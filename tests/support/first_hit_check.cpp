@@ -7,6 +7,8 @@
 
 #include "pointrt/pro.h"
 
+#include "pointrt/pro_index_layout.h"
+
 namespace pointrt::test {
 
 namespace {
@@ -30,7 +32,7 @@ Meeting meet(const CubeSplat& splat, const NearRounding& rounding, const Ray& ra
     const double radius = splat.radius, bent = radius > kNearLargest * rounding.cell_edge ? kNearLargeRim : 0;
     m.off_rim = (1 - m.at.share) * radius;
     m.rim = kFloatError + rounding.position + kNearRadius * radius + bent * rounding.cell_edge;
-    m.height = kFloatError + rounding.position + kNearNormal * std::max(m.at.share, 1.0) * radius;
+    m.height = kFloatError + rounding.height + kNearNormal * std::max(m.at.share, 1.0) * radius;
     const double least_slope = m.at.slope - kNearNormal;
     m.along = least_slope > 0 ? m.height / least_slope : std::numeric_limits<double>::infinity();
     // of a step along the ray, what lies in the plane, which is turned, as is the way there
@@ -65,11 +67,11 @@ Verdict judgeNearer(const Claim& nearer) {
 NearRounding nearRounding(std::span<const CubeSplat> splats, double cell_edge) {
     double radius = 0;
     for (const CubeSplat& splat : splats) radius = std::max(radius, splat.radius);
-    // a disc's centre is at most its radius beyond the cell, which is taken larger by the slack
-    // (format/index/bricks.cpp)
-    const double slack = std::max(1e-3 * cell_edge, 1.5 * PRO_POSITION_STEP);
-    const double reach = 0.5 * cell_edge + slack + std::min(radius, kNearLargest * cell_edge);
-    return {kNearPosition * reach, cell_edge};
+    // near splats count from the middle of their block, a brick at most; a disc's centre is at most its radius beyond
+    // that, which is taken larger by the slack (format/index/cell_runs.cpp, bricks.cpp)
+    const double slack = std::max(1e-3 * cell_edge, 1.5 * PRO_POSITION_STEP), edge = PRO_BRICK_SIDE * cell_edge;
+    const double reach = 0.5 * edge + slack + std::min(radius, kNearLargest * edge);
+    return {kNearPosition * reach, kNearHeight * reach, cell_edge};
 }
 
 Verdict judge(std::span<const CubeSplat> splats, const NearRounding& rounding, const Ray& ray, const CastHit& ours,

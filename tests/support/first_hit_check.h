@@ -21,10 +21,12 @@ constexpr double kNearRadius = 0x1p-7;
 /// By what angle the normal may be turned, in radians: the largest component is exact, at 127 codes, the other two are
 /// off by half a code each.
 constexpr double kNearNormal = std::numbers::sqrt2 / 2 / 127;
-/// How far the centre may be off, in shares of the reach that is 511 codes: half a code by each axis. The smallest
-/// radius, 2^-6.5 codes, adds what smaller discs grow by; codes to an edge are up to a fifth too few, because they are
-/// rounded down to a multiple of a quarter of a power of two.
-constexpr double kNearPosition = (std::numbers::sqrt3 / 2 + 0.0111) / 511 * 1.25;
+/// How far the centre may be off, in shares of the reach that is 511 codes: a code by each axis. The smallest radius,
+/// 2^-6.5 codes, adds what smaller discs grow by; codes are up to a seventeenth too few, because they are rounded down
+/// to a multiple of a sixteenth of a power of two.
+constexpr double kNearPosition = (std::numbers::sqrt3 + 0.0111) / 511 * 17 / 16;
+/// The same across the disc, which rounding looks to first (CellCodec.KeepsDiscsToACode).
+constexpr double kNearHeight = 0.5 / 511 * 17 / 16;
 /// Discs beyond 8 cell edges are bent to that radius: rims are off by up to this share of an edge
 /// (format/index/cell_codec.cpp).
 constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
@@ -32,13 +34,15 @@ constexpr double kNearLargest = 8, kNearLargeRim = 3.0 / 64;
 /// Where a ray meets a plane is off by up to this over the slope, in cube units: four roundings (difference, product,
 /// sum, quotient) by half a last place, 2^-24, of distances between 1 and 2.
 constexpr double kFloatError = 0x1p-22;
-/// Hits this near, in local radii, are the same whichever splat is named: in even scenes rounding moves a disc by up to
-/// kNearNormal + 2 kNearPosition radii, 0.01, along its normal, so which of two such discs comes first means nothing.
-constexpr double kSameHitRadii = 0.01;
+/// Hits this near, in local radii, are the same whichever splat is named: in even scenes, of cells of 1.7 radii and
+/// reaches of 4.3, rounding moves a disc by up to kNearNormal + 2 * 4.3 kNearHeight radii, 0.015, along its normal, so
+/// which of two such discs comes first means nothing.
+constexpr double kSameHitRadii = 0.015;
 
 /// What rounding depends on of a scene, in cube units.
 struct NearRounding {
     double position = 0;  ///< how far a near splat's centre may be off
+    double height = 0;    ///< across its disc
     double cell_edge = 0; ///< of the largest cells
 };
 

@@ -196,7 +196,7 @@ struct RayCaster::State {
                               {},
                               0,
                               gpuVector(ray.own_normal),
-                              0}); // of instance 0
+                              ray.diffused ? PATH_DIFFUSED : 0u}); // of instance 0
         uploadBuffer(device, buffers.paths, packed.data(), packed.size() * sizeof packed[0]);
         uploadRayParams();
         uploadCounts();

@@ -13,9 +13,10 @@ namespace pointrt::test {
 /// In cube units. Generated coordinates are floats held in doubles: every tracer gets exactly the same ray.
 struct Ray {
     Vec3 origin;
-    Vec3 direction;   ///< unit length to float precision
-    Vec3 own_normal;  ///< of the surface it left, 0 for none: see TraceRay in shaders/trace/trace.glsl
-    double own_t = 0; ///< hits nearer than this on discs facing like own_normal are ignored
+    Vec3 direction;        ///< unit length to float precision
+    Vec3 own_normal;       ///< of the surface it left, 0 for none: see TraceRay in shaders/trace/trace.glsl
+    double own_t = 0;      ///< hits nearer than this on discs facing like own_normal are ignored
+    bool diffused = false; ///< what scattered it last gathers photons
 };
 
 /// Uniform isotropic lines through bounds: every direction, and every parallel line that meets the sphere, alike.

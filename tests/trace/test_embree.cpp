@@ -80,7 +80,7 @@ TEST(Embree, AgreesOnRandomDiscsOfManySizes) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         BuildOptions options;
         options.octree.max_leaf_splats = seed * seed * 4;
-        expectEmbreesHits(0.987, randomSplats(1000u << (2 * seed), seed, 0.003f, 0.05f), options);
+        expectEmbreesHits(0.985, randomSplats(1000u << (2 * seed), seed, 0.003f, 0.05f), options);
     }
 }
 
@@ -137,7 +137,7 @@ TEST(Embree, PacketsHitWhatSingleRaysHit) {
 /// A unit disc at the origin facing +z, and one below it.
 const std::vector<CubeSplat> kDiscs{{{0, 0, 0}, {0, 0, 1}, 1}, {{0, 0, -0.1}, {0, 0, 1}, 1}};
 /// Centres off by a hundredth of a radius.
-constexpr NearRounding kRounded{0.01, 1};
+constexpr NearRounding kRounded{0.01, 0.01, 1};
 
 /// A hand-made dispute over the first disc, met at x by a ray from above with this slope.
 Verdict verdictAt(double x, bool we_hit, bool embree_hits, double slope = 1) {
@@ -177,7 +177,7 @@ Verdict orderAt(double gap, double slope) {
 }
 
 TEST(Embree, OrderIsOpenAsFarAsPlanesMove) {
-    EXPECT_EQ(orderAt(0.009, 1), Verdict::kAgree); // the same hit
+    EXPECT_EQ(orderAt(0.014, 1), Verdict::kAgree); // the same hit
     EXPECT_EQ(orderAt(0.03, 1), Verdict::kTie);    // twice 0.0156
     EXPECT_EQ(orderAt(0.035, 1), Verdict::kWeMiss);
     EXPECT_EQ(orderAt(0.03, 0.2), Verdict::kRounding);

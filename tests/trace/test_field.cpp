@@ -61,6 +61,31 @@ TEST(Field, IsThatOfTheCellWhereItIsAskedFor) { EXPECT_LE(shareOff(roughSphere(1
 
 TEST(Field, IsFilledUpWhereLittleElseWeighs) { EXPECT_LE(shareOff(roughSphere(0.6f)), kRounding); }
 
+TEST(Field, IsTheDiscWhereNobodySeesIt) {
+    const std::string path = temporaryPath("unseen.pro");
+    writeScene(path, roughSphere(1.6f), {});
+    const std::vector<CubeSplat> splats = loadCubeSplats(path);
+    std::vector<Ray> rays = grazingRays(splats, 1000, 3);
+    RayCaster caster(path);
+    const std::vector<CastHit> seen = caster.cast(rays);
+    for (Ray& ray : rays) ray.diffused = true;
+    const std::vector<CastHit> unseen = caster.cast(rays);
+    std::remove(path.c_str());
+
+    std::size_t hits = 0, apart = 0, of_the_disc = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!seen[i].hit()) continue;
+        ++hits;
+        ASSERT_EQ(unseen[i].splat, seen[i].splat);
+        EXPECT_FLOAT_EQ(static_cast<float>(unseen[i].t_blended), static_cast<float>(unseen[i].t_flat));
+        of_the_disc += std::abs(dot(unseen[i].normal, splats[unseen[i].splat].normal)) > 1 - 1e-6;
+        apart += std::abs(dot(seen[i].normal, splats[seen[i].splat].normal)) < 1 - 1e-6;
+    }
+    EXPECT_GT(hits, 900u);
+    EXPECT_GT(of_the_disc, hits * 9 / 10); // a back that fronts cover has their side
+    EXPECT_GT(apart, hits / 2);            // where it is seen it is another
+}
+
 } // namespace
 
 } // namespace pointrt::test

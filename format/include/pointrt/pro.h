@@ -72,15 +72,15 @@ typedef struct pro_index {
     uint32_t size[3];   /* of the grid, in cells */
     uint32_t uneven;    /* 1: brick words may name groups; 0: there are none */
     uint32_t brick_count, group_count, cell_count;
-    uint32_t near_count;          /* even */
-    uint32_t list_count;          /* words, a multiple of 4 */
-    const uint32_t* grid;         /* [size[2]][size[1]][size[0]] */
-    const uint32_t* bricks;       /* [brick_count][64], behind them [group_count][8] */
-    const uint32_t* cells;        /* [cell_count][2] */
-    const uint32_t* slabs;        /* [cell_count] */
-    const uint32_t* near_splats;  /* [near_count][2] */
-    const uint32_t* lists;        /* [list_count] */
-    const uint32_t* blend_ranges; /* [cell_count][2] */
+    uint32_t near_count;         /* even */
+    uint32_t blending_count;     /* even */
+    const uint32_t* grid;        /* [size[2]][size[1]][size[0]] */
+    const uint32_t* bricks;      /* [brick_count][64], behind them [group_count][8] */
+    const uint32_t* cells;       /* [cell_count][4] */
+    const uint32_t* slabs;       /* [cell_count] */
+    const uint32_t* near_splats; /* [near_count][2] */
+    const uint32_t* listed;      /* [near_count] */
+    const uint32_t* blending;    /* [blending_count / 2]: two signed numbers of 16 bits each */
 } pro_index;
 
 /* What a scan says of each point besides position, normal and colour: numbers as the file had them, to the bit. */
@@ -169,7 +169,7 @@ PRO_API pro_result pro_verify(const char* path, pro_report report, void* user, s
  * The same content gives the same bytes. */
 PRO_API pro_result pro_write(const char* path, const pro_info* info, const pro_view* view, pro_message* message);
 
-/* The same with a tracing index, which makes the file version 1.1; NULL is pro_write. */
+/* The same with a tracing index, which makes the file version 1.4; NULL is pro_write. */
 PRO_API pro_result pro_write_indexed(const char* path, const pro_info* info, const pro_view* view,
                                      const pro_index* index, pro_message* message);
 
@@ -189,8 +189,9 @@ typedef struct pro_content {
     const pro_sampling* sampling;
 } pro_content;
 
-/* The same with what a scan says beside its points, which makes the file version 1.2, and with noise or filled splats,
- * which make it version 1.3; without either of them nothing of sampling is written. replace: 0 is as pro_write_new. */
+/* The same with what a scan says beside its points, which makes a file without an index version 1.2, and with noise or
+ * filled splats, which make it version 1.3; without either of them nothing of sampling is written. replace: 0 is as
+ * pro_write_new. */
 PRO_API pro_result pro_write_content(const char* path, const pro_content* content, int replace, pro_message* message);
 
 /* Packs splat; the radius is rounded up so that surfaces stay closed, positions must lie in [0,1). */

@@ -27,12 +27,23 @@
 #define PRO_CELL_INNER 16u
 #define PRO_CELL_INDEX_SHIFT 5u
 
-// A cell.
-#define PRO_CELL_WORDS 2u
-#define PRO_CELL_FIRST 0u // near splat, even
+// A cell: the run of near splats whose discs cross it, and the splats that only blend there, each by the signed number
+// of near splats from the run's first one to it, 16 bits, two to a word from the low half up.
+#define PRO_CELL_WORDS 4u
+#define PRO_CELL_FIRST 0u // near splat
 #define PRO_CELL_COUNT 1u // near splats in the low half; in the high half, as half float, position codes to an edge
 #define PRO_CELL_COUNT_MASK 0xFFFFu
 #define PRO_CELL_CODES_SHIFT 16u
+#define PRO_CELL_BLENDING 2u       // the first of those numbers, even
+#define PRO_CELL_BLENDING_COUNT 3u // of them, in the low half; above, where the middle is that near splats count from
+#define PRO_CELL_BLENDING_MASK 0xFFFFu
+#define PRO_CELL_LISTED_MAX 0x7FFF // splats that a cell lists
+
+// From the cell's middle to that of its near splats, by each axis in half edges of the cell: signed codes x, y, z from
+// this bit on.
+#define PRO_CELL_OFFSET_SHIFT 16
+#define PRO_CELL_OFFSET_BITS 5
+#define PRO_CELL_OFFSET_MAX 15
 
 // Two planes that hold the parts of discs in a cell, in a word of their own. From the low bits up: their normal x, y, z
 // as signed codes of 6 bits, then the least and the greatest height along it, signed codes of 7 bits: from the cell's
@@ -43,10 +54,11 @@
 #define PRO_SLAB_HEIGHT_MAX 63
 #define PRO_SLAB_STEPS 63.0f
 
-// A near splat: a disc that rays are tested against, relative to its cell; two to a texel. From the high bits down,
-// word 0: position x, y, z as signed codes from the cell's centre, then the high bits of the radius code;
-// word 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius code.
-// The squared radius in position codes is a float: its upper bits, from an exponent of -13 on, are the radius code.
+// A near splat: a disc that rays are tested against, beside those of neighbouring cells, two to a texel. From the high
+// bits down, word 0: position x, y, z as signed codes from a middle that those cells share, then the high bits of the
+// radius code; word 1: normal x, y, z as signed codes, the largest of them 127 or -127, then the low bits of the radius
+// code. The squared radius in position codes is a float: its upper bits, from an exponent of -13 on, are the radius
+// code.
 #define PRO_NEAR_WORDS 2u
 #define PRO_NEAR_POSITION_BITS 10
 #define PRO_NEAR_POSITION_MAX 511
@@ -58,8 +70,5 @@
 #define PRO_NEAR_RADIUS_HIGH_MASK 3u
 #define PRO_NEAR_RADIUS_SHIFT 18u
 #define PRO_NEAR_RADIUS_BIAS 0x39000000u
-
-// For each cell, the splats that only blend there: a range of the lists.
-#define PRO_BLEND_RANGE_WORDS 2u
 
 #endif

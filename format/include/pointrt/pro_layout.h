@@ -12,14 +12,14 @@
  *                   MATL  float[material_count][16]
  *                   ORDR  uint32[splat_count]     input index of each splat
  *                   META  bytes                   UTF-8 JSON, provenance
- *                 and, since 1.1, all or none of the tracing index (pro_index_layout.h):
- *                   GRID  uint32[]                entry grid, x fastest
- *                   BRIK  uint32[][8]             bricks of 64 words, then groups of 8
- *                   CELL  uint32[][2]             near splats of each listed cell
- *                   SLAB  uint32[]                two planes around each listed cell's discs
- *                   NEAR  uint32[][4]             near splats, two to an element
- *                   LIST  uint32[][4]             splats, four to an element
- *                   BLND  uint32[][2]             what only blends in each listed cell
+ *                 and, since 1.4, all or none of the tracing index (pro_index_layout.h):
+ *                   ENTR  uint32[]                entry grid, x fastest
+ *                   BRKS  uint32[][8]             bricks of 64 words, then groups of 8
+ *                   CELS  uint32[][4]             listed cells
+ *                   SLBS  uint32[]                two planes around each listed cell's discs
+ *                   DSCS  uint32[][4]             near splats, two to an element
+ *                   DSPL  uint32[][2]             the splat that each of those is, two to an element
+ *                   BLDS  int16[][2]              what only blends in each listed cell
  *                 since 1.3:
  *                   NOIS  uint8[splat_count]      how far the surface around each splat scatters
  *                 and, since 1.2, what scans say beside their points:
@@ -34,7 +34,7 @@
 #define POINTRT_PRO_LAYOUT_H
 
 #define PRO_VERSION_MAJOR 1
-#define PRO_VERSION_MINOR 3
+#define PRO_VERSION_MINOR 4
 
 /* 0x89 "PRO" CR LF 0x1A LF: not text, and broken by transfers that treat it as text. */
 #define PRO_MAGIC_WORD0 0x4F525089u
@@ -64,20 +64,22 @@
 #define PRO_OFF_SCALE 104         /* double, cube edge in input units */
 #define PRO_OFF_BOUNDS_MIN 112    /* double[3], splat centres, input coordinates */
 #define PRO_OFF_BOUNDS_MAX 136    /* double[3] */
-#define PRO_OFF_GRID_SHIFT 160    /* uint32, since 1.1 like all up to BRICK_COUNT; 0 without an index */
-#define PRO_OFF_GRID_ORIGIN 164   /* uint32[3], lowest cell */
-#define PRO_OFF_GRID_SIZE 176     /* uint32[3], cells */
-#define PRO_OFF_GRID_UNEVEN 188   /* uint32, 0 or 1 */
-#define PRO_OFF_BRICK_COUNT 192   /* uint32 */
+#define PRO_OFF_OLD_GRID 160      /* 36 bytes: of the index that 1.1 to 1.3 have, which is passed over; 0 since 1.4 */
 #define PRO_OFF_UP 196            /* float[3], since 1.2 like METRES: which way is up, unit length; 0 where not known */
 #define PRO_OFF_METRES 208        /* double, metres to an input unit; 0 where not known */
 #define PRO_OFF_INPUT_COUNT 216   /* uint32, since 1.3 like what follows: points of the input; 0 where not known */
 #define PRO_OFF_FILLED_COUNT 220  /* uint32, splats that fill gaps between points */
 #define PRO_OFF_NOISE 224         /* float, median of NOIS in input units; 0 without it */
-#define PRO_FIELDS_END 228
+#define PRO_OFF_GRID_SHIFT 228    /* uint32, since 1.4 like what follows; 0 without an index */
+#define PRO_OFF_GRID_ORIGIN 232   /* uint32[3], lowest cell */
+#define PRO_OFF_GRID_SIZE 244     /* uint32[3], cells */
+#define PRO_OFF_GRID_UNEVEN 256   /* uint32, 0 or 1 */
+#define PRO_OFF_BRICK_COUNT 260   /* uint32 */
+#define PRO_FIELDS_END 264
 #define PRO_FIELDS_END_1_0 160 /* of version 1.0 */
 #define PRO_FIELDS_END_1_1 196 /* of version 1.1 */
 #define PRO_FIELDS_END_1_2 216 /* of version 1.2 */
+#define PRO_FIELDS_END_1_3 228 /* of version 1.3 */
 
 #define PRO_FLAG_COLOR 1u    /* splat colours come from the input */
 #define PRO_FLAG_ORIENTED 2u /* normals point to the outside, as far as the bake can tell */
@@ -106,13 +108,13 @@
 #define PRO_KIND_MATL 0x4C54414Du
 #define PRO_KIND_ORDR 0x5244524Fu
 #define PRO_KIND_META 0x4154454Du
-#define PRO_KIND_GRID 0x44495247u
-#define PRO_KIND_BRIK 0x4B495242u
-#define PRO_KIND_CELL 0x4C4C4543u
-#define PRO_KIND_SLAB 0x42414C53u
-#define PRO_KIND_NEAR 0x5241454Eu
-#define PRO_KIND_LIST 0x5453494Cu
-#define PRO_KIND_BLND 0x444E4C42u
+#define PRO_KIND_ENTR 0x52544E45u
+#define PRO_KIND_BRKS 0x534B5242u
+#define PRO_KIND_CELS 0x534C4543u
+#define PRO_KIND_SLBS 0x53424C53u
+#define PRO_KIND_DSCS 0x53435344u
+#define PRO_KIND_DSPL 0x4C505344u
+#define PRO_KIND_BLDS 0x53444C42u
 #define PRO_KIND_NOIS 0x53494F4Eu
 #define PRO_KIND_SENS 0x534E4553u
 #define PRO_KIND_ATTD 0x44545441u
@@ -176,8 +178,7 @@
 #define PRO_GRID_SHIFT_MIN 7u            /* log2 of their edge in position steps: a brick's cells keep 32 of them */
 #define PRO_GRID_WORDS_MAX 0x1000000u    /* 2^24: a texel buffer of what devices the viewer takes holds them */
 #define PRO_INDEX_HALVINGS_MAX 12u       /* groups below a brick's cell, at most */
-#define PRO_INDEX_BLEND_MAX 0xFFFFu      /* splats that only blend in a cell, at most */
-#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* words of LIST, at most: their bytes in four words fit 32 bits */
+#define PRO_INDEX_LISTED_MAX 0x7FFFFFFFu /* near splats, and numbers of what blends, at most */
 
 /* MATL: 16 floats a row, linear light. Unlisted floats are reserved and 0. */
 #define PRO_MATERIAL_FLOATS 16u

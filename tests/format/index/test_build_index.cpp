@@ -37,8 +37,8 @@ void expectSame(const TracingIndex& a, const TracingIndex& b) {
     EXPECT_EQ(a.bricks.cells, b.bricks.cells);
     EXPECT_EQ(a.bricks.slabs, b.bricks.slabs);
     EXPECT_EQ(a.bricks.near, b.bricks.near);
-    EXPECT_EQ(a.bricks.lists, b.bricks.lists);
-    EXPECT_EQ(a.bricks.blend_ranges, b.bricks.blend_ranges);
+    EXPECT_EQ(a.bricks.listed, b.bricks.listed);
+    EXPECT_EQ(a.bricks.blending, b.bricks.blending);
 }
 
 TEST(BuildIndex, TheSameForAnyNumberOfThreads) {
@@ -66,10 +66,11 @@ TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
     EXPECT_EQ(read.uneven, 1u);
     EXPECT_EQ(read.group_count, index.group_count);
     ASSERT_EQ(read.near_count, index.near_count);
-    ASSERT_EQ(read.list_count, index.list_count);
+    ASSERT_EQ(read.blending_count, index.blending_count);
     EXPECT_TRUE(std::equal(built.bricks.words.begin(), built.bricks.words.end(), read.bricks));
     EXPECT_TRUE(std::equal(built.bricks.near.begin(), built.bricks.near.end(), read.near_splats));
-    EXPECT_TRUE(std::equal(built.bricks.lists.begin(), built.bricks.lists.end(), read.lists));
+    EXPECT_TRUE(std::equal(built.bricks.listed.begin(), built.bricks.listed.end(), read.listed));
+    EXPECT_TRUE(std::equal(built.bricks.blending.begin(), built.bricks.blending.end(), read.blending));
     EXPECT_TRUE(file.nodes().empty());
 }
 

@@ -28,7 +28,7 @@ namespace pointrt {
 namespace {
 
 /// Places in PageCounts::counts.
-enum Paged : std::uint32_t { kBricks, kCells, kSlabs, kDiscs, kLists, kBlendRanges, kSplats };
+enum Paged : std::uint32_t { kBricks, kCells, kSlabs, kNear, kListed, kBlending, kSplats };
 
 pro_splat disc(Vec3 at, Vec3 normal, double radius, std::uint32_t number) {
     pro_splat splat{};
@@ -175,7 +175,7 @@ TEST_F(PagesTest, OfAnEvenScanShowIt) {
     const Picture whole = render(scene, Integrator::kPath, 31), paged = render(scene, Integrator::kPath, 13);
     EXPECT_FALSE(isPaged(whole.pages[0]));
     EXPECT_FALSE(paged.uneven);
-    expectSeveral(paged.pages[0], {kBricks, kDiscs, kLists, kSplats});
+    expectSeveral(paged.pages[0], {kBricks, kNear, kListed, kBlending, kSplats});
     expectSame(paged.film, whole.film);
 }
 
@@ -183,7 +183,7 @@ TEST_F(PagesTest, OfAnUnevenScanShowIt) {
     const SceneDescription scene = around({uneven_});
     const Picture whole = render(scene, Integrator::kWhitted, 31), paged = render(scene, Integrator::kWhitted, 13);
     EXPECT_TRUE(paged.uneven);
-    expectSeveral(paged.pages[0], {kBricks, kCells, kSlabs, kDiscs, kLists, kBlendRanges});
+    expectSeveral(paged.pages[0], {kBricks, kCells, kSlabs, kNear, kListed});
     expectSame(paged.film, whole.film);
 }
 
