@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,9 +55,11 @@ FrameJob jobOf(const RenderSession& session, const Options& options) {
 /// Renders one frame, from start on if there is one.
 FrameState renderTimed(RenderSession& session, const FrameJob& job, std::optional<Film> start, Report& report) {
     const Clock::time_point begin = Clock::now();
+    const std::clock_t cpu = std::clock();
     session.renderer->begin(planOf(session), job, std::move(start));
     const FrameState state = session.renderer->run();
     report.frame_ms.push_back(millisecondsSince(begin));
+    report.frame_cpu_ms.push_back(1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
     if (session.profile) {
         session.profile->frames_ms += report.frame_ms.back();
         ++session.profile->frames;
@@ -81,6 +84,7 @@ FrameState renderFrames(RenderSession& session, const Options& options, std::opt
     report.first_frame_seconds = secondsSinceStart();
     if (options.bench_frames != 0) {
         report.frame_ms.clear();
+        report.frame_cpu_ms.clear();
         if (session.profile) clearProfile(*session.profile);
     }
     for (std::uint32_t frame = 0; frame < options.bench_frames && !interrupted(); ++frame)

@@ -43,6 +43,13 @@ double median(const std::vector<double>& sorted) {
     return sorted.size() % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
+/// {"min": , "median": , "max": } of values, at least one.
+std::string timesJson(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return "{\"min\": " + jsonNumber(values.front()) + ", \"median\": " + jsonNumber(median(values)) +
+           ", \"max\": " + jsonNumber(values.back()) + "}";
+}
+
 } // namespace
 
 std::string jsonNumber(double value) {
@@ -73,8 +80,6 @@ std::string reportJson(const Report& report) {
     std::sort(sorted.begin(), sorted.end());
     const double middle = median(sorted);
     const std::uint64_t all_rays = report.rays.primary + report.rays.shadow + report.rays.secondary;
-    const std::string times = "{\"min\": " + jsonNumber(sorted.front()) + ", \"median\": " + jsonNumber(middle) +
-                              ", \"max\": " + jsonNumber(sorted.back()) + "}";
     const std::string rays = "{\"primary\": " + std::to_string(report.rays.primary) +
                              ", \"shadow\": " + std::to_string(report.rays.shadow) +
                              ", \"secondary\": " + std::to_string(report.rays.secondary) + "}";
@@ -90,7 +95,8 @@ std::string reportJson(const Report& report) {
         {"device_bytes", std::to_string(report.device_bytes)},
         {"load_seconds", jsonNumber(report.load_seconds)},
         {"first_frame_seconds", jsonNumber(report.first_frame_seconds)},
-        {"frame_ms", times},
+        {"frame_ms", timesJson(report.frame_ms)},
+        {"frame_cpu_ms", timesJson(report.frame_cpu_ms)},
         {"denoise_ms", jsonNumber(report.denoise_ms)},
         {"rays", rays},
         {"mrays_per_second", jsonNumber(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}};

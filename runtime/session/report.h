@@ -20,16 +20,17 @@ struct Report {
     double noise = 0;          ///< relativeNoise of the picture before denoising; JSON null where not finite
     std::uint64_t splats = 0;
     std::uint64_t device_bytes = 0;
-    double load_seconds = 0;        ///< from opening the file to ready
-    double first_frame_seconds = 0; ///< from the start of the process to the first finished frame
-    std::vector<double> frame_ms;   ///< of each measured frame, at least one
-    double denoise_ms = 0;          ///< of denoising the picture, with setting the filter up; 0: was not
-    RayCounts rays;                 ///< of one frame
-    std::string profile;            ///< profileJson (profile_report.h); empty: none was wanted
+    double load_seconds = 0;          ///< from opening the file to ready
+    double first_frame_seconds = 0;   ///< from the start of the process to the first finished frame
+    std::vector<double> frame_ms;     ///< of each measured frame, at least one
+    std::vector<double> frame_cpu_ms; ///< the same in time of all of this process's threads
+    double denoise_ms = 0;            ///< of denoising the picture, with setting the filter up; 0: was not
+    RayCounts rays;                   ///< of one frame
+    std::string profile;              ///< profileJson (profile_report.h); empty: none was wanted
 };
 
-/// A JSON object with the report's fields; frame_ms as min, median and max, mrays_per_second of the median frame
-/// (0 where no ray was traced).
+/// A JSON object with the report's fields; frame_ms and frame_cpu_ms as min, median and max, mrays_per_second of the
+/// median frame (0 where no ray was traced).
 std::string reportJson(const Report& report);
 
 /// text as a JSON string, with its quotes.

@@ -257,7 +257,7 @@ case_bench() {
     bakeSphere
     expectDone pointrt-view scene.pro --size 64x64 --spp 2 --room mirror --lights 2 --bounces 3 --bench 2
     expectKeys stdout device width height integrator spp samples noise denoise_ms splats device_bytes load_seconds first_frame_seconds frame_ms.min \
-        frame_ms.median frame_ms.max rays.primary rays.shadow rays.secondary mrays_per_second
+        frame_ms.median frame_ms.max frame_cpu_ms.median rays.primary rays.shadow rays.secondary mrays_per_second
     [ "$(jsonValue stdout rays.primary)" = $((64 * 64 * 2)) ] || fail "one primary ray for each sample was expected"
     [ "$(jsonValue stdout rays.secondary)" -gt 0 ] || fail "a mirror room without secondary rays"
     [ "$(jsonValue stdout splats)" = "$(jsonValue stats.json splats)" ] || fail "not the splats that were baked"

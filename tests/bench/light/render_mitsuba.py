@@ -35,7 +35,7 @@ def bsdf(material):
     if kind == "matte":
         return {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": color}}
     if kind == "mirror":
-        return {"type": "conductor", "material": "none", "specular_reflectance": color}
+        return {"type": "twosided", "bsdf": {"type": "conductor", "material": "none", "specular_reflectance": color}}
     if kind == "metal":  # GGX with alpha = roughness^2 and Schlick's Fresnel term, scattered once
         return {"type": "principled", "base_color": color, "metallic": 1.0, "roughness": material["roughness"]}
     if kind == "glass":
@@ -54,6 +54,8 @@ def quadFrame(quad):
 
 def lamp(light):
     """Black but for what it emits."""
+    if light["type"] == "point":
+        return {"type": "point", "position": light["position"], "intensity": rgb(light["intensity"])}
     looks = {"emitter": {"type": "area", "radiance": rgb(light["radiance"])},
              "bsdf": {"type": "diffuse", "reflectance": rgb((0, 0, 0))}}
     if light["type"] == "sphere":
@@ -73,6 +75,10 @@ def body(shape):
     looks = {"bsdf": {"type": "ref", "id": "material-" + shape["material"]}}
     if shape["type"] == "sphere":
         return {"type": "sphere", "center": shape["center"], "radius": shape["radius"], **looks}
+    if shape["type"] == "box":
+        low, high = np.array(shape["min"], float), np.array(shape["max"], float)
+        place = T().translate(list((low + high) / 2)).scale(list((high - low) / 2))
+        return {"type": "cube", "to_world": place, **looks}
     return {"type": "rectangle", "to_world": quadFrame(shape), **looks}
 
 

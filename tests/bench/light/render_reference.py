@@ -37,7 +37,7 @@ def simple(nodes, kind, material):
     node = nodes.new(names[kind])
     node.inputs["Color"].default_value = (*material["color"], 1)
     node.inputs["Roughness"].default_value = 0
-    if kind != "matte":
+    if kind != "matte" and bpy.app.version < (4, 0):  # later ones take roughness 0 as that
         node.distribution = "SHARP"
     if kind == "glass":
         node.inputs["IOR"].default_value = material["index"]
@@ -84,7 +84,8 @@ def addMesh(name, positions, normals, faces, material):
     mesh.polygons.foreach_set("use_smooth", np.full(len(faces), normals is not None))
     mesh.update(calc_edges=True)
     if normals is not None:
-        mesh.use_auto_smooth = True
+        if bpy.app.version < (4, 1):  # later ones always take a mesh's own normals
+            mesh.use_auto_smooth = True
         mesh.normals_split_custom_set_from_vertices(np.asarray(normals, np.float32).tolist())
     mesh.materials.append(material)
     thing = bpy.data.objects.new(name, mesh)
@@ -98,7 +99,29 @@ def addQuad(name, quad, material):
     addMesh(name, corners, None, np.array([[0, 1, 2], [0, 2, 3]]), material)
 
 
+def addBox(name, box, material):
+    low, high = np.array(box["min"], float), np.array(box["max"], float)
+    center, half = (low + high) / 2, np.diag((high - low) / 2)
+    for axis in range(3):
+        for side in (-1, 1):
+            sides = {"center": center + side * half[axis], "u": half[axis - 2], "v": half[axis - 1]}
+            addQuad(f"{name}-{axis}{side}", sides, material)
+
+
+def addPoint(name, light):
+    lamp = bpy.data.lights.new(name, "POINT")
+    lamp.shadow_soft_size = 0
+    # Watts over all directions.
+    lamp.energy, lamp.color = 4 * np.pi * max(light["intensity"]), np.array(light["intensity"]) / max(light["intensity"])
+    thing = bpy.data.objects.new(name, lamp)
+    thing.location = light["position"]
+    bpy.context.scene.collection.objects.link(thing)
+
+
 def addLamp(name, light):
+    if light["type"] == "point":
+        addPoint(name, light)
+        return
     material = emitter(name, light["radiance"])
     if light["type"] == "quad":
         addQuad(name, light, material)
@@ -139,7 +162,8 @@ def build(scene, folder):
         thing = addMesh(f"instance-{i}", *mesh, materials[item["material"]])
         thing.matrix_world = Matrix.Translation(item["translate"]) @ Matrix.Scale(item["scale"], 4)
     for i, shape in enumerate(scene["shapes"]):
-        addQuad(f"shape-{i}", shape, materials[shape["material"]])
+        add = addBox if shape["type"] == "box" else addQuad
+        add(f"shape-{i}", shape, materials[shape["material"]])
     for i, light in enumerate(scene["lights"]):
         addLamp(f"lamp-{i}", light)
     addSky(scene["sky"])
@@ -188,4 +212,5 @@ def main():
     bpy.ops.render.render(write_still=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -30,6 +30,7 @@ Report testReport() {
     report.load_seconds = 0.25;
     report.first_frame_seconds = 1.5;
     report.frame_ms = {40, 10, 20, 30};
+    report.frame_cpu_ms = {80, 20, 30};
     report.rays = {1'000'000, 1'500'000, 0};
     return report;
 }
@@ -49,9 +50,10 @@ TEST(Report, HasTheKeysOfTheContract) {
     EXPECT_EQ(json["load_seconds"], 0.25);
     EXPECT_EQ(json["first_frame_seconds"], 1.5);
     EXPECT_EQ(json["frame_ms"], (nlohmann::json{{"min", 10}, {"median", 25}, {"max", 40}}));
+    EXPECT_EQ(json["frame_cpu_ms"], (nlohmann::json{{"min", 20}, {"median", 30}, {"max", 80}}));
     EXPECT_EQ(json["rays"], (nlohmann::json{{"primary", 1'000'000}, {"shadow", 1'500'000}, {"secondary", 0}}));
     EXPECT_EQ(json["mrays_per_second"], 100); // 2.5 million in 25 ms
-    EXPECT_EQ(json.size(), 15u);
+    EXPECT_EQ(json.size(), 16u);
 }
 
 TEST(Report, TakesTheMiddleOfOddCounts) {
@@ -83,7 +85,7 @@ TEST(ProfileReport, NamesWhatNothingAccountsFor) {
     Report report = testReport();
     report.profile = profileJson(testProfile());
     const nlohmann::json json = nlohmann::json::parse(reportJson(report));
-    EXPECT_EQ(json.size(), 16u);
+    EXPECT_EQ(json.size(), 17u);
     const nlohmann::json& profile = json["profile"];
     EXPECT_EQ(profile["frames"], 2);
     EXPECT_EQ(profile["frames_ms"], 100);
