@@ -37,6 +37,7 @@ struct DeviceScene {
     ScenePaint paint;
     Bounds bounds; ///< of the instances; without any, of what shapes are bounded
     std::vector<gpu::Light> light_rows;
+    std::vector<gpu::Shape> shape_rows;
     std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
     std::uint32_t shape_count = 0;
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by

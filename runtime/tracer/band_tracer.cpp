@@ -140,11 +140,25 @@ void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings
     uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
 }
 
+BandSample openPlaces(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+                      std::uint32_t count, FilmPlace film) {
+    const std::uint32_t rows = (count + kPlacesRow - 1) / kPlacesRow;
+    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, 0, rows);
+    params.width = kPlacesRow;
+    params.film_pixels = film.pixels;
+    params.film_first = film.first_pixel;
+    params.caustics = shownMap(tracer.caustics).frame;
+    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
+    BandSample sample{kPlacesRow, rows, 0, true};
+    sample.first_hits = sample.at_places = true;
+    return sample;
+}
+
 void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
     PassCommands commands(device, tracer.buffers.control, tilesOf(sample.width, sample.rows), tracer.profile);
     SampleRecorder recorder(commands, tracer, sample);
     if (sample.pass == 0) {
-        if (sample.first_hits || sample.only_first_hits) recorder.firstHits();
+        if ((sample.first_hits && !sample.at_places) || sample.only_first_hits) recorder.firstHits();
         if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }

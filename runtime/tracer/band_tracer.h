@@ -75,9 +75,17 @@ struct BandSample {
     bool preview = false;              ///< hard shadows of the first lamp alone: without noise, and soon
     bool first_hits = false;           ///< also depth, normal and ids of the centre rays
     bool only_first_hits = false;      ///< nothing else
-    std::uint32_t pass = 0;            ///< the next one; 0: nothing is traced yet
+    bool at_places = false; ///< rays go through listed pixels; first hits are what those see, the backdrop too
+    std::uint32_t pass = 0; ///< the next one; 0: nothing is traced yet
     bool done = false;
 };
+
+/// Pixels in a row of those that are traced by a list of their places (FrameBuffers::places).
+constexpr std::uint32_t kPlacesRow = TILE_SIDE;
+
+/// The same for so many listed pixels of the picture, in rows of kPlacesRow. Returns their sample.
+BandSample openPlaces(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+                      std::uint32_t count, FilmPlace film);
 
 /// Traces on, in one submission: the camera rays, where pass is 0, and passes bounces. When that was the end, says so
 /// in sample and adds its rays to counts.

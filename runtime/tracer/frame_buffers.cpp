@@ -34,6 +34,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                           VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
     buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+    buffers.places = texels("place buffer", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.surfaces =
         texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.light_queries =
@@ -59,7 +60,7 @@ void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
     for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
                            &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
-                           &buffers.film, &buffers.first_hits, &buffers.beams})
+                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.places})
         destroyBuffer(device, *buffer);
     buffers = {};
 }
@@ -82,6 +83,7 @@ std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
             {BINDING_SURFACES_TEXELS, &buffers.surfaces},
             {BINDING_LIGHT_MASKS, &buffers.light_masks},
             {BINDING_DEFERRED, &buffers.deferred},
+            {BINDING_PLACES, &buffers.places},
             {BINDING_SHADOW_RAYS, &buffers.light_queries},
             {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
 }

@@ -12,7 +12,7 @@ namespace pointrt {
 
 struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
-        beams;
+        beams, places;
     std::uint64_t device_bytes = 0;
 };
 

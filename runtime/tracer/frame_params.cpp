@@ -117,6 +117,8 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     params.sky_light = scene.sky_light;
     params.environment = scene.environment;
     params.film_pixels = settings.width * rows;
+    params.picture_width = settings.width;
+    params.picture_height = settings.height;
     params.integrator = static_cast<std::uint32_t>(settings.integrator);
     params.bounces = settings.bounces;
     params.seed = settings.seed;

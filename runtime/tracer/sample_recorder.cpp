@@ -5,10 +5,11 @@ namespace pointrt {
 
 SampleRecorder::SampleRecorder(PassCommands& commands, const BandTracer& tracer, const BandSample& sample)
     : commands_(commands), tracer_(tracer), tiles_(tilesOf(sample.width, sample.rows)), sample_(sample.number),
-      center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u) {}
+      center_(sample.at_centers ? STEP_CENTER : 0u), preview_(sample.preview ? STEP_PREVIEW : 0u),
+      places_(sample.at_places ? STEP_PLACES : 0u), keeps_hits_(sample.at_places && sample.first_hits) {}
 
 void SampleRecorder::firstHits() {
-    const std::uint32_t bits = STEP_CENTER | STEP_FIRST_HIT;
+    const std::uint32_t bits = STEP_CENTER | (places_ ? 0u : STEP_FIRST_HIT);
     prepare(bits | STEP_RESET);
     primary(bits);
     run(tracer_.programs.first_hits, tracer_.sets, bits, rays_);
@@ -17,6 +18,7 @@ void SampleRecorder::firstHits() {
 void SampleRecorder::begin() {
     prepare(STEP_RESET);
     primary(center_);
+    if (keeps_hits_) run(tracer_.programs.first_hits, tracer_.sets, center_, rays_);
     if (tracer_.programs.form == PassForm::kFused)
         follow(tracer_.programs.camera.follow, center_);
     else
@@ -104,7 +106,7 @@ void SampleRecorder::prepare(std::uint32_t bits) {
 
 void SampleRecorder::run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
                          std::uint32_t groups) {
-    const gpu::PushParams params{sample_, first_turn_, bits | preview_, 0};
+    const gpu::PushParams params{sample_, first_turn_, bits | preview_ | places_, 0};
     commands_.run({program, sets, pushBytes(params), lanes, groups});
 }
 

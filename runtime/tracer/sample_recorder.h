@@ -34,7 +34,8 @@ private:
 
     PassCommands& commands_;
     const BandTracer& tracer_;
-    std::uint32_t tiles_, sample_, center_, preview_;
+    std::uint32_t tiles_, sample_, center_, preview_, places_;
+    bool keeps_hits_;                     ///< of the rays that are shaded
     std::uint32_t first_turn_ = 0;        ///< of those that shadows asks
     PassLanes rays_ = PassLanes::kPixels; ///< those under way
 };

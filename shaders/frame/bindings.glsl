@@ -61,6 +61,8 @@ layout(binding = BINDING_SHADOW_RAYS_TEXELS) uniform usamplerBuffer shadow_ray_t
 layout(std430, binding = BINDING_PHOTONS) buffer PhotonBuffer { Photon photons[]; }; // being traced
 layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels; // of surfaces
 layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // of light_queries
+// pixels of the picture, x | y << 16, that lanes of STEP_PLACES trace
+layout(binding = BINDING_PLACES) uniform usamplerBuffer place_words;
 layout(push_constant) uniform Push { PushParams push; };
 
 #ifdef PAGED // the same loads
@@ -93,6 +95,7 @@ layout(push_constant) uniform Push { PushParams push; };
 #define loadSurfaceTexel(path, member) texelFetch(surface_texels, int(path) * SURFACE_VECTORS + (member))
 #define loadLightQueryTexel(path, member) texelFetch(light_query_texels, int(path) * LIGHT_QUERY_VECTORS + (member))
 #define loadShadowTexel(path, member) texelFetch(shadow_ray_texels, int(path) * SHADOW_RAY_VECTORS + (member))
+#define loadPlace(i) texelFetch(place_words, int(i)).x
 #define loadHit(path) imageLoad(hit_texels, int(path))
 
 // Floats are fetched as bits: what they hold as bits would be small floats, which drivers may take for 0.

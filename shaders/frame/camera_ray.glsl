@@ -40,7 +40,7 @@ vec2 pixelCorner(uvec2 pixel) { return vec2(pixel.x, pixel.y + params.first_row)
 
 // Where a place of the picture, in pixels, is in a window so high, to the right and up from its middle.
 vec2 onPlane(vec2 place, float half_height) {
-    vec2 at = place / vec2(params.width, params.height);
+    vec2 at = place / vec2(params.picture_width, params.picture_height);
     return vec2(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y) * half_height * vec2(params.aspect, 1.0);
 }
 
@@ -53,8 +53,10 @@ CameraRay rayThrough(vec2 place) {
                      normalize(displaced(params.forward, onPlane(place, params.tan_half_fov))));
 }
 
-// This sample's ray through a pixel of the band.
+// This sample's ray through a pixel of the band, or through the middle of the one whose place is listed in its stead.
 CameraRay cameraRay(uvec2 pixel) {
+    uint word = loadPlace(pixel.y * params.width + pixel.x);
+    if (hasStep(STEP_PLACES)) return rayThrough(vec2(word & 0xFFFFu, word >> 16) + 0.5);
     return rayThrough(pixelCorner(pixel) + samplePosition((pixel.y + params.first_row) * params.width + pixel.x));
 }
 

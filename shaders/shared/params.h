@@ -61,11 +61,11 @@ struct FrameParams {
     uint light_count;
     uint options; // OPTION_*
     uint shape_count;
-    uint sky_light;   // the sky's light, NO_LIGHT where it has no image
-    uint film_pixels; // of the film
-    uint film_first;  // the first of the band in it
-    uint unused_3;
-    uint unused_4;
+    uint sky_light;     // the sky's light, NO_LIGHT where it has no image
+    uint film_pixels;   // of the film
+    uint film_first;    // the first of the band in it
+    uint picture_width; // that places on it are told in: the image's, whatever the band is like
+    uint picture_height;
     uint integrator; // number of one of INTEGRATORS
     uint bounces;
     uint unused_5;
@@ -184,7 +184,8 @@ struct ShadowRay {
 #define LAYER_ALBEDO 3u
 #define FILM_LAYERS 4u
 
-// first_hits, of a pixel: normal and t (negative: nothing is hit); as bits, splat or shape, and owner.
+// first_hits, of a pixel: normal and t (negative: nothing is hit); as bits, splat or shape, owner and material; how
+// much of it hangs on the view, 0 to 1.
 #define FIRST_HIT_VECTORS 2u
 
 struct PushParams {
@@ -202,6 +203,7 @@ struct PushParams {
 #define STEP_ASKED 32u    // prepare: the list of rays for instances is complete
 #define STEP_HITS 64u     // prepare: the list of an instance's hits is complete
 #define STEP_LAST 128u    // shadow_light: no instance comes after this one
+#define STEP_PLACES 256u  // rays go through the pixels that places names, one a lane
 
 // A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
 #define ASKED_TURN_SHIFT 27u

@@ -88,6 +88,7 @@ void main() {
     uint tile = gl_GlobalInvocationID.x;
     bool live = tile < bandTiles();
     float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile))));
+    if (hasStep(STEP_PLACES)) safe = 0.0; // its pixels lie anywhere
     if (live) beams[tile] = safe;
 
     uvec4 ballot = subgroupBallot(live && safe < BEAM_MISSES);

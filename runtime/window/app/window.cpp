@@ -77,7 +77,8 @@ void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const Viewp
 std::optional<ShownPicture> shownPicture(const ImageController& image) {
     if (!image.live()) return std::nullopt;
     const ViewportProgress progress = image.live()->progress();
-    const double pixels = double{1} * progress.size.width * progress.size.height;
+    const double all = double{1} * progress.size.width * progress.size.height;
+    const double pixels = progress.traced > 0 ? static_cast<double>(progress.traced) : all;
     return ShownPicture{image.moved(), progress.resting, progress.samples, pixels};
 }
 

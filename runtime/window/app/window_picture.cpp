@@ -115,7 +115,7 @@ void Window::editScene(bool dragging) {
     if (nextStep(rework.kind, dragging, loaded_->lacks_photons) == EditStep::kUpload) {
         refurnishNow(host_.device(), *loaded_, work_.scene, work_.settings, std::move(rework.rows));
         editor_.settle();
-        image_.restart();
+        image_.restart(ViewChange::kScene);
         rework.kind = ReworkKind::kNothing;
     }
     if (nextStep(rework.kind, dragging, loaded_->lacks_photons) != EditStep::kRelight) return;
@@ -125,7 +125,7 @@ void Window::editScene(bool dragging) {
             std::make_unique<RefurnishJob>(host_.device(), *loaded_, work_.scene, work_.settings), {},
             [this](const Job&) {
                 showColors();
-                image_.restart();
+                image_.restart(ViewChange::kScene);
             });
     });
 }

@@ -42,13 +42,14 @@ std::optional<PickResult> ImageController::update(const ImageRequest& request) {
     if (!live_) live_.emplace(*device_, *tracer_, kMovingBudget_s);
     moved_ = false;
     paused_ = request.paused;
-    const ImageChange change = changeOf(shown_, request, restart_);
+    const ImageChange change = changeOf(shown_, request, restart_.has_value());
     if (change == ImageChange::kStartOver) {
         moved_ = shown_.has_value();
+        const ViewChange scene = restart_.value_or(ViewChange::kCamera);
         shown_ = request.view;
         shown_->settings.first_hits = true;
-        live_->setView(*shown_, true);
-        restart_ = false;
+        live_->setView(*shown_, true, scene);
+        restart_.reset();
     } else if (change == ImageChange::kLook) {
         live_->setLook(request.view.look, request.view.denoise);
     }

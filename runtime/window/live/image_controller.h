@@ -41,8 +41,10 @@ public:
     /// Frees what it has of the tracer.
     void close();
 
-    /// The scene has changed, and the tracer with it.
-    void restart() { restart_ = true; }
+    /// The scene has changed, and the tracer with it. change: as for ViewportRenderer::setView.
+    void restart(ViewChange change) {
+        if (restart_ != ViewChange::kAll) restart_ = change;
+    }
     /// Makes the picture one of request; its look counts as taken note of. After open, and while nobody else uses the
     /// tracer. Then finds what was picked, where that can be done by now.
     std::optional<PickResult> update(const ImageRequest& request);
@@ -79,7 +81,8 @@ private:
     std::optional<ViewportRenderer> live_;
     std::optional<Viewport> shown_;
     std::optional<PickRequest> pick_;
-    bool restart_ = false, film_wanted_ = false, paused_ = false, moved_ = false;
+    std::optional<ViewChange> restart_;
+    bool film_wanted_ = false, paused_ = false, moved_ = false;
 };
 
 } // namespace pointrt

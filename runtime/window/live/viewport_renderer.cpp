@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "runtime/session/settings.h"
+#include "runtime/window/live/frame_times.h"
 
 namespace pointrt {
 namespace {
@@ -20,6 +22,14 @@ constexpr double kRest_s = 0.12;
 constexpr double kMin_s = 0.002;
 /// Of the time left, a slice is planned to take this share, so that a wrong guess is no late frame.
 constexpr double kPlanned = 0.8;
+/// What enlarging a coarse picture takes, which a carried one does not want.
+constexpr double kEnlarging_s = 0.002;
+/// From so many samples on nothing of the carried picture is mixed with them: clean ones are shown as they are.
+constexpr std::uint32_t kUnmixedSamples = kCleanSamples;
+/// Of the picture, what the film's samples make up until then: the first ones are noisy, and the carried picture is
+/// not, but they are right.
+constexpr float kShareOfSample = 0.4f;
+
 double since(std::chrono::steady_clock::time_point start) {
     return Seconds(std::chrono::steady_clock::now() - start).count();
 }
@@ -41,23 +51,33 @@ ViewportRenderer::~ViewportRenderer() { destroyDisplayPipeline(device_, display_
 
 void ViewportRenderer::fitFilm() {
     const PictureSize wanted{view_.settings.width, view_.settings.height};
-    const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4));
+    const std::uint64_t most = device_.limits.maxStorageBufferRange / (FILM_LAYERS * sizeof(gpu::vec4)) - kListedPixels;
+    const PictureSize before = full_;
     full_ = withinFilm(wanted, most);
     view_.settings.width = full_.width;
     view_.settings.height = full_.height;
     const std::uint64_t pixels = std::uint64_t{full_.width} * full_.height;
+    if (full_ != before) {
+        moving_picture_.reset();
+        shows_whole_ = false;
+    }
     if (pixels <= film_pixels_) return;
+    moving_picture_.reset();
     destroyDisplayPipeline(device_, display_);
     display_ = {};
     film_pixels_ = 0;
-    resizeFilm(device_, tracer_, pixels);
+    resizeFilm(device_, tracer_, pixels + kListedPixels);
     display_ = createDisplayPipeline(device_, tracer_.buffers, pixels);
     film_pixels_ = pixels;
 }
 
-void ViewportRenderer::setView(const Viewport& view, bool moving) {
+void ViewportRenderer::setView(const Viewport& view, bool moving, ViewChange change) {
+    if (view.look != view_.look) shows_whole_ = false;
+    last_camera_ = view_.camera;
     view_ = view;
     fitFilm();
+    if (change == ViewChange::kAll) moving_picture_.reset();
+    if (change == ViewChange::kScene && moving_picture_) moving_picture_->noteSceneChange();
     restart(moving);
 }
 
@@ -65,10 +85,44 @@ void ViewportRenderer::restart(bool moving) {
     updates_.clear();
     moved_ = Clock::now();
     moving_size_ = moving_pace_.movingSize(moving_budget_s_, full_, moving_size_);
+    carried_view_ = false;
+    if (moving && carries()) {
+        if (stage_ != Stage::kCarried) moving_picture_->takePixels();
+        return begin(Stage::kCarried);
+    }
     begin(moving ? Stage::kMoving : Stage::kFine);
 }
 
+/// Light that takes too long to be traced whole in a frame is carried along.
+bool ViewportRenderer::mayCarry() const {
+    return view_.look.shown == SHOWN_BEAUTY && showsLight(view_.settings.integrator) &&
+           moving_pace_.movingSize(moving_budget_s_, full_, moving_size_) != full_;
+}
+
+/// Where the last picture is known, and on the screen.
+bool ViewportRenderer::carries() const {
+    return mayCarry() && shows_whole_ && moving_picture_ && moving_picture_->isKnownFor(last_camera_);
+}
+
+MovingView ViewportRenderer::movingView() const {
+    return {view_.settings, view_.camera, view_.look.exposure, view_.focus_x, view_.focus_y};
+}
+
+/// The frame's picture, and then finer ones of the same view until it rests.
+bool ViewportRenderer::workCarried(double seconds) {
+    if (carried_view_ && since(moved_) >= kRest_s) {
+        begin(Stage::kFine);
+        return work(seconds);
+    }
+    const MovingFrame frame = moving_picture_->advance(movingView(), seconds + kEnlarging_s);
+    carried_pixels_ = frame.traced;
+    carried_view_ = shows_whole_ = true;
+    updates_.push_back({full_, 0, full_.height});
+    return true;
+}
+
 void ViewportRenderer::setLook(const Look& look, bool denoise) {
+    if (look != view_.look) carried_view_ = shows_whole_ = false; // those colours are another look's
     view_.look = look;
     view_.denoise = denoise;
     if (full_.width == 0) return;
@@ -108,7 +162,8 @@ void ViewportRenderer::begin(Stage stage) {
         denoise_step_ = 0;
         return;
     }
-    if (stage == Stage::kResting || full_.width == 0) return;
+    if (stage == Stage::kResting || stage == Stage::kSurvey || full_.width == 0) return;
+    if (stage == Stage::kMoving || stage == Stage::kCoarse) shows_whole_ = false;
     size_ = stage == Stage::kMoving ? moving_size_ : stage == Stage::kCoarse ? reduced(full_, kCoarseDivisor) : full_;
     denoise_due_ = false;
     denoised_samples_ = 0;
@@ -117,7 +172,8 @@ void ViewportRenderer::begin(Stage stage) {
 
 /// All of it is one band, in the window's film on the device. Quick pictures are of one sample.
 void ViewportRenderer::beginFilm() {
-    RenderPlan plan{view_.settings, view_.camera, {size_.height, size_.height}, stage_ != Stage::kFine};
+    const bool quick = stage_ == Stage::kMoving || stage_ == Stage::kCoarse;
+    RenderPlan plan{view_.settings, view_.camera, {size_.height, size_.height}, quick};
     plan.settings.width = size_.width;
     plan.settings.height = size_.height;
     plan.settings.first_hits = needsHits();
@@ -130,6 +186,7 @@ void ViewportRenderer::beginFilm() {
 void ViewportRenderer::next() {
     if (stage_ == Stage::kMoving) return; // until it rests: work()
     if (stage_ == Stage::kCoarse) return begin(Stage::kFine);
+    if (stage_ == Stage::kFine && surveyIsDue()) return begin(Stage::kSurvey);
     if (stage_ == Stage::kFine && denoisesNow()) return begin(Stage::kDenoising);
     stage_ = renderer_.samples() < view_.settings.spp ? Stage::kFine : Stage::kResting;
 }
@@ -145,6 +202,7 @@ bool ViewportRenderer::showsDenoised() const { return view_.denoise && view_.loo
 
 bool ViewportRenderer::work(double seconds) {
     if (full_.width == 0 || film_pixels_ == 0 || stage_ == Stage::kResting) return false;
+    if (stage_ == Stage::kCarried) return workCarried(seconds);
     const Clock::time_point start = Clock::now();
     if (stage_ == Stage::kMoving && renderer_.samples() > 0) {
         if (since(moved_) < kRest_s) return false;
@@ -164,6 +222,7 @@ bool ViewportRenderer::mustShow() const { return !updates_.empty() && updates_.b
 
 void ViewportRenderer::advance(double seconds_left) {
     if (stage_ == Stage::kDenoising) return denoiseOn();
+    if (stage_ == Stage::kSurvey) return survey();
     if (!renderer_.strip()) {
         slice_seconds_ = 0;
         if (!renderer_.preparePhotons()) return;
@@ -177,6 +236,20 @@ void ViewportRenderer::advance(double seconds_left) {
     const bool done = renderer_.traceStrip(fits || stage_ == Stage::kMoving ? bounces : strip.sample.pass == 0 ? 0 : 1);
     slice_seconds_ += since(start);
     if (done) finishSlice(strip);
+}
+
+/// As soon as there is a picture: what moves then is carried along.
+bool ViewportRenderer::surveyIsDue() {
+    if (!mayCarry() || renderer_.samples() == 0) return false;
+    if (!moving_picture_)
+        moving_picture_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
+    return !moving_picture_->isSurveyed();
+}
+
+void ViewportRenderer::survey() {
+    if (!moving_picture_->survey(movingView())) return;
+    stage_ = Stage::kFine;
+    next();
 }
 
 std::uint32_t ViewportRenderer::sliceRows(double seconds_left) const {
@@ -218,7 +291,17 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
     recordResolve(commands, display_, range, view_.look, false);
     recordTonemap(commands, display_, range, view_.look, false);
     submitAndWait(device_, commands);
+    const float share = shareShown(samples);
+    if (share < 1) moving_picture_->blendOver(range.first, range.count, share);
+    shows_whole_ = shows_whole_ || (isWhole() && view_.look.shown == SHOWN_BEAUTY && first_row + rows == size_.height);
     updates_.push_back({size_, first_row, rows});
+}
+
+/// Of rows of so many samples, where the rest is the carried picture: from one to the other nothing jumps.
+float ViewportRenderer::shareShown(std::uint32_t samples) const {
+    const bool mixes =
+        stage_ == Stage::kFine && carried_view_ && samples < std::min(kUnmixedSamples, view_.settings.spp);
+    return mixes ? 1 - std::pow(1 - kShareOfSample, static_cast<float>(samples)) : 1;
 }
 
 void ViewportRenderer::denoiseOn() {
@@ -241,12 +324,14 @@ void ViewportRenderer::showDenoised() {
     const VkCommandBuffer commands = beginCommands(device_);
     recordTonemap(commands, display_, rangeOf(0, full_.height, renderer_.samples()), view_.look, true);
     submitAndWait(device_, commands);
+    shows_whole_ = true;
     updates_.push_back({full_, 0, full_.height});
 }
 
 ViewportProgress ViewportRenderer::progress() const {
     ViewportProgress progress;
     progress.size = size_;
+    progress.traced = stage_ == Stage::kCarried ? carried_pixels_ : 0;
     progress.samples = isWhole() ? renderer_.samples() : 0;
     progress.share = size_.height > 0 ? static_cast<double>(renderer_.rowsDone()) / size_.height : 0;
     progress.resting = stage_ == Stage::kResting;
@@ -257,7 +342,7 @@ ViewportProgress ViewportRenderer::progress() const {
 
 /// Quick pictures are of another light, whatever their size.
 bool ViewportRenderer::isWhole() const {
-    return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCoarse;
+    return size_ == full_ && stage_ != Stage::kMoving && stage_ != Stage::kCarried && stage_ != Stage::kCoarse;
 }
 
 bool ViewportRenderer::betweenSamples() const {
@@ -272,7 +357,8 @@ std::optional<Pick> ViewportRenderer::pick(std::uint32_t x, std::uint32_t y) {
 Film ViewportRenderer::readFilm() { return renderer_.takeFilm(); }
 
 std::uint64_t ViewportRenderer::deviceBytes() const {
-    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_);
+    return pointrt::deviceBytes(tracer_) + pointrt::deviceBytes(display_) +
+           (moving_picture_ ? moving_picture_->bytes() : 0);
 }
 
 } // namespace pointrt

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/carry/moving_picture.h"
 #include "runtime/renderer/pick.h"
 #include "runtime/renderer/progressive_renderer.h"
 #include "runtime/tracer/band_tracer.h"
@@ -22,7 +23,11 @@ struct Viewport {
     Camera camera;
     Look look;
     bool denoise = false;
+    double focus_x = 0.5, focus_y = 0.5; ///< where the eye rests, in parts of the picture
 };
+
+/// What another view is another of.
+enum class ViewChange : std::uint8_t { kCamera, kScene, kAll };
 
 /// Rows of DisplayPipeline::pixels that are new.
 struct PictureUpdate {
@@ -37,6 +42,7 @@ struct ViewportProgress {
     bool resting = false;      ///< nothing is left to do
     bool denoising = false;    ///< the picture of these samples is being filtered
     double mrays_per_second = 0;
+    std::uint64_t traced = 0; ///< pixels of the moving picture, the others were carried along; 0: all of size
 };
 
 /// Of the tracers that it works with: what a fast device does in a frame, for 130 MB of states.
@@ -51,8 +57,9 @@ public:
     ViewportRenderer(const ViewportRenderer&) = delete;
     ViewportRenderer& operator=(const ViewportRenderer&) = delete;
 
-    /// Starts over. moving: more views are to come soon, so that the next picture is to be there at once.
-    void setView(const Viewport& view, bool moving);
+    /// Starts over. moving: more views are to come soon, so that the next picture is to be there at once. change: what
+    /// of the last picture may not be carried along; kScene where the scene has changed but for its scans.
+    void setView(const Viewport& view, bool moving, ViewChange change = ViewChange::kCamera);
     /// Another look at the same light: nothing is traced again unless it must be.
     void setLook(const Look& look, bool denoise);
     /// Starts over: the scene has changed, and the tracer with it.
@@ -81,10 +88,17 @@ public:
     const Viewport& view() const { return view_; }
 
 private:
-    enum class Stage { kMoving, kCoarse, kFine, kDenoising, kResting };
+    enum class Stage { kMoving, kCarried, kCoarse, kFine, kSurvey, kDenoising, kResting };
     using Clock = std::chrono::steady_clock;
 
     void fitFilm();
+    bool workCarried(double seconds);
+    void survey();
+    bool surveyIsDue();
+    bool mayCarry() const;
+    bool carries() const;
+    MovingView movingView() const;
+    float shareShown(std::uint32_t samples) const;
     void begin(Stage stage);
     void beginFilm();
     void next();
@@ -110,6 +124,11 @@ private:
     double moving_budget_s_;
     DisplayPipeline display_;
     Viewport view_;
+    std::optional<MovingPicture> moving_picture_; ///< once one was asked for, of full_
+    std::uint32_t carried_pixels_ = 0;            ///< traced of the last one
+    bool carried_view_ = false;                   ///< it is of this view, and look
+    bool shows_whole_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
+    Camera last_camera_;
     std::uint64_t film_pixels_ = 0;
     Stage stage_ = Stage::kResting;
     Clock::time_point moved_{};

@@ -97,7 +97,7 @@ TEST_F(ImageControllerTest, StartsOverWhereTheViewChanges) {
     image.rest();
     EXPECT_FALSE(image.moved());
     ASSERT_TRUE(goOn([&] { return rests(); }));
-    image.restart();
+    image.restart(ViewChange::kScene);
     image.update(wanted);
     EXPECT_EQ(image.live()->progress().samples, 0u) << "another scene";
     wanted.view.settings.spp = 5;

@@ -102,6 +102,59 @@ TEST_P(ViewportRendererTest, StartsOverWhereTheCameraMoves) {
     EXPECT_EQ(live->readFilm().rgba, headless().rgba);
 }
 
+/// Slow enough, the last picture is carried along; what it goes over to is the headless picture all the same.
+TEST_P(ViewportRendererTest, CarriesThePictureAlong) {
+    live.emplace(device, tracer, 1e-5); // nothing fits in that
+    live->setView(view, true);
+    finish();
+    const std::vector<std::uint32_t> before = shownPixels();
+    view.camera.eye = view.camera.eye + Vec3{0.01, 0, 0};
+    live->setView(view, true);
+    live->clearUpdates();
+    live->work(kSlice_s);
+    ASSERT_FALSE(live->updates().empty());
+    EXPECT_EQ(live->progress().size, (PictureSize{72, 56}));
+    EXPECT_EQ(live->progress().samples, 0u);
+    EXPECT_GT(live->progress().traced, 0u);
+    // a hundredth of the ball's distance: most is as it was, to a few steps of 255
+    const std::vector<std::uint32_t> carried = shownPixels();
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < carried.size(); ++i)
+        same += std::abs(static_cast<int>(carried[i] >> 8 & 255) - static_cast<int>(before[i] >> 8 & 255)) < 16 ? 1 : 0;
+    EXPECT_GT(same, carried.size() * 8 / 10);
+    EXPECT_NE(carried, before);
+    finish();
+    const Film film = live->readFilm(), whole = headless();
+    EXPECT_EQ(film.rgba, whole.rgba);
+    EXPECT_EQ(film.variance, whole.variance);
+    const std::vector<std::uint32_t> words = shownPixels();
+    // the same view begun anew, with nothing carried: the same to the bit
+    live.emplace(device, tracer, 0.01);
+    live->setView(view, false);
+    finish();
+    EXPECT_EQ(shownPixels(), words);
+}
+
+/// A lamp that is moved leaves what is seen where it is: the picture is carried, not begun anew.
+TEST_P(ViewportRendererTest, CarriesThePictureWhereLightChanges) {
+    live.emplace(device, tracer, 1e-5);
+    live->setView(view, true);
+    finish();
+    const std::vector<std::uint32_t> before = shownPixels();
+    live->setView(view, true, ViewChange::kScene);
+    live->clearUpdates();
+    live->work(kSlice_s);
+    EXPECT_GT(live->progress().traced, 0u);
+    const std::vector<std::uint32_t> carried = shownPixels();
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < carried.size(); ++i) same += carried[i] == before[i] ? 1 : 0;
+    EXPECT_GT(same, carried.size() - live->progress().traced - 1);
+    // with nothing known of the scene it is begun anew
+    live->setView(view, true, ViewChange::kAll);
+    live->work(kSlice_s);
+    EXPECT_EQ(live->progress().traced, 0u);
+}
+
 TEST_P(ViewportRendererTest, GrowsAndShrinks) {
     for (const std::uint32_t edge : {40u, 200u, 1u, 72u}) {
         view.settings.width = edge;
