@@ -71,6 +71,10 @@ void CarriedPicture::carryTo(const CarryView& view) {
     std::fill(is_shown_.begin(), is_shown_.end(), std::uint8_t{0});
     forAll((used_ + kChunk - 1) / kChunk,
            [&](std::size_t chunk) { project(view, chunk * kChunk, std::min(kChunk, used_ - chunk * kChunk)); });
+    gatherAll();
+}
+
+void CarriedPicture::gatherAll() {
     forAll(tilesDown(), [&](std::size_t row) { gather(static_cast<std::uint32_t>(row)); });
     for (const std::vector<std::uint32_t>& row : holes_)
         for (std::uint32_t pixel : row) keys_[pixel] = kNoPoint;
@@ -157,6 +161,7 @@ void CarriedPicture::takeColors(const std::vector<std::uint32_t>& colors) {
         if (is_shown_[i] == 0) points_.info[i] |= kCarriedGone;
     for (std::size_t pixel = 0; pixel < keys_.size(); ++pixel)
         if (keys_[pixel] != kNoPoint) points_.color[pointIn(keys_[pixel])] = colors[pixel];
+    gatherAll();
 }
 
 /// A new one while there is room, then one that the picture does not show.

@@ -98,6 +98,7 @@ public:
 private:
     void project(const CarryView& view, std::size_t first, std::size_t count);
     void gather(std::uint32_t tile_row);
+    void gatherAll();
     bool showsThrough(std::uint32_t x, std::uint32_t y, PixelKey key) const;
     std::uint32_t freePoint();
 

@@ -107,7 +107,6 @@ MovingFrame MovingPicture::advance(const MovingView& view, double seconds) {
         wantedFor(seconds)};
     std::vector<std::uint32_t> chosen = choosePixels(picture_, errors_, attention);
     chosen.resize(std::min(chosen.size(), static_cast<std::size_t>(kLuck * attention.wanted)));
-    const MovingFrame frame{static_cast<std::uint32_t>(chosen.size()), picture_.holeCount()};
 
     const Clock::time_point tracing = Clock::now();
     const std::vector<TracedPixel> traced = trace(view, chosen);
@@ -120,7 +119,7 @@ MovingFrame MovingPicture::advance(const MovingView& view, double seconds) {
     uploadBuffer(device_, pixels_, picture_.shown().data(), picture_.shown().size() * sizeof(std::uint32_t));
     if (gaps > kManyGaps * size.width * size.height) rebuildPoints(picture_, seen);
     overhead_s_ = learnt(overhead_s_, since(start) - traced_s);
-    return frame;
+    return {static_cast<std::uint32_t>(chosen.size()), picture_.holeCount() - gaps};
 }
 
 /// x | y << 16 of each, in rows that are whole.

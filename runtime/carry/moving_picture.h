@@ -31,7 +31,7 @@ constexpr std::uint32_t kListedPixels = 1u << 16;
 /// What became of a frame.
 struct MovingFrame {
     std::uint32_t traced = 0; ///< pixels
-    std::uint32_t holes = 0;  ///< pixels without a point, before that
+    std::uint32_t holes = 0;  ///< pixels without a point, but for gaps between those of a surface
 };
 
 class MovingPicture {

@@ -24,6 +24,8 @@ constexpr double kMin_s = 0.002;
 constexpr double kPlanned = 0.8;
 /// What enlarging a coarse picture takes, which a carried one does not want.
 constexpr double kEnlarging_s = 0.002;
+/// Where more of a carried picture is new than that, tracing does not keep up: a coarse one tells more.
+constexpr double kTooNew = 0.35;
 /// From so many samples on nothing of the carried picture is mixed with them: clean ones are shown as they are.
 constexpr std::uint32_t kUnmixedSamples = kCleanSamples;
 /// Of the picture, what the film's samples make up until then: the first ones are noisy, and the carried picture is
@@ -116,7 +118,8 @@ bool ViewportRenderer::workCarried(double seconds) {
     }
     const MovingFrame frame = moving_picture_->advance(movingView(), seconds + kEnlarging_s);
     carried_pixels_ = frame.traced;
-    carried_view_ = shows_whole_ = true;
+    carried_view_ = true;
+    shows_whole_ = frame.holes < kTooNew * full_.width * full_.height;
     updates_.push_back({full_, 0, full_.height});
     return true;
 }
