@@ -13,7 +13,10 @@ if [ -z "${POINTRT_DATA:-}" ] && [ -d ../shared/data ]; then
 fi
 
 installPackages build bake view tests
-buildPreset dev
+# From nothing only what the tests run; where ccache keeps the rest, all.
+options=()
+command -v ccache >/dev/null || options=(-D POINTRT_BUILD_BENCHES=OFF)
+buildPreset dev "${options[@]}"
 
 report=$PWD/build/dev/ctest.xml
 rm -f "$report"

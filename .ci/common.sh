@@ -79,11 +79,11 @@ buildJobs() {
     echo "$jobs"
 }
 
-# buildPreset PRESET: configures and builds into build/PRESET.
+# buildPreset PRESET [OPTION...]: configures, with cmake's OPTIONs, and builds into build/PRESET.
 buildPreset() {
     local started=$SECONDS output
     say "building with the $1 preset, $(buildJobs) at a time"
-    output=$(cmake --preset "$1" 2>&1) || {
+    output=$(cmake --preset "$@" 2>&1) || {
         printf '%s\n' "$output" >&2
         die "cmake could not configure the build"
     }

@@ -31,7 +31,7 @@ void markClasses(const std::string& option, std::string_view part, std::vector<b
     const bool numbers = wholeNumber(part.substr(0, dash), first) &&
                          wholeNumber(dash == std::string_view::npos ? part : part.substr(dash + 1), last);
     if (!numbers || first != std::floor(first) || last != std::floor(last) || first < 0 || last > 255 || first > last)
-        usage(fmt::format("{}: {} is no class, 0 to 255, and no range of them, as 3-5", option, quoted(part)));
+        usage(fmt::format("{}: {} is no class, 0 to 255, and no range of them, as 3-5", option, inQuotes(part)));
     for (auto each = static_cast<std::size_t>(first); each <= static_cast<std::size_t>(last); ++each)
         classes[each] = true;
 }
@@ -43,7 +43,7 @@ Eigen::AlignedBox3d parseBounds(const std::string& text) {
     eachPart(text, [&](std::string_view part) {
         double value = 0;
         if (!wholeNumber(part, value) || std::isnan(value))
-            usage(fmt::format("--bounds: {} is no number", quoted(part)));
+            usage(fmt::format("--bounds: {} is no number", inQuotes(part)));
         values.push_back(value);
     });
     if (values.size() != 6)

@@ -49,7 +49,7 @@ std::vector<Placement> parsePlacements(const Source& source) {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuseScan(std::string_view name, const std::string& reason) {
-    throw Error(ExitCode::kBadInput, fmt::format("{}: {}", quoted(name), reason));
+    throw Error(ExitCode::kBadInput, fmt::format("{}: {}", inQuotes(name), reason));
 }
 
 /// A set is its folder: the .conf of a stranger must not pick what else is on this machine, by any road, and show it

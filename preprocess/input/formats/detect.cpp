@@ -91,7 +91,8 @@ SuffixOf suffixKind(const std::string& name) {
 
 const InputFormat& formatOf(const Source& source, std::string_view name) {
     const InputFormat* const named = formatNamed(name);
-    if (!name.empty() && !named) throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", quoted(name)));
+    if (!name.empty() && !named)
+        throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", inQuotes(name)));
     if (!formatOfStart(source.bytes)) refuseForeignStart(source);
     if (named) return *named;
     if (const InputFormat* const format = formatOfContent(source.bytes)) return *format;

@@ -140,7 +140,7 @@ Decoded decode(const Source& source) {
                             : decodeInto<draco::PointCloudKdTreeDecoder>(source, *decoded.points);
     }
     if (!status.ok())
-        refuse(source, fmt::format("the Draco data is broken or cut short: {}", quoted(status.error_msg_string())));
+        refuse(source, fmt::format("the Draco data is broken or cut short: {}", inQuotes(status.error_msg_string())));
     return decoded;
 }
 
@@ -232,7 +232,7 @@ PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
         if (name)
             packed.add(attribute, *name, *scalar, components);
         else if (packed.unread.size() < 80) // a line's worth
-            packed.unread += (packed.unread.empty() ? "" : ", ") + quoted(written);
+            packed.unread += (packed.unread.empty() ? "" : ", ") + inQuotes(written);
     }
     return packed;
 }

@@ -44,7 +44,8 @@ std::size_t parseNumbers(const Source& source, const char* place, std::string_vi
     for (; count < most; ++count) {
         const std::string_view word = nextWord(line);
         if (word.empty() || word[0] == '#') break;
-        if (!wholeNumber(word, values[count])) refuseLine(source, place, fmt::format("{} is no number", quoted(word)));
+        if (!wholeNumber(word, values[count]))
+            refuseLine(source, place, fmt::format("{} is no number", inQuotes(word)));
     }
     if (count < 3) refuseLine(source, place, "3 numbers are needed");
     return count;
@@ -77,7 +78,7 @@ void addNormal(const Source& source, const char* place, std::string_view line, M
 std::uint32_t resolve(const Source& source, const char* place, std::string_view word, std::size_t count,
                       const char* what) {
     std::int64_t number = 0;
-    if (!wholeInteger(word, number)) refuseLine(source, place, fmt::format("{} is no index", quoted(word)));
+    if (!wholeInteger(word, number)) refuseLine(source, place, fmt::format("{} is no index", inQuotes(word)));
     const std::int64_t index = number > 0 ? number - 1 : number < 0 ? number + static_cast<std::int64_t>(count) : -1;
     if (index < 0 || index >= static_cast<std::int64_t>(count))
         refuseLine(source, place, fmt::format("{} index {} is out of range, there are {} so far", what, number, count));

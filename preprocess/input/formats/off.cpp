@@ -34,7 +34,7 @@ Header readHeader(const Source& source, Lines& lines) {
     header.colors = keyword == "COFF" || keyword == "CNOFF";
     if (keyword != "OFF" && !header.normals && !header.colors)
         refuseLine(source, keyword.data(),
-                   fmt::format("this build reads OFF, COFF, NOFF and CNOFF, not {}", quoted(keyword)));
+                   fmt::format("this build reads OFF, COFF, NOFF and CNOFF, not {}", inQuotes(keyword)));
     std::string_view words = line;
     const std::string_view next = nextWord(words);
     if (next == "BINARY") refuse(source, "binary OFF is not read by this build, only text");
@@ -56,7 +56,7 @@ Vertex parseVertex(const Source& source, std::string_view line, std::size_t leas
     const char* const place = line.data();
     for (std::string_view word = nextWord(line); !word.empty() && vertex.size < 10; word = nextWord(line))
         if (!wholeNumber(word, vertex.values[vertex.size++]))
-            refuseLine(source, place, fmt::format("{} is no number", quoted(word)));
+            refuseLine(source, place, fmt::format("{} is no number", inQuotes(word)));
     if (vertex.size < least)
         refuseLine(source, place, fmt::format("has {} numbers, {} are needed", vertex.size, least));
     return vertex;
@@ -101,7 +101,7 @@ void readFaces(const Source& source, const Header& header, Lines& lines, Sink& s
             std::uint64_t index = 0;
             if (!wholeInteger(word, index) || index >= header.vertices)
                 refuseLine(source, word.data(),
-                           fmt::format("{} is no index of one of {} vertices", quoted(word), header.vertices));
+                           fmt::format("{} is no index of one of {} vertices", inQuotes(word), header.vertices));
             corners.push_back(static_cast<std::uint32_t>(index));
         }
         addPolygon(sink, corners);

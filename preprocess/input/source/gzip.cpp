@@ -35,7 +35,7 @@ int inflateBlock(z_stream& stream, std::string& unpacked) {
     stream.next_out = reinterpret_cast<Bytef*>(unpacked.data() + used);
     stream.avail_out = static_cast<uInt>(kBlock);
     const int result = inflate(&stream, Z_NO_FLUSH);
-    unpacked.resize(unpacked.size() - stream.avail_out);
+    unpacked.erase(unpacked.size() - stream.avail_out);
     return result;
 }
 

@@ -106,7 +106,7 @@ void refuseLine(const Source& source, const char* at, const std::string& reason)
     refuseAt(source, std::to_string(line), reason);
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
     constexpr std::size_t kLongest = 40;
     return "'" + printable(text, kLongest) + "'";
 }

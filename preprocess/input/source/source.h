@@ -56,6 +56,6 @@ struct LetGoBehind {
 [[noreturn]] void refuseLine(const Source& source, const char* at, const std::string& reason);
 
 /// Bytes of a file fit for a one-line message: cut short, without control characters, in quotes.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 } // namespace pointrt

@@ -198,7 +198,7 @@ bool isScannerFrame(const E57Scan& scan, const E57Plan& plan, const Pose& pose) 
 /// What to call a scan in messages: its name, or its number from 1.
 std::string titleOf(const E57File& file, std::size_t number) {
     const std::string& name = file.scans[number].name;
-    return name.empty() ? fmt::format("scan {}", number + 1) : quoted(name);
+    return name.empty() ? fmt::format("scan {}", number + 1) : inQuotes(name);
 }
 
 /// A scan's points, batch by batch.
@@ -379,7 +379,7 @@ void frameWorld(const Source& source, const E57File& file, Sink& sink) {
     const std::string_view system = trimmed(file.coordinate_metadata);
     const bool is_known = isCoordinateSystem(system);
     if (!system.empty() && !is_known)
-        addNote(sink.cloud, source.name, fmt::format("its coordinate system is not understood: {}", quoted(system)));
+        addNote(sink.cloud, source.name, fmt::format("its coordinate system is not understood: {}", inQuotes(system)));
     WorldFrame frame;
     frame.up = Vec3d::UnitZ();
     frame.up_by_custom = !is_known;

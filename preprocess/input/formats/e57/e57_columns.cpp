@@ -234,7 +234,7 @@ void checkColumns(const E57Scan& scan) {
                     fmt::format("has {} columns, more than {}", scan.columns.size(), kMostColumns));
     for (std::size_t i = 0; i < scan.columns.size(); ++i)
         if (find(scan, scan.columns[i].name) != i)
-            throw Error(ExitCode::kBadInput, fmt::format("has two columns {}", quoted(scan.columns[i].name)));
+            throw Error(ExitCode::kBadInput, fmt::format("has two columns {}", inQuotes(scan.columns[i].name)));
 }
 
 } // namespace

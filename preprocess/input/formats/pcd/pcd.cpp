@@ -55,7 +55,7 @@ void readAscii(const Source& source, const PcdHeader& header, Sink& sink) {
                 const std::string_view word = nextWord(rest);
                 if (word.empty()) refuse(source, fmt::format("cut short: {} of {} points are there", i, header.points));
                 if (!readWord(field, k, word, row, packed.data(), exact))
-                    refuseLine(source, word.data(), fmt::format("{} is no number", quoted(word)));
+                    refuseLine(source, word.data(), fmt::format("{} is no number", inQuotes(word)));
             }
         }
         addPoint(sink, header, i, row, packed.data());

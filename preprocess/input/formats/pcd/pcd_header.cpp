@@ -20,7 +20,7 @@ struct Entries {
 std::uint64_t integer(const Source& source, std::string_view word, std::string_view keyword) {
     std::uint64_t value = 0;
     if (!wholeInteger(word, value))
-        refuseLine(source, word.data(), fmt::format("{} takes whole numbers, not {}", keyword, quoted(word)));
+        refuseLine(source, word.data(), fmt::format("{} takes whole numbers, not {}", keyword, inQuotes(word)));
     return value;
 }
 
@@ -54,7 +54,7 @@ PcdData dataOf(const Source& source, std::string_view word) {
     if (word == "ascii") return PcdData::kAscii;
     if (word == "binary") return PcdData::kBinary;
     if (word == "binary_compressed") return PcdData::kCompressed;
-    refuseLine(source, word.data(), fmt::format("unknown DATA {}", quoted(word)));
+    refuseLine(source, word.data(), fmt::format("unknown DATA {}", inQuotes(word)));
 }
 
 void parseEntry(const Source& source, std::string_view keyword, std::string_view line, Entries& entries) {
@@ -96,10 +96,10 @@ void settleField(const Source& source, PcdField& field) {
     constexpr std::uint64_t kLargestCount = 1u << 24;
     const auto scalar = scalarOf(field.type, field.size);
     if (!scalar)
-        refuse(source, fmt::format("field {} has type {} of {} bytes, which PCD does not know", quoted(field.name),
-                                   quoted({&field.type, 1}), field.size));
+        refuse(source, fmt::format("field {} has type {} of {} bytes, which PCD does not know", inQuotes(field.name),
+                                   inQuotes({&field.type, 1}), field.size));
     if (field.count < 1 || field.count > kLargestCount)
-        refuse(source, fmt::format("field {} has an impossible COUNT of {}", quoted(field.name), field.count));
+        refuse(source, fmt::format("field {} has an impossible COUNT of {}", inQuotes(field.name), field.count));
     field.scalar = *scalar;
     field.packed_color = (field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1;
 }
@@ -131,7 +131,7 @@ void settleAttributes(PcdHeader& header) {
             header.columns.push_back({*name, field.scalar, static_cast<std::uint32_t>(field.count)});
             header.packed_size += field.size * field.count;
         } else if (header.unread.size() < 80) { // a line's worth
-            header.unread += (header.unread.empty() ? "" : ", ") + quoted(field.name);
+            header.unread += (header.unread.empty() ? "" : ", ") + inQuotes(field.name);
         }
     }
 }

@@ -94,7 +94,7 @@ std::string settlePlyAttributes(PlyHeader& header) {
         if (const auto name = is_number ? names.take(property.name) : std::nullopt)
             property.place = addColumn(header, *name, property.type, 1);
         else if (unread.size() < 80) // a line's worth
-            unread += (unread.empty() ? "" : ", ") + quoted(property.name);
+            unread += (unread.empty() ? "" : ", ") + inQuotes(property.name);
     }
     return unread;
 }

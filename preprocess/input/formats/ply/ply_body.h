@@ -104,7 +104,7 @@ struct PlyBody {
         if (values.at == source.end())
             refuse(source, fmt::format("cut short: {} of {} {} are there", done, element.count, pluralOf(element)));
         std::string_view rest(values.at, static_cast<std::size_t>(source.end() - values.at));
-        refuseLine(source, values.at, fmt::format("{} is no number", quoted(nextWord(rest))));
+        refuseLine(source, values.at, fmt::format("{} is no number", inQuotes(nextWord(rest))));
     }
 };
 

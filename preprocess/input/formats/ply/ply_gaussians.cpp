@@ -183,7 +183,7 @@ EachGaussian packedGaussians(const Source& source, const PlyHeader& header) {
 void checkPacked(const Source& source, const PlyElement& vertex) {
     for (const PlyProperty& property : vertex.properties)
         if (property.name.starts_with("packed_") && (property.is_list || property.type != Scalar::kU32))
-            refuse(source, fmt::format("{} is to be of type uint", quoted(property.name)));
+            refuse(source, fmt::format("{} is to be of type uint", inQuotes(property.name)));
 }
 
 /// Colours that change with the direction are in properties, or in an element of their own.

@@ -48,7 +48,7 @@ struct HeaderLines {
 
 Scalar scalarType(const Source& source, std::string_view name) {
     const auto type = scalarOfName(name);
-    if (!type) refuseLine(source, name.data(), fmt::format("unknown property type {}", quoted(name)));
+    if (!type) refuseLine(source, name.data(), fmt::format("unknown property type {}", inQuotes(name)));
     return *type;
 }
 
@@ -58,7 +58,7 @@ void addElement(const Source& source, std::string_view line, PlyHeader& header) 
     element.name = nextWord(line);
     const std::string_view count = nextWord(line);
     if (!wholeInteger(count, element.count))
-        refuseLine(source, place, fmt::format("element {} has no valid count", quoted(element.name)));
+        refuseLine(source, place, fmt::format("element {} has no valid count", inQuotes(element.name)));
     header.elements.push_back(std::move(element));
 }
 
@@ -89,7 +89,7 @@ void setFormat(const Source& source, std::string_view line, PlyHeader& header) {
     else if (name == "binary_big_endian")
         header.encoding = PlyEncoding::kBigEndian;
     else
-        refuseLine(source, place, fmt::format("unknown PLY format {}", quoted(name)));
+        refuseLine(source, place, fmt::format("unknown PLY format {}", inQuotes(name)));
 }
 
 /// "obj_info num_cols 512"; what no number follows is for others.
@@ -224,7 +224,7 @@ const PlyElement& vertexElement(const PlyHeader& header) {
 std::string pluralOf(const PlyElement& element) {
     if (element.name == "vertex") return "vertices";
     if (element.name == "face") return "faces";
-    return quoted(element.name) + " elements";
+    return inQuotes(element.name) + " elements";
 }
 
 } // namespace pointrt

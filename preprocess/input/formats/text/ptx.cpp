@@ -52,7 +52,7 @@ std::string_view headerLine(const Source& source, Lines& lines) {
 
 std::uint64_t readCount(const Source& source, std::string_view line, const char* what) {
     const auto count = countOf(line);
-    if (!count) refuseLine(source, line.data(), fmt::format("is no number of {}: {}", what, quoted(line)));
+    if (!count) refuseLine(source, line.data(), fmt::format("is no number of {}: {}", what, inQuotes(line)));
     return *count;
 }
 
@@ -164,7 +164,7 @@ void parseCell(const Source& source, std::string_view line, const Shape& shape, 
         if (!wholeNumber(word, values[i]))
             refuseLine(source, line.data(),
                        word.empty() ? fmt::format("has {} numbers, {} are needed", i, shape.words)
-                                    : fmt::format("{} is no number", quoted(word)));
+                                    : fmt::format("{} is no number", inQuotes(word)));
     }
     std::copy(values, values + 3, &row[kX]);
     if (shape.intensity) intensity = static_cast<float>(values[3]);

@@ -39,7 +39,7 @@ struct RowReader {
             if (needs[i] == Need::kNothing || (there && wholeNumber(field, values[i]))) continue;
             if (needs[i] == Need::kNumber)
                 refuseLine(source, line.data(),
-                           fmt::format("column {} is no number: {}{}", i + 1, quoted(field), commaHint(line)));
+                           fmt::format("column {} is no number: {}{}", i + 1, inQuotes(field), commaHint(line)));
             values[i] = std::numeric_limits<double>::quiet_NaN();
             ++not_number;
         }
@@ -99,7 +99,7 @@ void nameAttributes(const Source& source, Layout& layout, Sink& sink) {
         const bool is_word = fields.next(field) && !field.empty() && !wholeNumber(field, value);
         if (layout.roles[i] != kIgnored) continue;
         if (!is_word && addAttribute(layout, i, writtenName(layout.names[i]), names)) continue;
-        if (unread.size() < 80) unread += (unread.empty() ? "" : ", ") + quoted(layout.names[i]); // a line's worth
+        if (unread.size() < 80) unread += (unread.empty() ? "" : ", ") + inQuotes(layout.names[i]); // a line's worth
     }
     if (!unread.empty())
         addNote(sink.cloud, source.name,

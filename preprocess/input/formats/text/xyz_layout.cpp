@@ -85,7 +85,7 @@ Layout readPrologue(const Source& source) {
         } else {
             refuseLine(
                 source, line.data(),
-                fmt::format("is neither a point nor a header with x, y and z: {}{}", quoted(line), commaHint(line)));
+                fmt::format("is neither a point nor a header with x, y and z: {}{}", inQuotes(line), commaHint(line)));
         }
     }
     refuse(source, "holds no points");
