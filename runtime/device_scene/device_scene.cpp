@@ -138,7 +138,7 @@ void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
                       table ? ggxAlbedoTable() : std::vector<GgxAlbedo>(GGX_TABLE_ENTRIES), VK_FORMAT_R32G32_SFLOAT);
     scene.features = rows.features;
     scene.casting_shapes = std::move(rows.casting_shapes);
-    scene.shape_count = static_cast<std::uint32_t>(rows.shapes.size());
+    scene.shape_rows = rows.shapes;
     scene.light_rows = rows.lights;
     scene.sky_light = rows.sky_light;
     replaceRows(device, scene.materials, "material buffer", std::move(rows.materials));

@@ -142,6 +142,13 @@ bool sendsOn(const gpu::Material& material, Integrator integrator) {
            (highlightWeight(material) > 0 && hasTrait(integrator, INTEGRATOR_GLOSSES_HIGHLIGHTS));
 }
 
+/// Where paths go on, few of the hits on their way ask all lights: those alone, listed, cost less than lanes that go
+/// along for nothing.
+bool asksOnTheWay(const SceneRows& rows, std::uint32_t features, Integrator integrator) {
+    if (asksOneLight(integrator)) return true;
+    return (features & FEATURE_GOES_ON) == 0 && rows.lights.size() <= ASKED_TURNS;
+}
+
 std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
     std::uint32_t bits = 0;
     for (const gpu::Light& light : rows.lights)
@@ -149,12 +156,22 @@ std::uint32_t featuresOf(const SceneRows& rows, Integrator integrator) {
     for (const gpu::Material& material : rows.materials) {
         bits |= FEATURE_MATERIAL(materialKind(material));
         if (sendsOn(material, integrator)) bits |= FEATURE_GOES_ON;
+        if (highlightWeight(material) > 0) bits |= FEATURE_HIGHLIGHTS;
     }
     for (const gpu::Shape& shape : rows.shapes) bits |= FEATURE_SHAPE(shape.kind.x);
+    if (asksOnTheWay(rows, bits, integrator)) bits |= FEATURE_LIGHT_ON_THE_WAY;
     return bits;
 }
 
 } // namespace
+
+std::uint32_t shapeKinds(std::span<const gpu::Shape> shapes) {
+    if (shapes.size() > HELD_SHAPES) return 0;
+    auto kinds = static_cast<std::uint32_t>(shapes.size()) + 1;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        kinds |= shapes[i].kind.x << (SHAPE_COUNT_BITS + SHAPE_KIND_BITS * static_cast<std::uint32_t>(i));
+    return kinds;
+}
 
 SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& description, const RenderSettings& settings) {
     SceneRows rows = RowMaker(scene, description, settings).rows;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
@@ -18,6 +19,9 @@ struct SceneRows {
     std::uint32_t sky_light = NO_LIGHT; ///< number of the light that stands for the sky image
     std::uint32_t features = 0;         ///< FEATURE_* of shaders/shared/params.h
 };
+
+/// For SPEC_SHAPE_KINDS: the kinds of a scene's few shapes.
+std::uint32_t shapeKinds(std::span<const gpu::Shape> shapes);
 
 /// description names the files that are in scene, at the places where they stand there. Throws Error kBadInput where an
 /// override asks for a material row that its file does not have.

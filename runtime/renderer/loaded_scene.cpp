@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/device_scene/gather_sample.h"
+#include "runtime/device_scene/scene_rows.h"
 #include "runtime/framing/framing.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/upright.h"
@@ -75,7 +76,8 @@ TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {
 } // namespace
 
 ProgramKinds kindsOf(const DeviceScene& scene, const RenderSettings& settings) {
-    return {scene.features, settings.integrator, scene.sky_light != NO_LIGHT, castsCaustics(scene)};
+    return {scene.features, shapeKinds(scene.shape_rows), settings.integrator, scene.sky_light != NO_LIGHT,
+            castsCaustics(scene)};
 }
 
 LoadedScene::~LoadedScene() {

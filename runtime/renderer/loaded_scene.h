@@ -20,7 +20,7 @@ namespace pointrt {
 
 /// What a tracer's programs are built for.
 struct ProgramKinds {
-    std::uint32_t features = 0;
+    std::uint32_t features = 0, shape_kinds = 0;
     Integrator integrator = Integrator::kPhong;
     bool sky_image = false, caustics = false;
     bool operator==(const ProgramKinds&) const = default;

@@ -43,6 +43,8 @@ constexpr bool hasTrait(Integrator integrator, std::uint32_t trait) {
     return integratorHas(static_cast<std::uint32_t>(integrator), trait);
 }
 
+/// At each hit, where the others ask all.
+constexpr bool asksOneLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_BY_CHANCE); }
 constexpr bool showsLight(Integrator integrator) { return hasTrait(integrator, INTEGRATOR_SHOWS_LIGHT); }
 
 } // namespace pointrt

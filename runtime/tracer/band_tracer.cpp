@@ -47,11 +47,6 @@ bool traceLater(Device& device, BandTracer& tracer, std::uint32_t number) {
     return true;
 }
 
-/// Whether there is anything after the camera rays' pass. Fused, that ends where instances are to be asked.
-bool hasPasses(const BandTracer& tracer) {
-    return tracer.programs.rays_go_on && (tracer.programs.form == PassForm::kQueued || !tracer.targets.empty());
-}
-
 } // namespace
 
 void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
@@ -162,7 +157,7 @@ void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::
         if (!sample.only_first_hits) recorder.begin();
         sample.pass = 1;
     }
-    if (!sample.only_first_hits && hasPasses(tracer))
+    if (!sample.only_first_hits && tracer.programs.rays_go_on)
         for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
     const gpu::Control control = commands.finish();
     // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces

@@ -135,7 +135,7 @@ private:
         params.width = kBatchWidth;
         params.height = params.rows = kBatchRows;
         params.options = OPTION_BLEND;
-        params.shape_count = scene_.shape_count;
+        setShapes(scene_, params);
         params.sky_light = NO_LIGHT;
         params.integrator = static_cast<std::uint32_t>(Integrator::kPath);
         params.bounces = kPhotonBounces;

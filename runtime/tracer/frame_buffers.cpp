@@ -28,7 +28,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     const OnError undo([&] { destroyFrameBuffers(device, buffers); });
     buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-    constexpr std::uint64_t kQueueWords = 4 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
+    constexpr std::uint64_t kQueueWords = 5 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
     buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,

@@ -90,6 +90,12 @@ void setReach(const DeviceScene& scene, gpu::FrameParams& params) {
     params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin};
 }
 
+void setShapes(const DeviceScene& scene, gpu::FrameParams& params) {
+    params.shape_count = static_cast<std::uint32_t>(scene.shape_rows.size());
+    const auto held = std::min<std::size_t>(scene.shape_rows.size(), HELD_SHAPES);
+    std::copy_n(scene.shape_rows.begin(), held, params.held_shapes);
+}
+
 gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
                                  std::uint32_t first_row, std::uint32_t rows) {
     const RenderSpace& space = scene.space;
@@ -113,7 +119,7 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
     params.rows = rows;
     params.light_count = static_cast<std::uint32_t>(scene.light_rows.size());
     params.options = optionBits(settings);
-    params.shape_count = scene.shape_count;
+    setShapes(scene, params);
     params.sky_light = scene.sky_light;
     params.environment = scene.environment;
     params.film_pixels = settings.width * rows;

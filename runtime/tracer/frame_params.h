@@ -16,6 +16,9 @@ gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings&
 /// Puts a box around all that the scene's instances may be hit in into params.reach_low and reach_high.
 void setReach(const DeviceScene& scene, gpu::FrameParams& params);
 
+/// Tells params of the scene's shapes.
+void setShapes(const DeviceScene& scene, gpu::FrameParams& params);
+
 /// Where the ray through the centre of pixel (x, y) starts, input coordinates: the eye but for parallel projection.
 Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y);
 

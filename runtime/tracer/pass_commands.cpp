@@ -20,6 +20,8 @@ std::size_t groupsOf(PassLanes lanes) {
         return offsetof(gpu::Control, light_groups);
     case PassLanes::kAsked:
         return offsetof(gpu::Control, asked_groups);
+    case PassLanes::kTurns:
+        return offsetof(gpu::Control, turn_groups);
     case PassLanes::kHits:
         return offsetof(gpu::Control, hit_groups);
     default:

@@ -4,7 +4,7 @@
 namespace pointrt {
 
 PassForm passFormFor(VkPhysicalDeviceType device, Integrator integrator, FormRequest request) {
-    if (!hasTrait(integrator, INTEGRATOR_BY_CHANCE)) return PassForm::kQueued;
+    if (!showsLight(integrator)) return PassForm::kQueued;
     return request.value_or(device == VK_PHYSICAL_DEVICE_TYPE_CPU ? PassForm::kFused : PassForm::kQueued);
 }
 

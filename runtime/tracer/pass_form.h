@@ -8,9 +8,9 @@
 
 namespace pointrt {
 
-/// The fused form where it can be and pays, unless another one is asked for: for integrators by chance, which ask one
-/// light and follow one ray at a hit; on processors, which pay for every vector that goes through memory. GPUs have
-/// threads enough to hide that, and fewer registers.
+/// The fused form where it can be and pays, unless another one is asked for: for integrators that show light; on
+/// processors, which pay for every vector that goes through memory. GPUs have threads enough to hide that, and fewer
+/// registers.
 PassForm passFormFor(VkPhysicalDeviceType device, Integrator integrator, FormRequest request);
 
 } // namespace pointrt

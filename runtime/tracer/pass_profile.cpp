@@ -38,6 +38,7 @@ constexpr PassBytes kPassBytes[] = {
     {"shadow_shapes", kWord + kQuery + kWord},
     {"shadow", kWord + kQuery + 2 * kWord},
     {"light", kWord + kQuery + kWord + kAddedLight},
+    // those that ask all lights list their points, which are longer than shadow rays
     {"follow (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
     {"follow", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
     {"shadow_light", kWord + kShadowRay + kAddedLight},
@@ -59,6 +60,7 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
     for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], each_has.ray);
     add(run.before.light_queries_appended, run.after.light_queries_appended, each_has.lit);
     add(run.before.asked_appended, run.after.asked_appended, 0);
+    add(run.before.turns_appended, run.after.turns_appended, 0);
     add(run.before.hits_appended, run.after.hits_appended, kHit);
     add(run.before.tile_count, run.after.tile_count, 0);
     return sum;
@@ -113,6 +115,8 @@ std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_
         return control.light_query_count;
     case PassLanes::kAsked:
         return control.asked_count;
+    case PassLanes::kTurns:
+        return control.turn_count;
     case PassLanes::kHits:
         return control.hit_count;
     }

@@ -48,7 +48,7 @@ void clearProfile(PassProfile& profile);
 double unaccountedMilliseconds(const PassProfile& profile);
 
 /// The list a pass works on: its length is what control says.
-enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kLit, kAsked, kHits };
+enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kLit, kAsked, kTurns, kHits };
 
 /// Lanes with something to do; tiles: of the band.
 std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "format/base/parallel.h"
+#include "runtime/device_scene/scene_rows.h"
 #include "runtime/photons/caustic_map.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/util/on_error.h"
@@ -37,14 +38,15 @@ namespace {
 /// Values of the programs' specialization constants.
 struct Constants {
     InstanceTraits instance;
-    std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0;
+    std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0, shape_kinds = 0;
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
     std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven},  {SPEC_ORIENTED, c.instance.oriented},
                                      {SPEC_NOISY, c.instance.noisy},    {SPEC_SKY_IMAGE, c.sky_image},
                                      {SPEC_INTEGRATOR, c.integrator},   {SPEC_FEATURES, c.features},
-                                     {SPEC_CAMERA_PASS, c.camera_pass}, {SPEC_GATHERS_PHOTONS, c.gathers_photons}};
+                                     {SPEC_CAMERA_PASS, c.camera_pass}, {SPEC_GATHERS_PHOTONS, c.gathers_photons},
+                                     {SPEC_SHAPE_KINDS, c.shape_kinds}};
     if (!isPaged(c.instance.pages)) return values;
     for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
     return values;
@@ -68,6 +70,7 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
     constants.sky_image = scene.sky_light != NO_LIGHT;
     constants.integrator = static_cast<std::uint32_t>(settings.integrator);
     constants.features = scene.features;
+    constants.shape_kinds = shapeKinds(scene.shape_rows);
     constants.gathers_photons = castsCaustics(scene) && showsLight(settings.integrator);
     return constants;
 }
@@ -88,7 +91,7 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
     };
     order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
-    if (all.form == PassForm::kFused)
+    if (all.form == PassForm::kFused && all.asks_one)
         order(programs.shadow_light, "shadow_light", shadow_light_spv, shadow_light_paged_spv);
     else if (all.show_light)
         order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
@@ -97,11 +100,20 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
     order(programs.surface, "surface", surface_spv, surface_paged_spv);
 }
 
+/// What brings light to the points that ask for it.
+void orderLight(const Constants& constants, Programs& programs, std::vector<Order>& orders) {
+    orders.push_back({&programs.light, "light", light_spv, constants});
+    if (programs.form == PassForm::kFused && programs.light_on_the_way) return;
+    orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
+    if (constants.gathers_photons) orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
+}
+
 /// What follows on a path's hits, in the fused form.
 void orderFused(const Constants& constants, const Constants& of_camera, Programs& programs,
                 std::vector<Order>& orders) {
     orders.push_back({&programs.camera.follow, "follow (camera)", follow_spv, of_camera});
     if (programs.rays_go_on) orders.push_back({&programs.queued.follow, "follow", follow_spv, constants});
+    if (!programs.asks_one) orderLight(constants, programs, orders);
 }
 
 /// The same in the other one.
@@ -109,10 +121,7 @@ void orderQueued(const Constants& constants, const Constants& of_camera, Program
                  std::vector<Order>& orders) {
     orders.push_back({&programs.camera.shade, "shade (camera)", shade_spv, of_camera});
     if (programs.rays_go_on) orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
-    if (!programs.show_light) return;
-    orders.push_back({&programs.shadow_shapes, "shadow_shapes", shadow_shapes_spv, constants});
-    orders.push_back({&programs.light, "light", light_spv, constants});
-    if (constants.gathers_photons) orders.push_back({&programs.caustic, "caustic", caustic_spv, constants});
+    if (programs.show_light) orderLight(constants, programs, orders);
 }
 
 /// What is needed, for places in programs.
@@ -151,6 +160,8 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     programs.form = passFormFor(device.type, settings.integrator, form);
     programs.rays_go_on = (scene.features & FEATURE_GOES_ON) != 0;
     programs.show_light = showsLight(settings.integrator);
+    programs.asks_one = asksOneLight(settings.integrator);
+    programs.light_on_the_way = (scene.features & FEATURE_LIGHT_ON_THE_WAY) != 0;
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     return programs;

@@ -40,6 +40,8 @@ struct PassPrograms {
 struct Programs {
     PassForm form = PassForm::kQueued;
     bool rays_go_on = true, show_light = true; ///< else the programs for that are not built
+    bool asks_one = false;                     ///< light of all at each hit
+    bool light_on_the_way = false;             ///< see FEATURE_LIGHT_ON_THE_WAY
     Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;

@@ -49,10 +49,19 @@ void SampleRecorder::askInstances(std::uint32_t bits) {
 
 /// The fused form's shade: on to where instances are to be asked, at once for the light that is waiting.
 void SampleRecorder::follow(const Program& program, std::uint32_t bits) {
+    const Programs& programs = tracer_.programs;
     run(program, tracer_.sets, bits, rays_);
     prepare(bits);
     prepare(bits | STEP_ASKED);
-    if (!tracer_.shadows) return;
+    if (!programs.light_on_the_way) return light(bits);
+    if (!tracer_.shadows || tracer_.targets.empty()) return;
+    if (programs.asks_one) return shadowLight(bits);
+    askForShadows(bits);
+    run(programs.light, tracer_.sets, bits, PassLanes::kLit);
+}
+
+/// Brings the light of shadow rays that no instance stops.
+void SampleRecorder::shadowLight(std::uint32_t bits) {
     for (const TracerTarget& target : tracer_.targets) {
         const std::uint32_t last = &target == &tracer_.targets.back() ? STEP_LAST : 0u;
         run(target.programs->shadow_light, target.sets, bits | last, PassLanes::kLit);
@@ -60,11 +69,16 @@ void SampleRecorder::follow(const Program& program, std::uint32_t bits) {
 }
 
 void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
-    const Programs& programs = tracer_.programs;
     run(program, tracer_.sets, bits, rays_);
     prepare(bits);
+    if (tracer_.programs.show_light) light(bits);
+}
+
+/// Of all lights that reach the points listed, or of one of them.
+void SampleRecorder::light(std::uint32_t bits) {
+    const Programs& programs = tracer_.programs;
     const auto lights = static_cast<std::uint32_t>(tracer_.scene->light_rows.size());
-    if (lights == 0 || !programs.show_light) return;
+    if (lights == 0) return;
     // path has one turn, and nothing in a second go
     for (std::uint32_t first = 0; first < lights; first += ASKED_TURNS) shadows(first, bits);
     run(programs.light, tracer_.sets, bits, PassLanes::kLit);
@@ -75,10 +89,14 @@ void SampleRecorder::shade(const Program& program, std::uint32_t bits) {
 void SampleRecorder::shadows(std::uint32_t first, std::uint32_t bits) {
     first_turn_ = first;
     run(tracer_.programs.shadow_shapes, tracer_.sets, bits, PassLanes::kLit);
-    if (!tracer_.shadows) return;
-    prepare(bits | STEP_ASKED);
+    if (tracer_.shadows) askForShadows(bits);
+}
+
+/// Which of the shadow rays listed for them instances stop.
+void SampleRecorder::askForShadows(std::uint32_t bits) {
+    prepare(bits | STEP_TURNS);
     for (const TracerTarget& target : tracer_.targets)
-        run(target.programs->shadow, target.sets, bits, PassLanes::kAsked);
+        run(target.programs->shadow, target.sets, bits, PassLanes::kTurns);
 }
 
 /// First hits of the camera rays.

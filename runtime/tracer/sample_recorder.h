@@ -27,6 +27,9 @@ private:
     void askInstances(std::uint32_t bits);
     void primary(std::uint32_t bits);
     void shadows(std::uint32_t first, std::uint32_t bits);
+    void askForShadows(std::uint32_t bits);
+    void shadowLight(std::uint32_t bits);
+    void light(std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void prepare(std::uint32_t bits);
     void run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,

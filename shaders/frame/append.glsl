@@ -9,11 +9,13 @@
 #define APPEND_LIGHT_QUERY 1u
 #define APPEND_ASKED 2u
 #define APPEND_HIT 3u
+#define APPEND_TURN 4u
 
 uint addToCount(uint list, uint more) {
     if (list == APPEND_LIGHT_QUERY) return atomicAdd(control.light_queries_appended, more);
     if (list == APPEND_ASKED) return atomicAdd(control.asked_appended, more);
     if (list == APPEND_HIT) return atomicAdd(control.hits_appended, more);
+    if (list == APPEND_TURN) return atomicAdd(control.turns_appended, more);
     return atomicAdd(control.queued[hasStep(STEP_QUEUE_ONE) ? 0 : 1], more);
 }
 
@@ -21,6 +23,7 @@ uint listStart(uint list) {
     if (list == APPEND_LIGHT_QUERY) return lightQueueStart();
     if (list == APPEND_ASKED) return askedListStart();
     if (list == APPEND_HIT) return hitListStart();
+    if (list == APPEND_TURN) return turnListStart();
     return rayQueueStart(!hasStep(STEP_QUEUE_ONE));
 }
 

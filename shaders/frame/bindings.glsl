@@ -38,7 +38,8 @@ layout(binding = BINDING_PHOTON_BUCKETS) uniform usamplerBuffer photon_buckets;
 // The frame's.
 layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams params; };
 layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
-// two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances
+// two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances, and
+// with room for ASKED_TURNS of each path one of shadow rays for them
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
 // TraceHit: t as bits, cell, disc, which is its place in the lists too, owner; of shapes: t, 0, shape, OWNER_SHAPES
@@ -117,6 +118,13 @@ Shape fetchShape(uint index) {
     return Shape(shapeVector(i), shapeVector(i + 1), shapeVector(i + 2), texelFetch(shape_texels, i + 3));
 }
 
+// One of a scene that has few: i is a constant where loops are unrolled.
+Shape heldShape(uint i) {
+    Shape shape = params.held_shapes[i];
+    shape.kind.x = kShapeKinds >> (SHAPE_COUNT_BITS + SHAPE_KIND_BITS * i) & (1u << SHAPE_KIND_BITS) - 1u;
+    return shape;
+}
+
 Light loadLight(uint index) {
     int i = int(index) * LIGHT_VECTORS;
     return Light(lightVector(i), lightVector(i + 1), lightVector(i + 2), lightVector(i + 3), lightVector(i + 4));
@@ -135,5 +143,6 @@ uint rayQueueStart(bool second) { return second ? bandLanes() : 0u; }
 uint lightQueueStart() { return 2u * bandLanes(); }
 uint hitListStart() { return 3u * bandLanes(); }
 uint askedListStart() { return 4u * bandLanes(); }
+uint turnListStart() { return 5u * bandLanes(); }
 
 #endif

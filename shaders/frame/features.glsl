@@ -11,6 +11,13 @@ layout(constant_id = SPEC_INTEGRATOR) const uint kIntegrator = 0u; // number of 
 // FEATURE_* bits
 layout(constant_id = SPEC_FEATURES) const uint kFeatures = 0xFFFFFFFFu;
 
+// Kinds of the scene's shapes, where it has no more than HELD_SHAPES.
+layout(constant_id = SPEC_SHAPE_KINDS) const uint kShapeKinds = 0u;
+const uint kShapeCountMask = (1u << SHAPE_COUNT_BITS) - 1u;
+const bool kHoldsShapes = (kShapeKinds & kShapeCountMask) != 0u;
+const uint kHeldShapes = (kShapeKinds & kShapeCountMask) - 1u; // how many it has
+#define kHoldsShapes kHoldsShapes // known to shapes.glsl
+
 // Whether the lanes are the pixels and their rays the camera's; else they are those of the queue. Each has programs of
 // its own.
 layout(constant_id = SPEC_CAMERA_PASS) const bool kCameraPass = false;
@@ -25,7 +32,13 @@ const bool kHasNoise = (kFeatures & FEATURE_NOISE) != 0u;
     | (((traits) & MATERIAL_IS_ROUGH) != 0u ? FEATURE_MATERIAL(number) : 0u)
 const bool mayBeRough = (kFeatures & (0u MATERIALS(ROUGH))) != 0u;
 #define mayBeRough mayBeRough // known to material.glsl
+#define REFRACTS(number, NAME, Name, word, label, lobes, traits)                                                       \
+    | (((traits) & MATERIAL_REFRACTS) != 0u ? FEATURE_MATERIAL(number) : 0u)
+const bool mayRefract = (kFeatures & (0u MATERIALS(REFRACTS))) != 0u;
+const bool mayHaveHighlight = (kFeatures & FEATURE_HIGHLIGHTS) != 0u;
+#define mayHaveHighlight mayHaveHighlight // likewise
 #define mayHaveShape(kind) ((kFeatures & FEATURE_SHAPE(kind)) != 0u)
 #define mayGoOn() ((kFeatures & FEATURE_GOES_ON) != 0u)
+const bool kLightOnTheWay = (kFeatures & FEATURE_LIGHT_ON_THE_WAY) != 0u;
 
 #endif

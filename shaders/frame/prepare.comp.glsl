@@ -20,6 +20,9 @@ void reset() {
     control.light_groups = groupsFor(0u);
     control.asked_groups = groupsFor(0u);
     control.asked_count = 0u;
+    control.turn_groups = groupsFor(0u);
+    control.turn_count = 0u;
+    control.turns_appended = 0u;
     control.hit_groups = groupsFor(0u);
     control.hit_count = 0u;
     control.asked_appended = 0u;
@@ -48,6 +51,10 @@ void main() {
         control.asked_groups = groupsFor(control.asked_appended);
         control.asked_count = control.asked_appended;
         control.asked_appended = 0u;
+    } else if (hasStep(STEP_TURNS)) {
+        control.turn_groups = groupsFor(control.turns_appended);
+        control.turn_count = control.turns_appended;
+        control.turns_appended = 0u;
     } else if (hasStep(STEP_HITS)) {
         control.hit_groups = groupsFor(control.hits_appended);
         control.hit_count = control.hits_appended;

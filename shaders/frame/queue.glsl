@@ -32,4 +32,7 @@ uint askedEntry(uint lane) {
     return lane < control.asked_count ? loadQueue(askedListStart() + lane) : NO_INDEX;
 }
 
+// And in that of shadow rays.
+uint turnEntry(uint lane) { return lane < control.turn_count ? loadQueue(turnListStart() + lane) : NO_INDEX; }
+
 #endif

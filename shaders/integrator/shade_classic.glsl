@@ -24,7 +24,8 @@ Shading shadeClassic(PathState path, SurfaceInteraction point, Material row, Bsd
     vec3 added = throughput * (row.emission.rgb + smoothAlbedo(bsdf) * ambientLight(point.normal));
     bool last = bounce >= ofLane(params.bounces);
     NextRay reflected = lastOrNext(pair.reflected, throughput * pair.reflected_weight, last, u.x, added);
-    NextRay refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
+    NextRay refracted = noRay();
+    if (mayRefract) refracted = lastOrNext(pair.refracted, throughput * pair.refracted_weight, last, u.y, added);
     return Shading(added, hasSmoothLobe(bsdf) ? throughput : vec3(0.0), reflected, refracted);
 }
 

@@ -31,6 +31,24 @@ Shading shadeHit(PathState path, SurfaceInteraction point, Material row, Bsdf bs
     return onlyLight(vec3(0.0));
 }
 
+// A path's hit, and what becomes of it.
+struct ShadedHit {
+    SurfaceInteraction point; // its sides settled
+    Material row;
+    Bsdf bsdf;
+    Shading shading;
+};
+
+// Glass is left where the surface is met from behind; where normals do not tell, every second time.
+ShadedHit shadeAt(PathState path, SurfaceInteraction point, uint index) {
+    settleSides(point, path);
+    bool back = isBack(point);
+    Material row = loadMaterial(materialOf(point));
+    Bsdf bsdf = makeBsdf(row, point.albedo, back, -dot(point.normal, path.direction));
+    path.throughput *= back ? transmittance(row, point.t) : vec3(1.0);
+    return ShadedHit(point, row, bsdf, shadeHit(path, point, row, bsdf, imagePixel(index)));
+}
+
 // The point that asks for light where a path has hit it.
 DirectLightQuery lightQuery(SurfaceInteraction point, vec3 view, vec3 weight, uint bounce) {
     uint material = point.bits & (SURFACE_MATERIAL_MASK | SURFACE_REACH_MASK << SURFACE_REACH_SHIFT);

@@ -20,9 +20,9 @@ NextRay noRay() { return NextRay(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0); }
 
 Shading onlyLight(vec3 added) { return Shading(added, vec3(0.0), noRay(), noRay()); }
 
-// Of light that came t through a material; a pane has no inside.
+// Of light that came t through a material; a pane has no inside, and nothing has that is not glass.
 vec3 transmittance(Material row, float t) {
-    return isThin(row) ? vec3(1.0) : exp(-row.absorption.rgb * max(t, 0.0));
+    return isThin(row) || !mayRefract ? vec3(1.0) : exp(-row.absorption.rgb * max(t, 0.0));
 }
 
 #endif

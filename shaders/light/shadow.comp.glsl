@@ -19,7 +19,7 @@ bool isShadowed(DirectLightQuery query, LightSample to, bool asks) {
 }
 
 void main() {
-    uint entry = askedEntry(balancedLane());
+    uint entry = turnEntry(balancedLane());
     if (entry == NO_INDEX) return;
     uint turn = entry >> ASKED_TURN_SHIFT, path = entry & (1u << ASKED_TURN_SHIFT) - 1u;
     DirectLightQuery query = loadLightQuery(path);

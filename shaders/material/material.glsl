@@ -21,6 +21,11 @@
 #define mayBeRough true
 #endif
 
+// And whether any has Phong's highlight.
+#ifndef mayHaveHighlight
+#define mayHaveHighlight true
+#endif
+
 #include "shaders/math/basis.glsl"
 #include "shaders/material/fresnel.glsl"
 #include "shaders/material/ggx.glsl"
@@ -264,7 +269,9 @@ vec3 classicBsdf(Bsdf s, vec3 n, vec3 wo, vec3 wi, bool rays_meet_lamp) {
     vec3 glossy, matte;
     float pdf;
     smoothLobes(s, n, wo, wi, glossy, matte, pdf);
-    return glossy * (rays_meet_lamp ? 1.0 - s.mirrored : 1.0) + matte + phongHighlight(s, n, wo, wi);
+    vec3 smooth_light = glossy * (rays_meet_lamp ? 1.0 - s.mirrored : 1.0) + matte;
+    if (mayHaveHighlight) smooth_light += phongHighlight(s, n, wo, wi);
+    return smooth_light;
 }
 
 // The mirror share (gloss.w) with which whitted shows what phong shows with a highlight alone: Fresnel's for the index

@@ -24,8 +24,10 @@ namespace pointrt::gpu {
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))
-#define FEATURE_NOISE (1u << 30)   // some scan is noisy
-#define FEATURE_GOES_ON (1u << 31) // some surface may send rays on
+#define FEATURE_HIGHLIGHTS (1u << 28)       // some material has Phong's
+#define FEATURE_LIGHT_ON_THE_WAY (1u << 29) // fused, paths ask for light in registers; else points of lists do
+#define FEATURE_NOISE (1u << 30)            // some scan is noisy
+#define FEATURE_GOES_ON (1u << 31)          // some surface may send rays on
 
 #define OPTION_BLEND 1u
 #define OPTION_SHADOWS 2u
@@ -76,6 +78,7 @@ struct FrameParams {
     float unused_7;
     EnvironmentFrame environment;
     CausticFrame caustics;
+    Shape held_shapes[HELD_SHAPES]; // the scene's, where it has no more
 };
 
 // Counters, and the group counts of indirect dispatches with the length of the list that each works on.
@@ -84,8 +87,10 @@ struct Control {
     uint unused_0;
     uvec3 light_groups; // shadow_shapes, light, caustic
     uint unused_1;
-    uvec3 asked_groups; // trace, shadow
+    uvec3 asked_groups; // trace
     uint asked_count;
+    uvec3 turn_groups; // shadow
+    uint turn_count;
     uvec3 hit_groups; // surface
     uint hit_count;
     uvec3 tile_groups; // trace_primary
@@ -93,9 +98,9 @@ struct Control {
     uint queued[2];    // rays in the queues
     uint light_queries_appended;
     uint light_query_count; // of those being answered
-    uint asked_appended;    // to the list that trace and shadow read next
+    uint asked_appended;    // to the list that trace reads next
     uint hits_appended;     // to that of surface
-    uint unused_2;
+    uint turns_appended;    // to that of shadow
     uint unused_3;
     uint primary_rays; // of this sample
     uint shadow_rays;
@@ -204,19 +209,21 @@ struct PushParams {
 #define STEP_HITS 64u     // prepare: the list of an instance's hits is complete
 #define STEP_LAST 128u    // shadow_light: no instance comes after this one
 #define STEP_PLACES 256u  // rays go through the pixels that places names, one a lane
+#define STEP_TURNS 512u   // prepare: the list of shadow rays for instances is complete
 
 // A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
 #define ASKED_TURN_SHIFT 27u
-// Turns that the list has room for; where there are more, they are taken in several goes.
+// Turns that the list has room for. Where there are more, they are taken in several goes.
 #define ASKED_TURNS 8u
 
 #ifdef __cplusplus
-POINTRT_ROWS(FrameParams, 14 + sizeof(EnvironmentFrame) / 16 + sizeof(CausticFrame) / 16);
+POINTRT_ROWS(FrameParams, 14 + sizeof(EnvironmentFrame) / 16 + sizeof(CausticFrame) / 16 + HELD_SHAPES * SHAPE_VECTORS);
 POINTRT_ROW(FrameParams, sky_up);
 POINTRT_ROW(FrameParams, width);
 POINTRT_ROW(FrameParams, reach_low);
 POINTRT_ROW(FrameParams, environment);
-POINTRT_ROWS(Control, 8);
+POINTRT_ROW(FrameParams, held_shapes);
+POINTRT_ROWS(Control, 9);
 POINTRT_ROW(Control, tile_groups);
 POINTRT_ROW(Control, queued);
 POINTRT_ROWS(PathState, PATH_VECTORS);

@@ -20,6 +20,10 @@ namespace pointrt::gpu {
 #define SHAPE_SPHERE 4 // x^2 + y^2 + z^2 = 1, likewise
 
 #define MAX_SHAPES 64
+// Programs for scenes of no more shapes than these know their kinds when they are built and have their rows at hand.
+#define HELD_SHAPES 6
+#define SHAPE_KIND_BITS 3u  // of each in that knowledge, the first lowest, above
+#define SHAPE_COUNT_BITS 4u // 1 + their number; 0: the scene has more
 
 // A surface without splats, in the unit form of its kind.
 struct Shape {

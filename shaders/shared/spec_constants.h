@@ -35,6 +35,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_NOISY POINTRT_SPEC(17)
 // Whether points gather photons where they ask for light, in the fused form.
 #define SPEC_GATHERS_PHOTONS POINTRT_SPEC(18)
+// Kinds of the scene's shapes where it has few (scene_layout.h).
+#define SPEC_SHAPE_KINDS POINTRT_SPEC(19)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

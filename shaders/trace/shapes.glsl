@@ -3,15 +3,23 @@
 // sides, and shapes of several kinds in a row would keep a GPU's lanes waiting for each other.
 //
 // nearestShape wants loadShape(i) from the program, a macro that gives the Shape with number i and may be asked for 0
-// where the scene has none. Without it only the functions over one shape are there.
+// where the scene has none. Without it only the functions over one shape are there. With kHoldsShapes, a constant, it is
+// not asked where that is true but heldShape(i), which knows the kind, for the first kHeldShapes, which are all.
 #ifndef POINTRT_SHADERS_SHAPES_GLSL
 #define POINTRT_SHADERS_SHAPES_GLSL
 
+#extension GL_EXT_control_flow_attributes : require
 #include "shaders/shared/scene_layout.h"
 
 // A program may say which kinds there are.
 #ifndef mayHaveShape
 #define mayHaveShape(kind) true
+#endif
+
+#ifndef kHoldsShapes
+const bool kHoldsShapes = false;
+const uint kHeldShapes = 0u;
+#define heldShape(i) loadShape(i)
 #endif
 
 // The distance where nothing is hit.
@@ -99,20 +107,32 @@ vec3 shapeNormal(Shape shape, vec3 point, vec3 direction, out bool back) {
 
 #ifdef loadShape
 
+// Takes part where it counts.
+void nearer(inout ShapeHit hit, bool counts, uint number, Shape shape, vec3 origin, vec3 direction, float t_min) {
+    float t = hitShape(shape, origin, direction, t_min);
+    bool nearer = counts && t < hit.t;
+    hit.t = nearer ? t : hit.t;
+    hit.shape = nearer ? number : hit.shape;
+}
+
 // The first of count shapes that the ray meets at t_min or beyond, without those that have one of the skipped SHAPE_*
 // bits.
 ShapeHit nearestShapeWithout(uint skipped, uint count, vec3 origin, vec3 direction, float t_min) {
     ShapeHit hit = ShapeHit(kNoShapeHit, count);
-    uint i = 0u;
-    do { // lanes that are done take part until all are: see trace.glsl
-        bool going = i < count;
-        Shape shape = loadShape(going ? i : 0u);
-        float t = hitShape(shape, origin, direction, t_min);
-        bool nearer = going && t < hit.t && (shape.kind.z & skipped) == 0u;
-        hit.t = nearer ? t : hit.t;
-        hit.shape = nearer ? i : hit.shape;
-        i++;
-    } while (i < count);
+    if (kHoldsShapes) {
+        [[unroll]] for (uint i = 0u; i < kHeldShapes; i++) {
+            Shape shape = heldShape(i);
+            nearer(hit, (shape.kind.z & skipped) == 0u, i, shape, origin, direction, t_min);
+        }
+    } else {
+        uint i = 0u;
+        do { // lanes that are done take part until all are: see trace.glsl
+            bool going = i < count;
+            Shape shape = loadShape(going ? i : 0u);
+            nearer(hit, going && (shape.kind.z & skipped) == 0u, i, shape, origin, direction, t_min);
+            i++;
+        } while (i < count);
+    }
     return hit;
 }
 
@@ -121,18 +141,22 @@ void nearestShapes(uint count, vec3 origin_a, vec3 direction_a, float t_min_a, v
                    float t_min_b, out ShapeHit hit_a, out ShapeHit hit_b) {
     hit_a = ShapeHit(kNoShapeHit, count);
     hit_b = hit_a;
-    uint i = 0u;
-    do { // as in nearestShapeWithout
-        bool going = i < count;
-        Shape shape = loadShape(going ? i : 0u);
-        float t_a = hitShape(shape, origin_a, direction_a, t_min_a), t_b = hitShape(shape, origin_b, direction_b, t_min_b);
-        bool nearer_a = going && t_a < hit_a.t, nearer_b = going && t_b < hit_b.t;
-        hit_a.t = nearer_a ? t_a : hit_a.t;
-        hit_a.shape = nearer_a ? i : hit_a.shape;
-        hit_b.t = nearer_b ? t_b : hit_b.t;
-        hit_b.shape = nearer_b ? i : hit_b.shape;
-        i++;
-    } while (i < count);
+    if (kHoldsShapes) {
+        [[unroll]] for (uint i = 0u; i < kHeldShapes; i++) {
+            Shape shape = heldShape(i);
+            nearer(hit_a, true, i, shape, origin_a, direction_a, t_min_a);
+            nearer(hit_b, true, i, shape, origin_b, direction_b, t_min_b);
+        }
+    } else {
+        uint i = 0u;
+        do { // as in nearestShapeWithout
+            bool going = i < count;
+            Shape shape = loadShape(going ? i : 0u);
+            nearer(hit_a, going, i, shape, origin_a, direction_a, t_min_a);
+            nearer(hit_b, going, i, shape, origin_b, direction_b, t_min_b);
+            i++;
+        } while (i < count);
+    }
 }
 
 ShapeHit nearestShape(uint count, vec3 origin, vec3 direction, float t_min) {

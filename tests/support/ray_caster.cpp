@@ -116,7 +116,8 @@ struct RayCaster::State {
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0},
-                                       {SPEC_GATHERS_PHOTONS, 0}};
+                                       {SPEC_GATHERS_PHOTONS, 0},
+                                       {SPEC_SHAPE_KINDS, 0}};
         const auto build = [&](const char* name, std::span<const std::uint32_t> spirv) {
             return createProgram(device, name, spirv, traits);
         };

@@ -15,15 +15,6 @@ namespace {
 constexpr std::uint32_t kSize = 64;
 constexpr std::size_t kSplats = 20'000;
 
-RenderSettings pathSettings() {
-    RenderSettings settings = square(kSize);
-    settings.integrator = Integrator::kPath;
-    settings.spp = 4;
-    settings.camera.eye = Vec3{0.5, 1.5, 5};
-    settings.camera.target = Vec3{0, 0, 0};
-    return settings;
-}
-
 MaterialDescription ofKind(MaterialKind kind) {
     MaterialDescription material;
     material.kind = kind;
@@ -97,34 +88,33 @@ void expectAlike(const SceneDescription& scene, const RenderSettings& settings) 
     EXPECT_NEAR(static_cast<double>(fused.rays.shadow), static_cast<double>(queued.rays.shadow), 8);
 }
 
-class Forms : public testing::Test {
+/// Those that show light.
+class Forms : public testing::TestWithParam<Integrator> {
 protected:
+    RenderSettings settingsOf() const {
+        RenderSettings settings = square(kSize);
+        settings.integrator = GetParam();
+        settings.spp = 4;
+        settings.camera.eye = Vec3{0.5, 1.5, 5};
+        settings.camera.target = Vec3{0, 0, 0};
+        return settings;
+    }
+
     SphereFile ball{kSplats};
 };
 
-TEST_F(Forms, AreAlikeInAMatteRoom) {
-    SceneDescription scene;
-    scene.instances.push_back({ball.path, {}, {}, {}});
-    RenderSettings settings = pathSettings();
-    settings.room = Room::kMatte;
-    expectAlike(scene, settings);
-    settings.blend = false;
-    settings.shadows = false;
-    expectAlike(scene, settings);
-}
-
-TEST_F(Forms, AreAlikeWithoutInstances) {
+TEST_P(Forms, AreAlikeWithoutInstances) {
     SceneDescription scene = allLights(ball.path);
     scene.instances.clear();
-    expectAlike(scene, pathSettings());
+    expectAlike(scene, settingsOf());
 }
 
-TEST_F(Forms, AreAlikeOfAllMaterials) { expectAlike(allMaterials(ball.path), pathSettings()); }
+TEST_P(Forms, AreAlikeOfAllMaterials) { expectAlike(allMaterials(ball.path), settingsOf()); }
 
-TEST_F(Forms, AreAlikeUnderAllLights) { expectAlike(allLights(ball.path), pathSettings()); }
+TEST_P(Forms, AreAlikeUnderAllLights) { expectAlike(allLights(ball.path), settingsOf()); }
 
-TEST_F(Forms, AreAlikeWithCaustics) {
-    RenderSettings settings = pathSettings();
+TEST_P(Forms, AreAlikeWithCaustics) {
+    RenderSettings settings = settingsOf();
     settings.light_parts = true;
     const Film queued = renderScene(allLights(ball.path), settings, PassForm::kQueued).film;
     const Film fused = renderScene(allLights(ball.path), settings, PassForm::kFused).film;
@@ -134,15 +124,15 @@ TEST_F(Forms, AreAlikeWithCaustics) {
     expectAlike(allLights(ball.path), settings);
 }
 
-TEST_F(Forms, AreAlikeUnderASkyImage) {
+TEST_P(Forms, AreAlikeUnderASkyImage) {
     SceneDescription scene = allMaterials(ball.path);
     scene.sky = evenSky(1);
     scene.sky->image = writeSky("forms.exr", 16, directionColor);
-    expectAlike(scene, pathSettings());
+    expectAlike(scene, settingsOf());
 }
 
-TEST_F(Forms, AreAlikeThroughPixelCentres) {
-    RenderSettings settings = pathSettings();
+TEST_P(Forms, AreAlikeThroughPixelCentres) {
+    RenderSettings settings = settingsOf();
     settings.spp = 1;
     settings.bounces = 0;
     expectAlike(allMaterials(ball.path), settings);
@@ -150,13 +140,60 @@ TEST_F(Forms, AreAlikeThroughPixelCentres) {
     expectAlike(allMaterials(ball.path), settings);
 }
 
-TEST_F(Forms, FusedPicturesAreTheSameEachTime) {
-    const RenderSettings settings = pathSettings();
+/// Shapes alone: paths never leave registers for an instance, but lavapipe would end the loop over so many shapes,
+/// lights and bounces.
+TEST_P(Forms, AreAlikeOfLongPathsAmongManyShapes) {
+    SceneDescription scene = allLights(ball.path);
+    scene.instances.clear();
+    for (int i = 0; i < 4; ++i) scene.lights.push_back(PointLight{{-1.0 * i, 3, 2}, {1, 1, 1}});
+    const auto mirror = static_cast<std::uint32_t>(MaterialKind::kMirror);
+    scene.shapes.push_back({ShapeKind::kBox, {0, 1, 0}, {7, 0, 0}, {0, 7, 0}, {0, 0, 7}, mirror});
+    while (scene.shapes.size() < 60) {
+        const double x = 0.1 * static_cast<double>(scene.shapes.size()) - 3;
+        scene.shapes.push_back({ShapeKind::kSphere, {x, -0.8, 1}, {0.05, 0, 0}, {0, 0.05, 0}, {0, 0, 0.05}, 3});
+    }
+    RenderSettings settings = settingsOf();
+    settings.bounces = 64;
+    settings.spp = 1;
+    settings.caustics = false;
+    expectAlike(scene, settings);
+}
+
+TEST_P(Forms, FusedPicturesAreTheSameEachTime) {
+    const RenderSettings settings = settingsOf();
     const Film first = renderScene(allLights(ball.path), settings, PassForm::kFused).film;
     for (int i = 0; i < 2; ++i)
         EXPECT_EQ(renderScene(allLights(ball.path), settings, PassForm::kFused).film.rgba, first.rgba);
     EXPECT_EQ(renderScene(allLights(ball.path), settings, PassForm::kFused, true).film.rgba, first.rgba) << "in steps";
 }
+
+/// Where no path goes on, but with path itself: points are asked for light in the same go.
+class FormsOfMatte : public Forms {};
+
+TEST_P(FormsOfMatte, AreAlikeInAMatteRoom) {
+    SceneDescription scene;
+    scene.instances.push_back({ball.path, {}, {}, {}});
+    RenderSettings settings = settingsOf();
+    settings.room = Room::kMatte;
+    expectAlike(scene, settings);
+    settings.blend = false;
+    settings.shadows = false;
+    expectAlike(scene, settings);
+}
+
+TEST_P(FormsOfMatte, AreAlikeUnderFewAndUnderManyLights) {
+    SceneDescription scene = allLights(ball.path);
+    for (MaterialDescription& each : scene.materials) each = ofKind(MaterialKind::kMatte);
+    expectAlike(scene, settingsOf());
+    for (int i = 0; i < 8; ++i) scene.lights.push_back(PointLight{{i - 4.0, 3, 2}, {1, 1, 1}});
+    expectAlike(scene, settingsOf());
+}
+
+std::string nameOfParam(const testing::TestParamInfo<Integrator>& each) { return nameOf(kIntegratorNames, each.param); }
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Forms, testing::Values(Integrator::kWhitted, Integrator::kPath), nameOfParam);
+INSTANTIATE_TEST_SUITE_P(Integrators, FormsOfMatte, testing::Values(Integrator::kPhong, Integrator::kPath),
+                         nameOfParam);
 
 } // namespace
 } // namespace pointrt::test

@@ -12,7 +12,8 @@ Rework reworkFor(const DeviceScene& scene, Integrator integrator, const SceneDes
     if (settings.integrator != integrator || sky_image != scene.sky_image) return {ReworkKind::kPrograms, {}};
     if (paintRequest(description, settings) != scene.paint.request) return {ReworkKind::kPrograms, {}};
     SceneRows rows = makeSceneRows(scene, description, settings);
-    if (rows.features != scene.features) return {ReworkKind::kPrograms, {}};
+    const bool others = shapeKinds(rows.shapes) != shapeKinds(scene.shape_rows);
+    if (others || rows.features != scene.features) return {ReworkKind::kPrograms, {}};
     return {ReworkKind::kTables, std::move(rows)};
 }
 

@@ -8,27 +8,30 @@ namespace pointrt {
 namespace {
 
 constexpr VkPhysicalDeviceType kProcessor = VK_PHYSICAL_DEVICE_TYPE_CPU;
-constexpr Integrator kPath = Integrator::kPath;
+
+constexpr Integrator kShowLight[] = {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath};
 
 TEST(PassForm, IsFusedOnProcessors) {
-    EXPECT_EQ(passFormFor(kProcessor, kPath, {}), PassForm::kFused);
-    for (const VkPhysicalDeviceType device :
-         {VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,
-          VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, VK_PHYSICAL_DEVICE_TYPE_OTHER})
-        EXPECT_EQ(passFormFor(device, kPath, {}), PassForm::kQueued);
+    for (const Integrator integrator : kShowLight) {
+        EXPECT_EQ(passFormFor(kProcessor, integrator, {}), PassForm::kFused);
+        for (const VkPhysicalDeviceType device :
+             {VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,
+              VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU, VK_PHYSICAL_DEVICE_TYPE_OTHER})
+            EXPECT_EQ(passFormFor(device, integrator, {}), PassForm::kQueued);
+    }
 }
 
-TEST(PassForm, IsQueuedForIntegratorsThatAskAllLights) {
+TEST(PassForm, IsQueuedWhereNoLightIsShown) {
     for (const FormRequest asked : {FormRequest(), FormRequest(PassForm::kFused)})
-        for (const Integrator integrator :
-             {Integrator::kPhong, Integrator::kWhitted, Integrator::kNormal, Integrator::kDepth})
+        for (const Integrator integrator : {Integrator::kNormal, Integrator::kDepth})
             EXPECT_EQ(passFormFor(kProcessor, integrator, asked), PassForm::kQueued);
 }
 
 TEST(PassForm, IsTheOneAskedForOnAnyDevice) {
     for (const VkPhysicalDeviceType device : {kProcessor, VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU})
-        for (const PassForm form : {PassForm::kQueued, PassForm::kFused})
-            EXPECT_EQ(passFormFor(device, kPath, form), form);
+        for (const Integrator integrator : kShowLight)
+            for (const PassForm form : {PassForm::kQueued, PassForm::kFused})
+                EXPECT_EQ(passFormFor(device, integrator, form), form);
 }
 
 } // namespace
