@@ -142,7 +142,6 @@ void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
     scene.light_rows = rows.lights;
     scene.sky_light = rows.sky_light;
     replaceRows(device, scene.materials, "material buffer", std::move(rows.materials));
-    scene.shape_rows = rows.shapes;
     replaceRows(device, scene.shapes, "shape buffer", std::move(rows.shapes));
     replaceRows(device, scene.lights, "light buffer", std::move(rows.lights));
 }

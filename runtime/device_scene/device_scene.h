@@ -39,7 +39,6 @@ struct DeviceScene {
     std::vector<gpu::Light> light_rows;
     std::vector<gpu::Shape> shape_rows;
     std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
-    std::vector<gpu::Shape> shape_rows;
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky image
     gpu::EnvironmentFrame environment{}; ///< of that image
