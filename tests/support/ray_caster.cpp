@@ -92,6 +92,7 @@ struct RayCaster::State {
             texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
+        buffers.places = texels("place buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         no_caustics = emptyCaustics(device);
         listInOrder();
     }
