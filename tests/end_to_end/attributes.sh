@@ -52,7 +52,7 @@ case_can_be_chosen() {
     expectDone pointrt-bake -q scan.ply -o out/none.pro --attributes none
     pointrt-info out/none.pro --json >info.json
     [ -z "$(jsonValue info.json attributes.0.name)" ] || fail "there although none was asked for"
-    grep -q '"version": "1.1"' info.json || fail "a file that says nothing more is of an earlier version"
+    grep -q '"version": "1.4"' info.json || fail "its version is that of its index"
 }
 
 case_classes_are_chosen() {

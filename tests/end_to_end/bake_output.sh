@@ -151,7 +151,7 @@ case_compact() {
     expectDone pointrt-info out/whole.pro --verify
     expectDone pointrt-info out/compact.pro --verify
     expectDone pointrt-info out/whole.pro --json
-    [ "$(jsonValue stdout version)" = 1.1 ] || fail "not version 1.1"
+    [ "$(jsonValue stdout version)" = 1.4 ] || fail "not version 1.4"
     expectDone pointrt-info out/compact.pro --json
     [ "$(jsonValue stdout version)" = 1.0 ] || fail "not version 1.0"
 }
