@@ -38,7 +38,7 @@ struct DeviceScene {
     Bounds bounds; ///< of the instances; without any, of what shapes are bounded
     std::vector<gpu::Light> light_rows;
     std::vector<gpu::Shape> shape_rows;
-    std::vector<bool> casting_shapes; ///< of description.shapes, those that throw caustics
+    std::vector<bool> casting_shapes;    ///< of description.shapes, those that throw caustics
     std::uint32_t features = 0;          ///< FEATURE_* of shaders/shared/params.h, with the settings it is furnished by
     std::uint32_t sky_light = NO_LIGHT;  ///< number of the light that stands for the sky image
     gpu::EnvironmentFrame environment{}; ///< of that image

@@ -188,7 +188,7 @@ case_damaged_index() {
     local offset size
     bakeSphere
     size=$(stat -c %s scene.pro)
-    for offset in $((size / 2)) $((size * 7 / 10)) $((size * 9 / 10)); do
+    for offset in $((size * 45 / 100)) $((size * 6 / 10)) $((size * 9 / 10)); do # CELS, DSCS, DSPL
         cp scene.pro damaged.pro
         printf '\377\377\377\377' | dd of=damaged.pro bs=1 seek="$offset" conv=notrunc status=none
         expectError 1 "damaged.pro: .*checksum" pointrt-view damaged.pro -o out/a.png --size 32x32

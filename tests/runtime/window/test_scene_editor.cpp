@@ -199,7 +199,9 @@ protected:
         before.materials.emplace_back();
         before.lights = {lampAt(1)};
         scene.description = before;
-        scene.features = makeSceneRows(scene, before, settings).features;
+        SceneRows rows = makeSceneRows(scene, before, settings);
+        scene.features = rows.features;
+        scene.shape_rows = std::move(rows.shapes);
     }
     ReworkKind to(const SceneDescription& after) {
         return reworkFor(scene, Integrator::kWhitted, after, settings).kind;
