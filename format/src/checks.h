@@ -46,7 +46,7 @@ bool isUtf8(std::string_view text);
 /// The index's frame and counts, apart from what they count. Its pointers are not looked at.
 bool checkIndexFrame(const pro_index& index, Findings& findings);
 
-/// ENTR to DSPL: every word that a tracer follows leads to one cell, skips go on, lists are in range. Needs a frame
+/// ENTR to BLDS: every word that a tracer follows leads to one cell, skips go on, lists are in range. Needs a frame
 /// that passed checkIndexFrame and all pointers.
 void checkIndex(const pro_info& info, const pro_index& index, Findings& findings);
 
