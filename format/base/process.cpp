@@ -112,7 +112,7 @@ char address_limit[64] = "";
     _exit(static_cast<int>(ExitCode::kCannotRun));
 }
 
-void onSegmentationFault(int, siginfo_t*, void*) { tellOfLackOfMemory(); }
+void onCrash(int, siginfo_t*, void*) { tellOfLackOfMemory(); }
 
 /// A driver's own threads have nobody to catch what they throw.
 [[noreturn]] void onTerminate() {
@@ -122,6 +122,7 @@ void onSegmentationFault(int, siginfo_t*, void*) { tellOfLackOfMemory(); }
         tellOfLackOfMemory();
     } catch (...) {
     }
+    signal(SIGABRT, SIG_DFL); // another reason
     std::abort();
 }
 
@@ -132,12 +133,14 @@ void handle(int number, void (*handler)(int, siginfo_t*, void*)) {
     sigaction(number, &action, nullptr);
 }
 
-/// Mesa's drivers use memory without looking whether there was any.
+/// Mesa's drivers use memory without looking whether there was any, or free twice what they had before the lack: the C
+/// library aborts then.
 void blameAddressLimit() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
     std::snprintf(address_limit, sizeof address_limit, "%llu", static_cast<unsigned long long>(limit.rlim_cur >> 20));
-    handle(SIGSEGV, onSegmentationFault);
+    handle(SIGSEGV, onCrash);
+    handle(SIGABRT, onCrash);
     std::set_terminate(onTerminate);
 }
 
