@@ -35,4 +35,11 @@ auto withType(std::uint32_t type, const Use& use) {
     }
 }
 
+/// The word for a PRO_TYPE_*: "uint16"; "unknown" for what is none.
+inline const char* typeName(std::uint32_t type) {
+    constexpr const char* kNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                      "uint32", "int64", "uint64", "float",  "double"};
+    return type >= PRO_TYPE_I8 && type <= PRO_TYPE_F64 ? kNames[type - PRO_TYPE_I8] : "unknown";
+}
+
 } // namespace pointrt

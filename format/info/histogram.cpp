@@ -44,10 +44,4 @@ Histogram histogramOf(const pro_attribute& attribute, std::size_t count) {
     return histogram;
 }
 
-const char* typeName(std::uint32_t type) {
-    constexpr const char* kNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
-                                      "uint32", "int64", "uint64", "float",  "double"};
-    return type >= PRO_TYPE_I8 && type <= PRO_TYPE_F64 ? kNames[type - PRO_TYPE_I8] : "unknown";
-}
-
 } // namespace pointrt

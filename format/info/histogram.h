@@ -25,7 +25,4 @@ struct Histogram {
 /// Over all components. count: of splats
 Histogram histogramOf(const pro_attribute& attribute, std::size_t count);
 
-/// The word for a PRO_TYPE_*: "uint16".
-const char* typeName(std::uint32_t type);
-
 } // namespace pointrt

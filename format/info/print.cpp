@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "format/base/number_type.h"
 #include "format/base/printable.h"
 #include "format/info/histogram.h"
 #include "format/info/metadata.h"

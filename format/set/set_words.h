@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inside format/set: words of set.json that reading and writing share.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pointrt {
+
+constexpr const char* kSetFormat = "pointrt tile set";
+constexpr unsigned kSetVersion = 1;
+
+constexpr std::size_t kChecksumDigits = 16; // of 64 bits
+
+/// Checksums are 16 hexadecimal digits, as most readers of JSON have doubles for numbers.
+inline std::string checksumWord(std::uint64_t checksum) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string word(kChecksumDigits, '0');
+    for (std::size_t i = kChecksumDigits; i-- > 0; checksum >>= 4) word[i] = kDigits[checksum & 15];
+    return word;
+}
+
+inline std::optional<std::uint64_t> checksumOfWord(std::string_view word) {
+    std::uint64_t checksum = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), checksum, 16);
+    const bool whole = error == std::errc() && end == word.data() + word.size() && word.size() == kChecksumDigits;
+    return whole ? std::optional(checksum) : std::nullopt;
+}
+
+} // namespace pointrt
