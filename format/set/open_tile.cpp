@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/set/open_tile.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "format/base/error.h"
+#include "format/set/set_words.h"
+
+namespace pointrt {
+
+namespace {
+
+/// The fields of a file's header that tell which tile it is.
+struct TileHeader {
+    std::uint64_t bytes = 0, checksum = 0;
+    std::uint32_t splats = 0;
+    TileCube cube;
+    float radius_max = 0, radius_step = 0;
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+    throw Error(ExitCode::kBadInput, path + ": " + reason);
+}
+
+template <typename T>
+T load(const std::byte* header, std::size_t offset) {
+    T value;
+    std::memcpy(&value, header + offset, sizeof value);
+    return value;
+}
+
+TileHeader loadHeader(const std::byte* header, std::uint64_t bytes) {
+    return {bytes,
+            load<std::uint64_t>(header, PRO_OFF_HEADER_XXH3),
+            load<std::uint32_t>(header, PRO_OFF_SPLAT_COUNT),
+            {load<std::array<double, 3>>(header, PRO_OFF_ORIGIN), load<double>(header, PRO_OFF_SCALE)},
+            load<float>(header, PRO_OFF_RADIUS_MAX),
+            load<float>(header, PRO_OFF_RADIUS_STEP)};
+}
+
+/// Closes when it goes.
+struct Descriptor {
+    int number;
+    ~Descriptor() {
+        if (number >= 0) close(number);
+    }
+};
+
+TileHeader readHeader(const std::string& path) {
+    // O_NONBLOCK: a named pipe must be refused, not waited for
+    const Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    struct stat status {};
+    if (file.number < 0 || fstat(file.number, &status) != 0) refuse(path, std::generic_category().message(errno));
+    if (!S_ISREG(status.st_mode)) refuse(path, "not a regular file");
+    std::array<std::byte, PRO_FIELDS_END> header{};
+    const ssize_t read = pread(file.number, header.data(), header.size(), 0);
+    if (read < 0) refuse(path, std::generic_category().message(errno));
+    if (static_cast<std::size_t>(read) < header.size() || status.st_size < PRO_HEADER_BYTES)
+        refuse(path, "has " + std::to_string(status.st_size) + " bytes, fewer than a .pro file's header");
+    if (load<std::uint32_t>(header.data(), PRO_OFF_MAGIC) != PRO_MAGIC_WORD0) refuse(path, "is not a .pro file");
+    return loadHeader(header.data(), static_cast<std::uint64_t>(status.st_size));
+}
+
+/// "" for the tile that the set names.
+std::string differenceOf(const TileSet& set, const SetTile& tile, const TileHeader& header) {
+    const auto both = [](const auto& is, const auto& wanted, const char* what) {
+        return std::to_string(is) + what + ", not " + std::to_string(wanted);
+    };
+    if (header.bytes != tile.bytes) return both(header.bytes, tile.bytes, " bytes");
+    if (header.checksum != tile.checksum)
+        return "checksum " + checksumWord(header.checksum) + ", not " + checksumWord(tile.checksum);
+    if (header.splats != tile.stored) return both(header.splats, tile.stored, " splats");
+    const TileCube cube = cubeOf(set, tile);
+    if (header.cube.scale != cube.scale) return "its cube is not two cores wide";
+    if (header.cube.origin != cube.origin) return "its cube is not around its core";
+    const SetLevel& level = set.levels[tile.level];
+    if (header.radius_max != static_cast<float>(level.radius_max)) return "its radius_max is not its level's";
+    if (header.radius_step != static_cast<float>(level.radius_step)) return "its radius_step is not its level's";
+    return {};
+}
+
+void requireSame(const TileSet& set, const SetTile& tile, const TileHeader& header, const std::string& path) {
+    if (const std::string difference = differenceOf(set, tile, header); !difference.empty())
+        refuse(path, "is not the tile that set.json names (" + difference + ")");
+}
+
+bool hasAttributesOf(const TileSet& set, const ProFile& file) {
+    if (file.attributes().size() != set.attributes.size()) return false;
+    for (std::size_t i = 0; i < set.attributes.size(); ++i) {
+        const pro_attribute& is = file.attributes()[i];
+        const SetAttribute& wanted = set.attributes[i];
+        if (wanted.name != is.name || wanted.type != is.type || wanted.components != is.components) return false;
+    }
+    return true;
+}
+
+void requireContent(const TileSet& set, const ProFile& file, const std::string& path) {
+    const auto is = [&](std::uint32_t flag) { return (file.info().flags & flag) != 0; };
+    if (is(PRO_FLAG_COLOR) != set.colors || is(PRO_FLAG_ORIENTED) != set.oriented)
+        refuse(path, "is of another set (colours or orientation are not as in set.json)");
+    if (!hasAttributesOf(set, file)) refuse(path, "is of another set (its attributes are not those of set.json)");
+}
+
+} // namespace
+
+std::string tilePath(const std::string& folder, const SetTile& tile) {
+    return folder + (folder.ends_with('/') ? "" : "/") + tile.file;
+}
+
+void describeTile(const std::string& folder, SetTile& tile) {
+    const TileHeader header = readHeader(tilePath(folder, tile));
+    tile.stored = header.splats;
+    tile.bytes = header.bytes;
+    tile.checksum = header.checksum;
+}
+
+void requireTile(const TileSet& set, const SetTile& tile, const std::string& folder) {
+    const std::string path = tilePath(folder, tile);
+    requireSame(set, tile, readHeader(path), path);
+}
+
+ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& folder, std::uint32_t open_flags) {
+    const std::string path = tilePath(folder, tile);
+    requireSame(set, tile, readHeader(path), path);
+    try {
+        ProFile file(path, open_flags);
+        // again: the name may have gone to another file meanwhile
+        requireSame(set, tile, loadHeader(file.bytes().data(), file.bytes().size()), path);
+        requireContent(set, file, path);
+        return file;
+    } catch (const ProError& error) {
+        throw Error(exitCodeOf(error.result), error.what());
+    }
+}
+
+} // namespace pointrt
