@@ -32,6 +32,25 @@ public:
         return found;
     }
 
+    /// The mean of the four beside a pixel, where all are there and on one surface: what most gaps are, told soonest.
+    std::optional<std::uint32_t> between(std::uint32_t x, std::uint32_t y) const {
+        if (x == 0 || y == 0 || x + 1 >= size_.width || y + 1 >= size_.height) return std::nullopt;
+        const std::uint32_t at = y * size_.width + x;
+        const std::array<std::uint32_t, 4> four{at - 1, at + 1, at - size_.width, at + size_.width};
+        float nearest = kSkyAhead, farthest = 0;
+        std::array<std::uint32_t, 3> sum{2, 2, 2}; // half of four, for rounding
+        for (std::uint32_t pixel : four) {
+            const PixelKey key = picture_.keys()[pixel];
+            if (key == kNoPoint) return std::nullopt;
+            nearest = std::min(nearest, aheadIn(key));
+            farthest = std::max(farthest, aheadIn(key));
+            const std::array<std::uint32_t, 3> c = channelsOf(picture_.shown()[pixel]);
+            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += c[k];
+        }
+        if (nearest * kSameSurface < farthest) return std::nullopt;
+        return wordOf(sum[0] / 4, sum[1] / 4, sum[2] / 4);
+    }
+
     /// Adds those so far from a pixel.
     void lookAt(Around& found, std::uint32_t x, std::uint32_t y, std::uint32_t far) const {
         const std::uint32_t left = x >= far ? x - far : x, right = x + far < size_.width ? x + far : x;
@@ -140,6 +159,10 @@ std::uint32_t fillHoles(CarriedPicture& picture) {
         const std::uint32_t x = pixel % width, y = pixel / width;
         const std::uint32_t known = picture.tileColors()[y / TILE_SIDE * picture.tilesAcross() + x / TILE_SIDE].count;
         if (known < kFewInTile) return means.at(x, y);
+        if (const std::optional<std::uint32_t> color = neighbours.between(x, y)) {
+            ++gaps;
+            return *color;
+        }
         Around found = neighbours.beside(x, y);
         if (isOneSurface(found)) {
             ++gaps;
