@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/sets/plan.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pointrt {
+
+double edgeOf(const SetPlan& plan, std::uint32_t level) { return std::ldexp(plan.edge, static_cast<int>(level)); }
+
+PlanBox coreOf(const SetPlan& plan, const PlanTile& tile) {
+    const double edge = edgeOf(plan, tile.level);
+    const Vec3d low = plan.lattice_origin + edge * Vec3d(tile.cell[0], tile.cell[1], tile.cell[2]);
+    return {low, low + Vec3d::Constant(edge)};
+}
+
+std::string nameOf(const PlanTile& tile) {
+    return fmt::format("{}-{}-{}-{}", tile.level, tile.cell[0], tile.cell[1], tile.cell[2]);
+}
+
+std::vector<std::uint32_t> tilesIn(const SetPlan& plan, const PlanBox& box) {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < plan.tiles.size(); ++i) {
+        const PlanBox core = coreOf(plan, plan.tiles[i]);
+        const bool reaches = (core.min().array() <= box.max().array()).all() && // cores are half-open
+                             (core.max().array() > box.min().array()).all();
+        if (reaches) found.push_back(i);
+    }
+    return found;
+}
+
+std::string planFile(const std::string& work) { return work + "/plan.json"; }
+
+std::string bucketFile(const SetPlan& plan, const PlanTile& tile) {
+    return plan.work + "/buckets/" + nameOf(tile) + ".points";
+}
+
+std::string splitMark(const SetPlan& plan) { return plan.work + "/split.json"; }
+
+} // namespace pointrt
