@@ -11,6 +11,8 @@
 #include "format/info/export_ply.h"
 #include "format/info/metadata.h"
 #include "format/info/print.h"
+#include "format/info/set_report.h"
+#include "format/set/tile_set.h"
 
 namespace {
 
@@ -26,13 +28,16 @@ constexpr const char* kExamples = "  pointrt-info scan.pro\n"
                                   "  pointrt-info scan.pro --verify && echo good\n"
                                   "  pointrt-info scan.pro --json | jq .splats\n"
                                   "  pointrt-info scan.pro --export splats.ply\n"
-                                  "  pointrt-info scan.pro --export points.laz\n";
+                                  "  pointrt-info scan.pro --export points.laz\n"
+                                  "  pointrt-info site.proset --verify\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
 void addOptions(CLI::App& app, Options& options) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("FILE", options.input, "The .pro file")->required()->type_name("");
+    app.add_option("FILE", options.input, "The .pro file, or the folder NAME.proset of a tile set")
+        ->required()
+        ->type_name("");
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
     app.add_option("--export", options.export_path,
@@ -113,14 +118,18 @@ int print(const Options& options) {
     return 0;
 }
 
+int runSet(const Options& options) {
+    if (!options.export_path.empty())
+        throw Error(ExitCode::kBadUsage, options.input + ": is a tile set, of which --export takes one tile at a time");
+    return options.verify ? verifySet(options.input, options.json, options.quiet)
+                          : printSet(options.input, options.json);
+}
+
 int runOptions(const Options& options) {
     checkOptions(options);
+    if (isTileSet(options.input)) return runSet(options);
     if (!options.verify) requirePro(options.input);
-    const int code = options.verify                ? verify(options)
-                     : options.export_path.empty() ? print(options)
-                                                   : exportSplats(options);
-    if (std::fflush(stdout) != 0) throw Error(ExitCode::kCannotWrite, "standard output: cannot write");
-    return code;
+    return options.verify ? verify(options) : options.export_path.empty() ? print(options) : exportSplats(options);
 }
 
 } // namespace
@@ -133,6 +142,8 @@ int main(int argc, char** argv) {
         if (const auto done =
                 parseCommandLine(app, argc, argv, {{".ply", "--export"}, {".las", "--export"}, {".laz", "--export"}}))
             return *done;
-        return runOptions(options);
+        const int code = runOptions(options);
+        if (std::fflush(stdout) != 0) throw Error(ExitCode::kCannotWrite, "standard output: cannot write");
+        return code;
     });
 }

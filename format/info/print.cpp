@@ -10,6 +10,7 @@
 #include "format/base/printable.h"
 #include "format/info/histogram.h"
 #include "format/info/metadata.h"
+#include "format/info/words.h"
 
 namespace pointrt {
 
@@ -17,18 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string humanBytes(std::uint64_t bytes) {
-    constexpr const char* kUnits[] = {"B", "KiB", "MiB", "GiB", "TiB"};
-    auto value = static_cast<double>(bytes);
-    std::size_t unit = 0;
-    for (; value >= 1024 && unit + 1 < std::size(kUnits); ++unit) value /= 1024;
-    return unit == 0 ? fmt::format("{} B", bytes) : fmt::format("{:.1f} {} ({} bytes)", value, kUnits[unit], bytes);
-}
-
 const char* yesNo(std::uint32_t flags, std::uint32_t flag) { return flags & flag ? "yes" : "no"; }
-
-/// Ten digits: millimetres in a national grid of metres.
-std::string vectorText(const double v[3]) { return fmt::format("({:.10g}, {:.10g}, {:.10g})", v[0], v[1], v[2]); }
 
 std::string levelsText(const Summary& summary) {
     std::string text =
@@ -102,18 +92,6 @@ std::string attributesText(const ProFile& file) {
                             histogramText(histogram, std::uint64_t{file.info().splat_count} * each.components));
     }
     return text;
-}
-
-/// "x", "-z", or the vector where it is along none of the axes.
-std::string upText(const pro_world& world) {
-    if (world.up[0] == 0 && world.up[1] == 0 && world.up[2] == 0) return "not known";
-    for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(world.up[axis]) == 1) return fmt::format("{}{}", world.up[axis] < 0 ? "-" : "", "xyz"[axis]);
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", world.up[0], world.up[1], world.up[2]);
-}
-
-std::string unitText(const pro_world& world) {
-    return world.metres_per_unit == 0 ? "not known" : fmt::format("{:.10g} m", world.metres_per_unit);
 }
 
 std::string sensorsText(const pro_world& world) {

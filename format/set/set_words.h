@@ -12,7 +12,6 @@
 namespace pointrt {
 
 constexpr const char* kSetFormat = "pointrt tile set";
-constexpr unsigned kSetVersion = 1;
 
 constexpr std::size_t kChecksumDigits = 16; // of 64 bits
 

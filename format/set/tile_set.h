@@ -11,9 +11,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pointrt {
+
+constexpr unsigned kTileSetVersion = 1;
 
 /// What a set can have. Larger ones are refused before they are held in memory.
 constexpr std::size_t kTileSetLevelsMax = 32;
@@ -115,6 +118,8 @@ std::string setFileOf(const std::string& folder);
 /// Reads set.json; looks at no tile. Of hostile ones memory is bounded by a few times kTileSetBytesMax.
 /// Throws Error{kBadInput, "NAME.proset/set.json: reason"}.
 TileSet readTileSet(const std::string& folder);
+/// The same of set.json's bytes. @param path for messages
+TileSet parseTileSet(std::string_view json, const std::string& path);
 
 /// Writes set.json into a folder that is there; it appears whole, in place of the one before. The same content gives
 /// the same bytes. Throws Error: kCannotWrite; kCannotRun for a set that no reader would take.

@@ -43,7 +43,7 @@ bool isFloat(double value) { return static_cast<double>(static_cast<float>(value
 void checkLattice(const TileSet& set) {
     for (const double value : set.lattice_origin)
         require(std::abs(value) <= kLengthMax, "lattice: origin is not finite or beyond 1e30");
-    require(isLength(set.edge), "lattice: edge is not above 0, or not from 1e-30 to 1e30");
+    require(isLength(set.edge), "lattice: edge is not from 1e-30 to 1e30");
     require(!set.levels.empty() && set.levels.size() <= kTileSetLevelsMax, "levels: are not 1 to 32");
     const auto top = static_cast<std::uint32_t>(set.levels.size() - 1);
     require(isLength(2 * edgeOf(set, top)), "lattice: edge is too large for so many levels");
@@ -62,7 +62,7 @@ void checkWorld(const TileSet& set) {
         const bool finite = allFinite({sensor[0], sensor[1], sensor[2]});
         const bool none = sensor == std::array<double, 4>{};
         if (!finite || (sensor[3] != 1 && !none))
-            refuse(placeIn("sensors", i) + "is not finite, or neither there nor null");
+            refuse(placeIn("sensors", i) + "is neither there and finite nor all zeros");
     }
 }
 
@@ -149,9 +149,9 @@ void forEachTile(const TileSet& set, const Check& check) {
             check(i);
         } catch (const SetFault& fault) {
             const SetTile& tile = set.tiles[i];
-            std::string place = std::to_string(tile.level);
+            std::string place = "tiles[" + std::to_string(i) + "] " + std::to_string(tile.level);
             for (const std::int32_t axis : tile.cell) place += "-" + std::to_string(axis);
-            refuse(placeIn("tiles", i) + place + ": " + fault.what());
+            refuse(place + ": " + fault.what());
         }
     }
 }

@@ -146,8 +146,8 @@ std::vector<Element> readList(const Json& json, const char* key, const Read& rea
 
 void requireVersion(const Json& version) {
     if (!version.is_number_unsigned()) throw SetFault("version is not a whole number");
-    if (version.get<std::uint64_t>() != kSetVersion)
-        throw SetFault("version " + version.dump() + ", but only " + std::to_string(kSetVersion) +
+    if (version.get<std::uint64_t>() != kTileSetVersion)
+        throw SetFault("version " + version.dump() + ", but only " + std::to_string(kTileSetVersion) +
                        " can be read: this program is too old, or the file is damaged");
 }
 
@@ -256,6 +256,14 @@ TileSet readText(std::string_view text) {
 
 } // namespace
 
+TileSet parseTileSet(std::string_view json, const std::string& path) {
+    try {
+        return readText(json);
+    } catch (const SetFault& fault) {
+        throw Error(ExitCode::kBadInput, path + ": " + fault.what());
+    }
+}
+
 TileSet readTileSet(const std::string& folder) {
     const std::string path = setFileOf(folder);
     const auto refuse = [&](const std::string& reason) { throw Error(ExitCode::kBadInput, path + ": " + reason); };
@@ -263,11 +271,7 @@ TileSet readTileSet(const std::string& folder) {
     if (!file.map(path.c_str())) refuse(file.error());
     if (file.bytes().size() > kTileSetBytesMax)
         refuse("has " + std::to_string(file.bytes().size()) + " bytes, more than any set");
-    try {
-        return readText({reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()});
-    } catch (const SetFault& fault) {
-        throw Error(ExitCode::kBadInput, path + ": " + fault.what());
-    }
+    return parseTileSet({reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size()}, path);
 }
 
 } // namespace pointrt

@@ -62,7 +62,7 @@ std::string jsonOf(const TileSet& set) {
     const bool knows_up = set.up != std::array<double, 3>{};
     std::string out = "{\n";
     addLine(out, "format", kSetFormat);
-    addLine(out, "version", kSetVersion);
+    addLine(out, "version", kTileSetVersion);
     addLine(out, "splats", set.splats);
     addLine(out, "input_points", set.input_points);
     addLine(out, "lattice", {{"origin", set.lattice_origin}, {"edge", set.edge}});

@@ -55,4 +55,10 @@ TEST(Spec, ShowsTheGoldenFilesBytes) {
     EXPECT_GE(wordsShown("tiny_v1_3.pro"), 10);
 }
 
+TEST(Spec, ShowsTheGoldenSet) {
+    const std::string spec = textOf(POINTRT_FORMAT_DIR "/SPEC.md"), name = "small.proset/set.json";
+    const std::size_t begin = spec.find("```\n", spec.find(name + "`")) + 4;
+    EXPECT_EQ(spec.substr(begin, spec.find("```", begin) - begin), textOf(POINTRT_GOLDEN_DIR "/" + name));
+}
+
 } // namespace

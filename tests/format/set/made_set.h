@@ -47,6 +47,10 @@ inline bool reachesCore(const LatticeSplat& splat, const TileCell& cell) {
     return true;
 }
 
+/// Three quarters of the spacing of a sheet in 2 x 2 cores, or of one of half as many splats in one: a core's edge is
+/// half a cube's.
+inline float sheetRadius(int side) { return 0.75f / static_cast<float>(side); }
+
 /// side x side splats of a level whose cores the sheet crosses cells x cells of.
 inline std::vector<LatticeSplat> sheet(int side, int cells, float radius) {
     std::vector<LatticeSplat> splats;
@@ -101,7 +105,7 @@ inline TileSet makeSet(const std::string& folder, int side = 16) {
     set.input_points = static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
     set.levels = {{0.0625, 0.03125, 0, 0, 0}, {0.0625, 0.03125, 0, 0, 0}};
     std::filesystem::create_directory(folder + "/tiles");
-    const float radius = 0.5f / static_cast<float>(side); // a core's edge is half a cube's, and has side / 2 splats
+    const float radius = sheetRadius(side);
     const auto fine = sheet(side, 2, radius), coarse = sheet(side / 2, 1, radius);
     for (const TileCell cell : {TileCell{0, 0, 0}, TileCell{1, 0, 0}, TileCell{0, 1, 0}, TileCell{1, 1, 0}}) {
         set.tiles.push_back({.level = 0, .cell = cell, .file = tileFileName(0, cell), .spacing = 8.0 / side});

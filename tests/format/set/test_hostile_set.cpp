@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+// set.json as anybody may have made it: each rule has a set that breaks it, and no bytes crash, hang or fill memory.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "format/base/error.h"
+#include "small_set.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pointrt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string goldenText() {
+    std::ifstream in(std::string(POINTRT_SET_GOLDEN) + "/set.json", std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct HostileSet : testing::Test {
+    test::TemporaryFolder folder;
+
+    /// "" for a set that is read, else the reason without the file's name.
+    std::string faultOf(const std::string& text) {
+        const std::string path = "a.proset/set.json";
+        try {
+            parseTileSet(text, path);
+            return "";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadInput);
+            const std::string line = error.what();
+            EXPECT_EQ(line.find('\n'), std::string::npos);
+            EXPECT_TRUE(line.starts_with(path + ": ")) << line;
+            return line.substr(std::min(line.size(), path.size() + 2));
+        }
+    }
+
+    std::string faultOfChange(const std::function<void(Json&)>& change) {
+        Json json = Json::parse(goldenText());
+        change(json);
+        return faultOf(json.dump());
+    }
+};
+
+TEST_F(HostileSet, EveryMemberIsAskedForByName) {
+    const Json golden = Json::parse(goldenText());
+    for (const auto& [key, value] : golden.items()) {
+        EXPECT_EQ(faultOfChange([&](Json& json) { json.erase(key); }), key + " is missing");
+        const std::string wrong = faultOfChange([&](Json& json) { json[key] = "?"; });
+        EXPECT_EQ(wrong.empty(), key == "crs") << key;
+    }
+    for (const char* list : {"tiles", "levels", "attributes"})
+        for (const auto& [key, value] : golden[list][1].items()) {
+            const std::string place = std::string(list) + "[1]: ";
+            EXPECT_EQ(faultOfChange([&](Json& json) { json[list][1].erase(key); }), place + key + " is missing");
+            const std::string wrong = faultOfChange([&](Json& json) { json[list][1][key] = Json::array({1}); });
+            EXPECT_TRUE(wrong.starts_with(place + key + " is not ")) << wrong;
+        }
+}
+
+TEST_F(HostileSet, UnknownMembersArePassedOver) {
+    EXPECT_EQ(faultOfChange([](Json& json) {
+                  json["later"] = {{"a", {1, 2, {{"b", 3}}}}};
+                  json["tiles"][2]["later"] = {1, 2, 3};
+                  json["levels"][0]["later"] = "word";
+              }),
+              "");
+}
+
+TEST_F(HostileSet, OtherVersionsAndFormatsAreRefused) {
+    EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 2; }),
+              "version 2, but only 1 can be read: this program is too old, or the file is damaged");
+    EXPECT_EQ(faultOfChange([](Json& json) { json["version"] = 1.5; }), "version is not a whole number");
+    EXPECT_EQ(faultOfChange([](Json& json) { json["format"] = "3tz"; }), "format is not \"pointrt tile set\"");
+    // a later version may have tiles that this one cannot read
+    EXPECT_TRUE(faultOfChange([](Json& json) {
+                    json["version"] = 3;
+                    json["tiles"] = 7;
+                }).starts_with("version 3, "));
+}
+
+/// What is wrong with the set, and what is said of it.
+struct Fault {
+    const char* said;
+    std::function<void(TileSet&)> make;
+};
+
+/// Rules of check() in its order; sets are made wrong after their sums are right.
+const std::vector<Fault> kFaults = {
+    {"lattice: origin is not finite or beyond 1e30", [](TileSet& set) { set.lattice_origin[1] = 2e30; }},
+    {"lattice: edge is not from 1e-30 to 1e30", [](TileSet& set) { set.edge = 0; }},
+    {"lattice: edge is not from 1e-30 to 1e30", [](TileSet& set) { set.edge = -1; }},
+    {"lattice: edge is too large for so many levels", [](TileSet& set) { set.edge = 0.9e30; }},
+    {"levels: are not 1 to 32", [](TileSet& set) { set.levels.clear(); }},
+    {"levels: are not 1 to 32", [](TileSet& set) { set.levels.resize(33, set.levels[0]); }},
+    {"up: is not of unit length",
+     [](TileSet& set) {
+         set.up = {0, 0, 1.1};
+     }},
+    {"metres: are out of range", [](TileSet& set) { set.metres = -1; }},
+    {"noise: is out of range", [](TileSet& set) { set.noise = -0.5; }},
+    {"input_points: are more than 2^53", [](TileSet& set) { set.input_points = 1ull << 60; }},
+    {"sensors[1]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[1][0] = 1; }},
+    {"sensors[0]: is neither there and finite nor all zeros", [](TileSet& set) { set.sensors[0][3] = 2; }},
+    {"settings: are no JSON object", [](TileSet& set) { set.settings = "[1]"; }},
+    {"settings: are no JSON object", [](TileSet& set) { set.settings = "{"; }},
+    {"levels[1]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.2; }},
+    {"levels[1]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[1].radius_max = 0.1; }},
+    {"levels[0]: radius_max is no float from 2^-60 to 0.125", [](TileSet& set) { set.levels[0].radius_max = 0; }},
+    {"levels[2]: radius_step is no float from 0 to 1", [](TileSet& set) { set.levels[2].radius_step = 1.5; }},
+    {"attributes[0]: its name is empty, too long or has control characters",
+     [](TileSet& set) { set.attributes[0].name = std::string(32, 'a'); }},
+    {"attributes[0]: its name is empty, too long or has control characters",
+     [](TileSet& set) { set.attributes[0].name = "a\nb"; }},
+    {"attributes[1]: is of no type that there is", [](TileSet& set) { set.attributes[1].type = 11; }},
+    {"attributes[1]: components are not 1 to 4", [](TileSet& set) { set.attributes[1].components = 5; }},
+    {"attributes[1]: low and high are not finite or out of order", [](TileSet& set) { set.attributes[1].high = -2; }},
+    {"attributes: gps_time is there twice", [](TileSet& set) { set.attributes[0].name = "gps_time"; }},
+    {"attributes: are more than 32", [](TileSet& set) { set.attributes.resize(33, set.attributes[0]); }},
+    {"tiles: are none, or more than 2^20", [](TileSet& set) { set.tiles.clear(); }},
+    {"tiles[3] 3-0-1-0: level is none of levels", [](TileSet& set) { set.tiles[3].level = 3; }},
+    {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 0; }},
+    {"tiles[3] 1-0-1-0: splats are none, or more than stored", [](TileSet& set) { set.tiles[3].splats = 61; }},
+    {"tiles[3] 1-0-1-0: stored are more than 2^32 - 1", [](TileSet& set) { set.tiles[3].stored = 1ull << 32; }},
+    {"tiles[3] 1-0-1-0: bytes are not those of a .pro file", [](TileSet& set) { set.tiles[3].bytes = 4095; }},
+    {"tiles[3] 1-0-1-0: error is out of range", [](TileSet& set) { set.tiles[3].error = -1; }},
+    {"tiles[3] 1-0-1-0: spacing is out of range", [](TileSet& set) { set.tiles[3].spacing = 1e31; }},
+    {"tiles[2] 1-0-0-0: is there twice",
+     [](TileSet& set) {
+         set.tiles[2].cell = {0, 0, 0};
+     }},
+    {"tiles[3] 1-1-0-0: does not follow the one before: highest level first, then in Morton order",
+     [](TileSet& set) { std::swap(set.tiles[2], set.tiles[3]); }},
+    {"tiles[0] 1-0-0-0: is not of the highest level", [](TileSet& set) { set.tiles.erase(set.tiles.begin()); }},
+    {"tiles[1] 2-0-0-1: is a second one of the highest level",
+     [](TileSet& set) {
+         set.tiles[1].level = 2;
+         set.tiles[1].cell = {0, 0, 1};
+     }},
+    {"tiles[8] 0-5-5-5: its parent does not exist",
+     [](TileSet& set) {
+         set.tiles[8].cell = {5, 5, 5};
+     }},
+    {"tiles[4] 1-3-3-3: its parent does not exist",
+     [](TileSet& set) {
+         set.tiles[4].cell = {3, 3, 3};
+     }},
+    {"tiles[1] 1-0-0-0: error is larger than its parent's", [](TileSet& set) { set.tiles[0].error = 0.0625; }},
+    {"tiles[1] 1-0-0-0: has children, but no error as merged splats have",
+     [](TileSet& set) { set.tiles[1].error = 0; }},
+    {"tiles[2] 1-1-0-0: has an error as merged splats have, but no children",
+     [](TileSet& set) { set.tiles[2].error = 0.25; }},
+    {"tiles: tiles/1-0-0-0.pro is the file of two", [](TileSet& set) { set.tiles[2].file = set.tiles[1].file; }},
+    {"levels[1]: tiles are not as many as there are", [](TileSet& set) { ++set.levels[1].tiles; }},
+    {"levels[1]: splats are not the sum of its tiles'", [](TileSet& set) { --set.levels[1].splats; }},
+    {"levels[1]: error is not the largest of its tiles'", [](TileSet& set) { set.levels[1].error = 0.25; }},
+    {"levels[0]: has no tiles",
+     [](TileSet& set) {
+         set.tiles.resize(5);
+         set.tiles[1].error = 0;
+     }},
+    {"tiles[0] 2-0-0-0: is not of the highest level", [](TileSet& set) { set.levels.resize(4, set.levels[0]); }},
+    {"splats: are not the sum of the tiles without children", [](TileSet& set) { set.splats += 80; }},
+    {"bounds: are not finite or out of order", [](TileSet& set) { set.bounds_min[0] = set.bounds_max[0] + 1; }},
+    {"bounds: are not inside the tile of the highest level", [](TileSet& set) { set.bounds_max[2] = 465; }},
+};
+
+TEST_F(HostileSet, EveryRuleHasASetThatBreaksIt) {
+    ASSERT_EQ(findTileSetFault(test::smallSet()), "");
+    writeTileSet(test::smallSet(), folder.path);
+    for (const Fault& fault : kFaults) {
+        TileSet set = test::smallSet();
+        fault.make(set);
+        EXPECT_EQ(findTileSetFault(set), fault.said);
+        try {
+            writeTileSet(set, folder.path);
+            ADD_FAILURE() << "written: " << fault.said;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kCannotRun);
+        }
+        EXPECT_EQ(readTileSet(folder.path).tiles.size(), 9u) << "the good one stays";
+    }
+}
+
+TEST_F(HostileSet, WhatIsReadIsCheckedAsWell) {
+    EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][4]["error"] = 0.25; }),
+              "tiles[4] 1-1-1-0: has an error as merged splats have, but no children");
+    EXPECT_EQ(faultOfChange([](Json& json) { json["attributes"][0]["type"] = "uint17"; }),
+              "attributes[0]: is of no type that there is");
+}
+
+TEST_F(HostileSet, NumbersThatAreNoneAreRefused) {
+    const auto refused = [](const char* what, const std::function<void(TileSet&, double)>& put) {
+        for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+            TileSet set = test::smallSet();
+            put(set, value);
+            EXPECT_NE(findTileSetFault(set), "") << what << " " << value;
+        }
+    };
+    refused("origin", [](TileSet& set, double value) { set.lattice_origin[2] = value; });
+    refused("edge", [](TileSet& set, double value) { set.edge = value; });
+    refused("up", [](TileSet& set, double value) { set.up[0] = value; });
+    refused("metres", [](TileSet& set, double value) { set.metres = value; });
+    refused("low bound", [](TileSet& set, double value) { set.bounds_min[0] = value; });
+    refused("high bound", [](TileSet& set, double value) { set.bounds_max[2] = value; });
+    refused("noise", [](TileSet& set, double value) { set.noise = value; });
+    refused("radius_max", [](TileSet& set, double value) { set.levels[1].radius_max = value; });
+    refused("radius_step", [](TileSet& set, double value) { set.levels[1].radius_step = value; });
+    refused("level's error", [](TileSet& set, double value) { set.levels[1].error = value; });
+    refused("low", [](TileSet& set, double value) { set.attributes[0].low = value; });
+    refused("high", [](TileSet& set, double value) { set.attributes[0].high = value; });
+    refused("sensor", [](TileSet& set, double value) { set.sensors[0][1] = value; });
+    refused("error", [](TileSet& set, double value) { set.tiles[1].error = value; });
+    refused("spacing", [](TileSet& set, double value) { set.tiles[1].spacing = value; });
+}
+
+TEST_F(HostileSet, WholeNumbersThatDoNotFitAreRefused) {
+    const std::string cell = "tiles[1]: cell is not a whole number from -2147483648 to 2147483647";
+    for (const char* value : {"2147483648", "-2147483649", "1.0", "1e400", "18446744073709551616", "null", "\"1\""}) {
+        const std::string said = faultOfChange([&](Json& json) { json["tiles"][1]["cell"][2] = "PLACE"; });
+        EXPECT_EQ(said, cell);
+        std::string text = Json::parse(goldenText()).dump();
+        const std::string from = "\"cell\":[0,0,0],\"file\":\"tiles/1-";
+        text.replace(text.find(from), from.size(), "\"cell\":[0,0," + std::string(value) + "],\"file\":\"tiles/1-");
+        EXPECT_EQ(faultOf(text), std::string(value) == "1e400" ? "has a number beyond all bounds" : cell) << value;
+    }
+    EXPECT_EQ(faultOfChange([](Json& json) { json["tiles"][1]["splats"] = -1; }),
+              "tiles[1]: splats is not a whole number from 0 to 18446744073709551615");
+}
+
+TEST_F(HostileSet, FilesLeadNowhereElse) {
+    for (const char* file :
+         {"tiles/../x.pro", "../x.pro", "/etc/x.pro", "tiles//x.pro", "tiles/a/x.pro", "tiles/.pro", "tiles/.x.pro",
+          "tiles/x.las", "x.pro", "", "tiles/x.pro/", "tiles/x y.pro", "tiles/x\ny.pro", "tiles/\xc3\xa4.pro"}) {
+        EXPECT_EQ(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = file; }),
+                  "tiles[2] 1-1-0-0: file is no plain name in tiles/ that ends in .pro");
+    }
+    EXPECT_NE(faultOfChange([](Json& json) { json["tiles"][2]["file"] = std::string("tiles/a\0b.pro", 13); }), "");
+    const std::string longest = "tiles/" + std::string(251, 'a') + ".pro";
+    EXPECT_EQ(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = longest; }), "");
+    EXPECT_NE(faultOfChange([&](Json& json) { json["tiles"][2]["file"] = "tiles/a" + longest.substr(6); }), "");
+}
+
+TEST_F(HostileSet, CutAnywhereItIsRefused) {
+    const std::string whole = goldenText();
+    ASSERT_EQ(faultOf(whole), "");
+    for (std::size_t bytes = 0; bytes + 2 < whole.size(); ++bytes) // without the last line's end it is whole
+        ASSERT_NE(faultOf(whole.substr(0, bytes)), "") << bytes;
+    EXPECT_EQ(faultOf(""), "line 1 is not JSON");
+    EXPECT_EQ(faultOf(whole.substr(0, whole.size() / 2)),
+              "line " + std::to_string(1 + std::count(whole.begin(), whole.begin() + whole.size() / 2, '\n')) +
+                  " is not JSON");
+    EXPECT_NE(faultOf(whole + "x"), "");
+}
+
+TEST_F(HostileSet, NoChangedByteDoesHarm) {
+    const std::string whole = goldenText();
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        for (const char put : {'9', '[', '"', '\x80'}) {
+            std::string changed = whole;
+            changed[i] = put;
+            refused += faultOf(changed) != "";
+        }
+    EXPECT_GT(refused, whole.size() * 3) << "what is left is spaces, digits of coordinates and names";
+}
+
+struct HostileSize : HostileSet {
+    /// Refused, within two seconds and a gigabyte.
+    void expectRefused(const char* what, const std::string& text) {
+        const auto begin = std::chrono::steady_clock::now();
+        EXPECT_NE(faultOf(text), "") << what;
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(kSecondsMax)) << what;
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        EXPECT_LT(usage.ru_maxrss, 1 << 20) << what; // KiB
+    }
+
+    static std::string repeated(const std::string& text, std::size_t times) {
+        std::string all;
+        all.reserve(text.size() * times);
+        for (std::size_t i = 0; i < times; ++i) all += text;
+        return all;
+    }
+
+    static constexpr int kSecondsMax = 20; ///< of a loaded machine with sanitizers; alone each takes under one
+};
+
+TEST_F(HostileSize, IsBounded) {
+    constexpr std::size_t kMany = 10'000'000;
+    expectRefused("nested lists", std::string(kMany, '['));
+    expectRefused("nested objects", repeated("{\"a\":", kMany / 5));
+    expectRefused("nested where nobody looks", "{\"x\":" + std::string(kMany, '['));
+    expectRefused("a long list", "{\"sensors\":[" + repeated("0,", kMany));
+    expectRefused("a long list that nobody asks for", "{\"x\":[" + repeated("0,", kMany) + "0]}");
+    expectRefused("many objects", "{\"sensors\":[" + repeated("{},", kMany / 3));
+    expectRefused("many objects behind a long list",
+                  "{\"sensors\":[" + repeated("0,", 2'000'000) + repeated("{},", kMany / 3));
+    expectRefused("no tiles", "{\"tiles\":[" + repeated("0,", kMany));
+    expectRefused("empty tiles", "{\"tiles\":[" + repeated("{},", kMany / 3));
+    expectRefused("lists for tiles", "{\"tiles\":[" + repeated("[],", kMany / 3));
+    std::string keys = "{\"settings\":{";
+    for (std::size_t i = 0; i < 1'000'000; ++i) keys += "\"" + std::to_string(i) + "\":0,";
+    expectRefused("many keys", keys);
+    expectRefused("a long number", "{\"edge\":" + std::string(kMany, '9') + "}");
+    expectRefused("a long word", "{\"crs\":\"" + std::string(kMany, 'a') + "\"}");
+}
+
+TEST_F(HostileSize, AGigabyteIsNotRead) {
+    const std::string path = folder.write("set.json", "{");
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 40);
+    try {
+        readTileSet(folder.path);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.what(), path + ": has 1099511627776 bytes, more than any set");
+    }
+}
+
+TEST_F(HostileSet, MissingFoldersAndFilesAreSaid) {
+    const auto said = [&](const std::string& path) -> std::string {
+        try {
+            readTileSet(path);
+            return "";
+        } catch (const Error& error) {
+            return error.what();
+        }
+    };
+    EXPECT_EQ(said(folder.file("no.proset")), folder.file("no.proset/set.json") + ": No such file or directory");
+    EXPECT_EQ(said(folder.write("file.proset", "x")), folder.file("file.proset/set.json") + ": Not a directory");
+    folder.write("set.json", "");
+    EXPECT_EQ(said(folder.path), folder.file("set.json") + ": the file is empty");
+    folder.write("set.json", "{");
+    EXPECT_EQ(said(folder.path), folder.file("set.json") + ": line 1 is not JSON");
+    EXPECT_THROW(writeTileSet(test::smallSet(), folder.file("no.proset")), Error);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// pointrt-info of sets, end to end.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "file_bytes.h"
+#include "made_set.h"
+#include "tests/support/temporary_folder.h"
+
+namespace pointrt {
+namespace {
+
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+
+struct SetInfo : testing::Test {
+    test::TemporaryFolder folder;
+    std::string name = folder.file("a.proset");
+    TileSet set;
+
+    void SetUp() override {
+        std::filesystem::create_directory(name);
+        set = test::makeSet(name);
+    }
+
+    Outcome run(const std::string& arguments) {
+        const auto text = [](const std::string& path) {
+            const test::Bytes bytes = test::readBytes(path);
+            return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        };
+        const std::string out = folder.file("out.txt"), err = folder.file("err.txt");
+        const std::string command = std::string(POINTRT_INFO) + " " + name + " " + arguments + " >" + out + " 2>" + err;
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
+    }
+};
+
+TEST_F(SetInfo, TextHasALineForEachLevel) {
+    const Outcome result = run("");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(result.out.starts_with(name + ": tile set version 1\n")) << result.out;
+    EXPECT_NE(result.out.find("splats          256, and 64 merged; "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("tiles           5, 4 of them with original splats\n"), std::string::npos);
+    EXPECT_NE(result.out.find("\n    0            4        4        0           256 "), std::string::npos);
+    EXPECT_NE(result.out.find("\n    1            8        1        1            64 "), std::string::npos);
+}
+
+TEST_F(SetInfo, Json) {
+    const Outcome result = run("--json");
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["splats"], 256);
+    EXPECT_EQ(json["merged_splats"], 64);
+    EXPECT_EQ(json["tiles"], 5);
+    EXPECT_EQ(json["damaged_tiles"], 0);
+    EXPECT_EQ(json["edge"], 4);
+    EXPECT_EQ(json["levels"].size(), 2u);
+    EXPECT_EQ(json["levels"][0]["spacing"], 0.5);
+    EXPECT_EQ(json["levels"][0]["radius_max"], 0.5);
+    EXPECT_EQ(json["levels"][1]["error"], 0.25);
+    std::uint64_t bytes = 0, stored = 0;
+    for (const SetTile& tile : set.tiles) {
+        bytes += std::filesystem::file_size(tilePath(name, tile));
+        stored += tile.stored;
+    }
+    EXPECT_EQ(json["file_bytes"], bytes);
+    EXPECT_EQ(json["stored_splats"], stored);
+}
+
+TEST_F(SetInfo, VerifyLooksAtEveryTile) {
+    EXPECT_EQ(run("--verify").out, name + ": 5 tiles, no findings\n");
+    EXPECT_EQ(run("--verify -q").out, "");
+    std::filesystem::remove(tilePath(name, set.tiles[2]));
+    std::filesystem::resize_file(tilePath(name, set.tiles[4]), 5000);
+    const Outcome result = run("--verify");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.out, name + "/tiles/0-1-0-0.pro: finding: No such file or directory\n" + name +
+                              "/tiles/0-1-1-0.pro: finding: is not the tile that set.json names (5000 bytes, not " +
+                              std::to_string(set.tiles[4].bytes) + ")\n");
+    EXPECT_EQ(result.err, "pointrt-info: error: " + name + ": 2 findings\n");
+    const auto json = nlohmann::json::parse(run("--verify --json").out);
+    EXPECT_EQ(json["findings"].size(), 2u);
+    EXPECT_EQ(json["findings"][1]["tile"], "tiles/0-1-1-0.pro");
+    EXPECT_NE(run("").out.find("; 2 not there or not as set.json names them"), std::string::npos);
+}
+
+TEST_F(SetInfo, ABrokenSetIsOneLine) {
+    folder.write("a.proset/set.json", "{\"version\": 7}");
+    for (const char* options : {"", "--json", "--verify"}) {
+        const Outcome result = run(options);
+        EXPECT_EQ(result.code, 1);
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, "pointrt-info: error: " + name +
+                                  "/set.json: version 7, but only 1 can be read: this program is too old, or the file "
+                                  "is damaged\n");
+    }
+}
+
+} // namespace
+} // namespace pointrt
