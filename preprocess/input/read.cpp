@@ -14,14 +14,14 @@ namespace {
 
 FileReport readFile(const std::string& path, const ReadOptions& options, Sink& sink) {
     const auto start = std::chrono::steady_clock::now();
-    const std::size_t points_before = sink.cloud.points_read, kept_before = sink.cloud.positions.size(),
+    const std::size_t points_before = sink.cloud.points_read, kept_before = keptPoints(sink),
                       scans_before = sink.scans.size();
     const Source source = openSource(path);
     const InputFormat& format = formatOf(source, options.format);
     format.reader.read(source, sink);
     FileReport report{source.name, std::string(format.title)};
     report.points = sink.cloud.points_read - points_before;
-    report.kept = sink.cloud.positions.size() - kept_before;
+    report.kept = keptPoints(sink) - kept_before;
     report.scans = sink.scans.size() - scans_before;
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;

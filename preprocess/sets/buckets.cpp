@@ -2,7 +2,6 @@
 #include "preprocess/sets/buckets.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cstring>
@@ -12,6 +11,7 @@
 #include "format/base/error.h"
 #include "format/base/mapped_file.h"
 #include "preprocess/sets/bucket_layout.h"
+#include "preprocess/sets/checksum.h"
 
 namespace pointrt {
 namespace {

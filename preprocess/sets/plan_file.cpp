@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats.
-#include <xxhash.h>
 
 #include <cstring>
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "preprocess/sets/checksum.h"
 #include "preprocess/sets/plan.h"
 
 namespace pointrt {

@@ -25,7 +25,13 @@ struct FormatReader {
     bool (*isLine)(std::string_view line, bool first) = nullptr;
     /// Throws Error with "FILE[:PLACE]: reason" when the source is malformed.
     void (*read)(const Source& source, Sink& sink);
+    /// Whether read goes on with points handed on in batches: no faces, no grid, nothing that looks at all of them.
+    /// Null where it never does.
+    bool (*readsInBatches)(const Source& source) = nullptr;
 };
+
+/// FormatReader::readsInBatches of formats whose files always are.
+inline bool alwaysInBatches(const Source&) { return true; }
 
 /// The one list: reader, name of --input-format, title for people, suffixes in lower case, content. Option, help,
 /// messages and detection come from here. A file defines "const FormatReader readers::kName{...}", which does not

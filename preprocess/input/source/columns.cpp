@@ -44,17 +44,6 @@ void convert(const char* from, Scalar from_type, char* to, Scalar to_type) {
         storeWhole(to, to_type, loadWhole(from, from_type));
 }
 
-void changeType(Attribute& attribute, Scalar type) {
-    if (attribute.type == type) return;
-    const std::size_t count = attribute.values.size() / scalarSize(attribute.type);
-    std::vector<char> values(count * scalarSize(type));
-    for (std::size_t i = 0; i < count; ++i)
-        convert(attribute.values.data() + i * scalarSize(attribute.type), attribute.type,
-                values.data() + i * scalarSize(type), type);
-    attribute.values = std::move(values);
-    attribute.type = type;
-}
-
 void fillTo(Attribute& attribute, std::size_t count) {
     const std::size_t bytes = count * attribute.bytesEach(), from = attribute.values.size();
     attribute.values.resize(bytes);
@@ -130,16 +119,37 @@ bool holdsAll(const Attribute& attribute) {
     return true;
 }
 
-Scalar smallestType(const Attribute& attribute) {
-    if (holdsAll<std::uint8_t>(attribute)) return Scalar::kU8;
-    if (holdsAll<std::int8_t>(attribute)) return Scalar::kI8;
-    if (holdsAll<std::uint16_t>(attribute)) return Scalar::kU16;
-    if (holdsAll<std::int16_t>(attribute)) return Scalar::kI16;
-    if (holdsAll<std::uint32_t>(attribute)) return Scalar::kU32;
-    if (holdsAll<std::int32_t>(attribute)) return Scalar::kI32;
-    // doubles, which they are compared as, do not tell large whole numbers apart
-    return isReal(attribute.type) && holdsAll<float>(attribute) ? Scalar::kF32 : attribute.type;
+/// Types that loose values are offered, the smallest first; doubles, which they are compared as, do not tell large
+/// whole numbers apart.
+constexpr Scalar kNarrowTypes[] = {Scalar::kU8,  Scalar::kI8,  Scalar::kU16, Scalar::kI16,
+                                   Scalar::kU32, Scalar::kI32, Scalar::kF32};
+
+bool holdsAllAs(Scalar type, const Attribute& attribute) {
+    switch (type) {
+    case Scalar::kU8:
+        return holdsAll<std::uint8_t>(attribute);
+    case Scalar::kI8:
+        return holdsAll<std::int8_t>(attribute);
+    case Scalar::kU16:
+        return holdsAll<std::uint16_t>(attribute);
+    case Scalar::kI16:
+        return holdsAll<std::int16_t>(attribute);
+    case Scalar::kU32:
+        return holdsAll<std::uint32_t>(attribute);
+    case Scalar::kI32:
+        return holdsAll<std::int32_t>(attribute);
+    default:
+        return isReal(attribute.type) && holdsAll<float>(attribute);
+    }
 }
+
+Scalar smallestType(const Attribute& attribute) {
+    for (const Scalar type : kNarrowTypes)
+        if (holdsAllAs(type, attribute)) return type;
+    return attribute.type;
+}
+
+std::uint32_t bitOf(Scalar type) { return 1u << static_cast<int>(type); }
 
 } // namespace
 
@@ -234,6 +244,31 @@ void narrowAttributes(Cloud& cloud, const Columns& columns) {
     for (Attribute& attribute : cloud.attributes)
         if (std::find(columns.loose.begin(), columns.loose.end(), attribute.name) != columns.loose.end())
             changeType(attribute, smallestType(attribute));
+}
+
+void changeType(Attribute& attribute, Scalar type) {
+    if (attribute.type == type) return;
+    const std::size_t count = attribute.values.size() / scalarSize(attribute.type);
+    std::vector<char> values(count * scalarSize(type));
+    for (std::size_t i = 0; i < count; ++i)
+        convert(attribute.values.data() + i * scalarSize(attribute.type), attribute.type,
+                values.data() + i * scalarSize(type), type);
+    attribute.values = std::move(values);
+    attribute.type = type;
+}
+
+void ValueSurvey::add(const Attribute& attribute) {
+    values += countOf(attribute);
+    any = any || !isZero(attribute.values.data(), attribute.values.size());
+    for (const Scalar type : kNarrowTypes)
+        if ((held_by & bitOf(type)) != 0 && !holdsAllAs(type, attribute)) held_by &= ~bitOf(type);
+}
+
+Scalar ValueSurvey::smallestType(Scalar type, bool all_have) const {
+    const bool has_nan = isReal(type) && !all_have; // stands for what is missing
+    for (const Scalar each : kNarrowTypes)
+        if ((held_by & bitOf(each)) != 0 && (isReal(each) || !has_nan)) return each;
+    return type;
 }
 
 void dropMinorAttributes(Cloud& cloud, const Columns& columns) {

@@ -74,6 +74,21 @@ void requireOffered(const Columns& columns, const AttributeChoice& choice);
 /// Gives attributes that only loose columns went into the smallest type that holds their values exactly.
 void narrowAttributes(Cloud& cloud, const Columns& columns);
 
+/// What is known of an attribute whose values come in batches: as much as narrowAttributes and dropMinorAttributes ask
+/// of all of them.
+struct ValueSurvey {
+    std::uint32_t held_by = ~0u; ///< bit t: Scalar t holds all values so far exactly
+    bool any = false;            ///< some value is not 0
+    std::uint64_t values = 0;    ///< of so many points
+
+    void add(const Attribute& attribute);
+    /// The type that narrowAttributes chooses where all points have a value, and where some have not.
+    Scalar smallestType(Scalar type, bool all_have) const;
+};
+
+/// Moves the values to another type, which holds them.
+void changeType(Attribute& attribute, Scalar type);
+
 /// Drops attributes that only minor columns went into, none of whose values is anything but 0.
 void dropMinorAttributes(Cloud& cloud, const Columns& columns);
 

@@ -64,7 +64,7 @@ void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns) {
     sink.grid = {};
     std::uint64_t cells = 0;
     const bool overflow = __builtin_mul_overflow(rows, columns, &cells);
-    if (rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kLeftOut) return;
+    if (sink.batches || rows < 2 || columns < 2 || overflow || cells >= RangeGrid::kLeftOut) return;
     RangeGrid& grid = sink.grid.grid.emplace();
     grid.rows = static_cast<std::uint32_t>(rows);
     grid.columns = static_cast<std::uint32_t>(columns);

@@ -23,7 +23,7 @@ struct GridBuilder {
 
 /// Says that the vertices of the scan that has begun are samples of a grid. Takes 4 bytes a cell: the caller has seen
 /// that the file has room for as many. A grid of one row or column, or of more cells than points can be told apart, is
-/// none.
+/// none, and so is that of points that are handed on in batches.
 void beginGrid(Sink& sink, std::uint64_t rows, std::uint64_t columns);
 
 /// Puts a vertex, as addVertex returned it, into its cell. The first one stays in a cell: scanners that hear several

@@ -23,6 +23,7 @@ class CellSet {
 public:
     /// False where it was in the set already.
     bool insert(std::int64_t x, std::int64_t y, std::int64_t z);
+    std::uint64_t memory() const { return cells_.size() * sizeof(Cell); }
 
 private:
     struct Cell {
@@ -42,8 +43,14 @@ public:
     /// Whether there is anything that it might not want.
     bool drops() const;
     bool choosesClasses() const { return !options_.keep_classes.empty(); }
+    /// Points asked about so far; a filter that goes on where another one stopped is told of that one's.
+    std::uint64_t seen() const { return seen_; }
+    void goOnFrom(std::uint64_t seen) { seen_ = seen; }
     /// Whether the next point stays. point_class: 0 where the file has none
     bool keeps(const Vec3d& position, std::uint8_t point_class);
+
+    /// Bytes that it takes, which grow with the cells of thinning that have a point.
+    std::uint64_t memory() const { return cells_.memory(); }
 
 private:
     bool isFirstOfCell(const Vec3d& position);

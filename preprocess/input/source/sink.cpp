@@ -11,7 +11,6 @@
 namespace pointrt {
 namespace {
 
-constexpr Rgb8 kGrey = {200, 200, 200};
 constexpr std::uint64_t kMaxPoints = kNoSensor - 1;
 
 /// Grows by half at least, so that many small files do not copy the cloud over and over.
@@ -24,7 +23,7 @@ void makeRoom(std::vector<Item>& items, std::size_t room) {
 void fillMissing(Cloud& cloud, const Columns& columns) {
     const std::size_t count = cloud.positions.size();
     if (!cloud.normals.empty()) cloud.normals.resize(count, Vec3f::Zero());
-    if (!cloud.colors.empty()) cloud.colors.resize(count, kGrey);
+    if (!cloud.colors.empty()) cloud.colors.resize(count, kGreyColor);
     if (!cloud.radii.empty()) cloud.radii.resize(count, 0.0f);
     fillAttributes(cloud, columns);
     if (!cloud.sensor_of_point.empty()) cloud.sensor_of_point.resize(count, kNoSensor);
@@ -88,6 +87,10 @@ bool addPosition(Sink& sink, const Vec3d& position) {
     const Vec3f local = (position - cloud.origin).cast<float>();
     if (!local.allFinite()) return false;
     cloud.positions.push_back(local);
+    if (sink.batches) {
+        sink.batches->positions.push_back(position);
+        return true;
+    }
     if (sink.origin_settled) return true;
     sink.first_positions.push_back(position);
     if (sink.first_positions.size() == kFirstPositions) settleOrigin(sink);
@@ -139,11 +142,16 @@ void addColors16(Sink& sink, const char* column, std::span<const std::uint32_t> 
 /// Of 16 bits the upper 8, as a shift would give them.
 std::uint8_t upperByte(float value) { return toByte(std::floor(value / 256.0)); }
 
-void scaleWideColors(Sink& sink) {
+float largestWideColor(const Sink& sink) {
     float largest = 0;
     for (const auto& color : sink.wide_colors)
         for (const float value : color)
             if (std::isfinite(value)) largest = std::max(largest, value);
+    return largest;
+}
+
+/// @param largest of all of the scan's colours
+void scaleWideColors(Sink& sink, float largest) {
     const bool shares = sink.traits.color_scale == ColorScale::kReal && largest <= 1;
     const bool wide = largest > 255;
     auto scaled = [&](float value) { return shares ? toByte(255.0 * value) : wide ? upperByte(value) : toByte(value); };
@@ -152,35 +160,111 @@ void scaleWideColors(Sink& sink) {
     sink.wide_colors = {};
 }
 
-void scale16BitColors(Sink& sink, const Source& source) {
-    if (sink.traits.color_scale != ColorScale::k16Bit) return;
-    using Rgb16 = std::array<std::uint16_t, 3>;
-    const char* const first = sink.rgb16_attribute ? sink.cloud.attributes[*sink.rgb16_attribute].values.data() +
-                                                         sink.first_position * sizeof(Rgb16)
-                                                   : reinterpret_cast<const char*>(sink.rgb16.data());
-    const std::size_t count = sink.cloud.positions.size() - sink.first_position;
-    const auto colorAt = [first](std::size_t i) {
+using Rgb16 = std::array<std::uint16_t, 3>;
+
+/// The 16-bit colours of the scan's points that the cloud has.
+struct Colors16 {
+    const char* first;
+    std::size_t count;
+
+    explicit Colors16(const Sink& sink)
+        : first(sink.rgb16_attribute
+                    ? sink.cloud.attributes[*sink.rgb16_attribute].values.data() + sink.first_position * sizeof(Rgb16)
+                    : reinterpret_cast<const char*>(sink.rgb16.data())),
+          count(sink.cloud.positions.size() - sink.first_position) {}
+
+    Rgb16 at(std::size_t i) const {
         Rgb16 color;
         std::memcpy(color.data(), first + i * sizeof color, sizeof color);
         return color;
-    };
-    std::uint16_t largest = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Rgb16 color = colorAt(i);
-        largest = std::max({largest, color[0], color[1], color[2]});
     }
-    if (largest == 0 && count > 0) {
-        addNote(sink.cloud, source.name, "has room for colours, but all are black: it is read as one without");
-        sink.rgb16 = {};
-        return; // grey, where other files have colours
+
+    std::uint16_t largest() const {
+        std::uint16_t value = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Rgb16 color = at(i);
+            value = std::max({value, color[0], color[1], color[2]});
+        }
+        return value;
     }
+};
+
+void noteBlack(Sink& sink, const Source& source) {
+    addNote(sink.cloud, source.name, "has room for colours, but all are black: it is read as one without");
+}
+
+/// @param largest of all of the scan's colours; where that is 0 there are none
+void scale16BitColors(Sink& sink, float largest) {
+    const Colors16 colors(sink);
     const int shift = largest > 255 ? 8 : 0;
     const auto scaled = [shift](std::uint16_t value) { return static_cast<std::uint8_t>(value >> shift); };
-    for (std::size_t i = 0; i < count; ++i) {
-        const Rgb16 color = colorAt(i);
+    for (std::size_t i = 0; i < colors.count && largest > 0; ++i) {
+        const Rgb16 color = colors.at(i);
         sink.cloud.colors.push_back({scaled(color[0]), scaled(color[1]), scaled(color[2])});
     }
     sink.rgb16 = {};
+}
+
+float largestColor(const Sink& sink) {
+    return sink.traits.color_scale == ColorScale::k16Bit ? Colors16(sink).largest() : largestWideColor(sink);
+}
+
+bool isScaledLater(const Sink& sink) { return sink.traits.colors && sink.traits.color_scale != ColorScale::kByte; }
+
+void scaleColors(Sink& sink, float largest) {
+    if (sink.traits.color_scale == ColorScale::k16Bit)
+        scale16BitColors(sink, largest);
+    else
+        scaleWideColors(sink, largest);
+}
+
+void settleColors(Sink& sink, const Source& source) {
+    if (!isScaledLater(sink)) return;
+    const float largest = largestColor(sink);
+    const bool is_black = sink.traits.color_scale == ColorScale::k16Bit && largest == 0;
+    if (is_black && sink.cloud.positions.size() > sink.first_position) noteBlack(sink, source); // then grey, or none
+    scaleColors(sink, largest);
+}
+
+/// Colours of the points that are to be handed on, by what an earlier reading found or, in that one, none.
+void settleBatchColors(Sink& sink) {
+    if (!isScaledLater(sink)) return;
+    Batches& batches = *sink.batches;
+    const std::size_t scan = sink.scans.size();
+    if (batches.scales_known) return scaleColors(sink, batches.largest_color.at(scan));
+    batches.largest_color.resize(scan + 1);
+    batches.largest_color[scan] = std::max(batches.largest_color[scan], largestColor(sink));
+    sink.wide_colors.clear();
+    sink.rgb16.clear();
+}
+
+/// Hands on what the cloud has of the scan.
+void handOn(Sink& sink) {
+    if (sink.cloud.positions.empty()) return;
+    Batches& batches = *sink.batches;
+    settleBatchColors(sink);
+    fillMissing(sink.cloud, sink.columns);
+    for (const Vec3d& position : batches.positions) batches.scan_box.extend(position);
+    batches.take({sink.cloud, batches.positions, sink.scans.size()});
+    batches.handed_on += batches.positions.size();
+    batches.empty(sink.cloud);
+}
+
+void handOnIfFull(Sink& sink) {
+    if (sink.batches && sink.cloud.positions.size() >= sink.batches->points) handOn(sink);
+}
+
+/// What only the first reading tells, and only at the end of a scan.
+void finishBatches(Sink& sink, const Source& source) {
+    if (!sink.cloud.triangles.empty()) refuse(source, "has faces, of which no points can be handed on");
+    handOn(sink);
+    Batches& batches = *sink.batches;
+    const std::size_t scan = sink.scans.size();
+    batches.largest_color.resize(std::max(batches.largest_color.size(), scan + 1));
+    const bool is_black = isScaledLater(sink) && sink.traits.color_scale == ColorScale::k16Bit &&
+                          batches.largest_color[scan] == 0 && keptPoints(sink) > sink.kept_before;
+    if (is_black) noteBlack(sink, source);
+    batches.colors |= sink.traits.colors && !is_black;
 }
 
 /// File indices to cloud indices. False when a corner was dropped; the others are bereft.
@@ -281,9 +365,21 @@ void requirePoints(const Sink& sink, const Source& source, std::size_t kept) {
 
 } // namespace
 
+std::uint64_t keptPoints(const Sink& sink) {
+    return (sink.batches ? sink.batches->handed_on : 0) + sink.cloud.positions.size();
+}
+
+ScanBox boxOfScan(const Sink& sink) {
+    if (sink.batches) return {sink.batches->scan_box.center(), sink.batches->scan_box.sizes()};
+    Eigen::AlignedBox3f box;
+    for (std::size_t i = sink.scans.back().first_position; i < sink.cloud.positions.size(); ++i)
+        box.extend(sink.cloud.positions[i]);
+    return {sink.cloud.origin + box.center().cast<double>(), box.sizes().cast<double>()};
+}
+
 void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     Cloud& cloud = sink.cloud;
-    if (traits.vertices > kMaxPoints - cloud.positions.size() && !sink.filter.drops())
+    if (!sink.batches && traits.vertices > kMaxPoints - cloud.positions.size() && !sink.filter.drops())
         refuse(source, fmt::format("more than {} points in all", kMaxPoints));
     sink.traits = traits;
     sink.vertices = sink.non_finite = 0;
@@ -294,9 +390,13 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     sink.grid = {};
     sink.first_position = cloud.positions.size();
     sink.first_triangle = cloud.triangles.size();
+    sink.kept_before = keptPoints(sink);
+    if (sink.batches) sink.batches->scan_box.setEmpty();
     placeScan(sink);
     // what a filter leaves is not known before
-    const std::size_t room = sink.first_position + (sink.filter.drops() ? 0 : traits.vertices);
+    const std::uint64_t vertices = sink.filter.drops() ? 0 : traits.vertices;
+    const std::size_t room =
+        sink.batches ? std::min<std::uint64_t>(vertices, sink.batches->points) : sink.first_position + vertices;
     makeRoom(cloud.positions, room);
     if (traits.normals) {
         makeRoom(cloud.normals, room);
@@ -305,7 +405,7 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits) {
     }
     if (traits.colors) {
         makeRoom(cloud.colors, room);
-        cloud.colors.resize(sink.first_position, kGrey);
+        cloud.colors.resize(sink.first_position, kGreyColor);
     }
     if (traits.radii) {
         makeRoom(cloud.radii, room);
@@ -320,7 +420,7 @@ std::uint32_t addVertex(Sink& sink, const Row& row, const char* values) {
     constexpr std::uint64_t kStep = 1 << 16; // often enough for a progress line, too rarely to cost time
     if (index % kStep == 0 && sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(index) / static_cast<double>(sink.traits.vertices)));
-    if (index >= kMaxPoints)
+    if (index >= kMaxPoints && !sink.batches)
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
     if (sink.filter.drops() && position.allFinite() && !sink.filter.keeps(position, classOf(sink, values))) {
         drop(sink, index);
@@ -335,6 +435,7 @@ std::uint32_t addVertex(Sink& sink, const Row& row, const char* values) {
     if (sink.traits.radii) sink.cloud.radii.push_back(cleanRadius(sink, row));
     if (sink.traits.colors) addColor(sink, row, values);
     if (!sink.columns.wanted.empty()) addValues(sink.columns, sink.cloud, values);
+    handOnIfFull(sink);
     return static_cast<std::uint32_t>(sink.cloud.positions.size() - 1);
 }
 
@@ -356,8 +457,9 @@ void addVertices(Sink& sink, std::span<const Vec3d> positions, std::span<const c
     }
     if (sink.traits.colors && !sink.rgb16_attribute) addColors16(sink, columns[*sink.rgb16_column], kept);
     addColumns(sink.columns, sink.cloud, columns, kept, positions.size());
+    handOnIfFull(sink);
     sink.vertices += positions.size();
-    if (sink.vertices > kMaxPoints)
+    if (sink.vertices > kMaxPoints && !sink.batches)
         throw Error(ExitCode::kBadInput, fmt::format("more than {} points in one file", kMaxPoints));
     if (sink.progress && sink.traits.vertices > 0)
         sink.progress(std::min(1.0, static_cast<double>(sink.vertices) / static_cast<double>(sink.traits.vertices)));
@@ -372,19 +474,22 @@ void addPolygon(Sink& sink, std::span<const std::uint32_t> corners) {
 
 void finishScan(Sink& sink, const Source& source, const std::string& title, Emptiness emptiness) {
     Cloud& cloud = sink.cloud;
-    const std::size_t kept = cloud.positions.size() - sink.first_position;
+    const std::size_t kept = keptPoints(sink) - sink.kept_before;
     if (emptiness == Emptiness::kRefused) requirePoints(sink, source, kept);
     if (cloud.positions.size() > kMaxPoints) refuse(source, fmt::format("more than {} points in all", kMaxPoints));
-    if (!sink.origin_settled && kept > 0) settleOrigin(sink);
-    scaleWideColors(sink);
-    scale16BitColors(sink, source);
-    settleTriangles(sink, source);
+    if (sink.batches) {
+        finishBatches(sink, source);
+    } else {
+        if (!sink.origin_settled && kept > 0) settleOrigin(sink);
+        settleColors(sink, source);
+        settleTriangles(sink, source);
+    }
     fillMissing(cloud, sink.columns);
     cloud.points_read += sink.vertices;
     cloud.points_non_finite += sink.non_finite;
     cloud.points_filtered += sink.vertices - sink.non_finite - kept;
-    sink.scans.push_back({source.name, sink.first_position, kept, cloud.triangles.size() > sink.first_triangle});
-    cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}, sink.first_position});
+    sink.scans.push_back({source.name, sink.kept_before, kept, cloud.triangles.size() > sink.first_triangle});
+    cloud.scans.push_back({title.empty() ? source.name : source.name + ": " + title, {}, sink.kept_before});
     if (sink.sensor) setSensor(sink, sink.world_from_vertex * *sink.sensor);
     finishGrid(sink, source);
 }
@@ -428,6 +533,7 @@ void setSensor(Sink& sink, const Vec3d& world_position) {
     const Vec3f local = (world_position - cloud.origin).cast<float>();
     if (!local.allFinite()) return;
     cloud.scans.back().sensor = world_position;
+    if (sink.batches) return; // the scan tells, its points are gone
     cloud.sensor_of_point.resize(cloud.positions.size(), kNoSensor);
     const auto first = cloud.sensor_of_point.begin() + static_cast<std::ptrdiff_t>(scan.first_position);
     std::fill_n(first, scan.position_count, static_cast<std::uint32_t>(cloud.sensors.size()));

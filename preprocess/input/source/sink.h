@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
+#include "preprocess/input/source/batches.h"
 #include "preprocess/input/source/columns.h"
 #include "preprocess/input/source/grid.h"
 #include "preprocess/input/source/point_filter.h"
@@ -71,7 +72,8 @@ struct Sink {
     std::size_t files_in_degrees = 0; ///< x and y are degrees
 
     Columns columns;
-    bool first_frame = true; ///< no file has said yet how it lies in the world
+    bool first_frame = true;    ///< no file has said yet how it lies in the world
+    Batches* batches = nullptr; ///< where points are handed on while they are read; null: the cloud keeps them
 
     // Of the scan that is being read:
     ScanTraits traits;
@@ -87,9 +89,13 @@ struct Sink {
     std::vector<std::uint32_t> dropped;            ///< which of them did not stay, ascending, where there may be faces
     std::vector<std::array<float, 3>> wide_colors; ///< of kept vertices, where the scale is known at the end only
     std::size_t first_position = 0, first_triangle = 0;
-    std::optional<Vec3d> sensor; ///< scanner position in the scan's frame
+    std::uint64_t kept_before = 0; ///< points of all scans before
+    std::optional<Vec3d> sensor;   ///< scanner position in the scan's frame
     GridBuilder grid;
 };
+
+/// Points of all scans so far, whether the cloud still has them or not.
+std::uint64_t keptPoints(const Sink& sink);
 
 /// Starts a scan: a file, or one of several in it. Throws Error when the cloud would have more points than its 32-bit
 /// indices can tell apart, or classes are chosen and the file has none.
@@ -98,8 +104,8 @@ void beginScan(Sink& sink, const Source& source, const ScanTraits& traits);
 /// Adds one vertex, given in the scan's frame. A position that is not finite, in double or once rounded to float, or
 /// 1e25 and more from zero is dropped and counted; so is, apart, one that the filter does not want.
 /// @param values of the traits' columns, packed in their types; null where there are none
-/// @return its index in the cloud, or the mark of a range grid: kNoPoint where it is dropped, kLeftOut where the filter
-/// does not want it
+/// @return its index in the cloud, of use where that keeps its points, or the mark of a range grid: kNoPoint where it
+/// is dropped, kLeftOut where the filter does not want it
 std::uint32_t addVertex(Sink& sink, const Row& row, const char* values = nullptr);
 
 /// Adds many vertices that have no normals, radii or faces, and colours of 16 bits or none: the same as adding them one
@@ -115,6 +121,12 @@ void addPolygon(Sink& sink, std::span<const std::uint32_t> corners);
 
 /// Whether a scan may be without points: one of several in a file may, as long as another one has some.
 enum class Emptiness { kRefused, kAllowed };
+
+/// The box around the points of the last finished scan, input coordinates.
+struct ScanBox {
+    Vec3d center, size;
+};
+ScanBox boxOfScan(const Sink& sink);
 
 /// Ends a scan: scales its colours, drops faces with dropped vertices, fills what other files have and it has not.
 /// Throws Error when no finite point was given and that is refused.

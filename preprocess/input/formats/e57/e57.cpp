@@ -308,6 +308,7 @@ struct GridFiller {
 
 /// Arrays that grow scan by scan leave holes behind them, and are copied over and over.
 void makeRoomForAll(Sink& sink, std::size_t points) {
+    if (sink.batches) return;
     Cloud& cloud = sink.cloud;
     cloud.positions.reserve(points);
     if (sink.traits.normals) cloud.normals.reserve(points);
@@ -420,16 +421,16 @@ void readE57(const Source& source, Sink& sink) {
     if (file.scans.empty())
         refuse(source,
                file.images == 0 ? "holds no scans" : fmt::format("holds {} pictures and no scans", file.images));
-    const std::size_t before = sink.cloud.positions.size();
+    const std::uint64_t before = keptPoints(sink);
     Counts counts;
     frameWorld(source, file, sink);
     readScans(source, file, sink, counts);
-    requireKept(source, counts, sink.cloud.positions.size() - before);
+    requireKept(source, counts, keptPoints(sink) - before);
     note(source, sink, counts, file.images);
 }
 
 } // namespace
 
-const FormatReader readers::kE57{.isStart = isE57Start, .read = readE57};
+const FormatReader readers::kE57{.isStart = isE57Start, .read = readE57, .readsInBatches = alwaysInBatches};
 
 } // namespace pointrt

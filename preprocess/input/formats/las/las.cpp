@@ -55,24 +55,23 @@ std::vector<LazChunk> chunksOf(const Source& source, const LasFile& file, const 
 
 /// Scans from the air see every surface from above; a box that is this much wider than high, in metres this wide, was
 /// hardly scanned otherwise.
-bool isAirborne(const Cloud& cloud, std::size_t first, const LasCrs& crs) {
+bool isAirborne(const Sink& sink, const LasCrs& crs) {
     constexpr double kFlat = 2, kWide = 50;
-    Eigen::AlignedBox3f box;
-    for (std::size_t i = first; i < cloud.positions.size(); ++i) box.extend(cloud.positions[i]);
-    Vec3d size = box.sizes().cast<double>();
+    const ScanBox box = boxOfScan(sink);
+    Vec3d size = box.size;
     if (crs.kind == LasCrs::Kind::kGeographic)
-        size.head<2>() = size.head<2>().cwiseProduct(metresPerDegree(cloud.origin.y() + double(box.center().y())));
+        size.head<2>() = size.head<2>().cwiseProduct(metresPerDegree(box.center.y()));
     const double width = size.head<2>().maxCoeff();
     return width > kFlat * size.z() && width * (crs.metres_per_unit > 0 ? crs.metres_per_unit : 1) > kWide;
 }
 
 /// Up is z in every system of coordinates that LAS files are in, but for those that measure from the earth's middle.
-void tellFrame(const LasCrs& crs, const Source& source, std::size_t first, Sink& sink) {
+void tellFrame(const LasCrs& crs, const Source& source, Sink& sink) {
     WorldFrame frame;
     if (crs.kind != LasCrs::Kind::kGeocentric) frame.up = Vec3d::UnitZ();
     frame.metres_per_unit = crs.metres_per_unit;
     frame.crs = crs.name;
-    frame.from_above = !frame.up.isZero() && isAirborne(sink.cloud, first, crs);
+    frame.from_above = !frame.up.isZero() && isAirborne(sink, crs);
     setWorldFrame(sink, source, frame);
     if (crs.kind != LasCrs::Kind::kGeographic) return;
     if (!sink.scales_degrees) addNote(sink.cloud, source.name, "is in degrees: x and y are not as long as z");
@@ -96,7 +95,7 @@ void readLas(const Source& source, Sink& sink) {
     std::uint64_t points = 0;
     for (const LazChunk& chunk : chunks) points += chunk.points;
 
-    const std::size_t first = sink.cloud.positions.size();
+    const bool is_first = keptPoints(sink) == 0;
     beginScan(sink, source, traitsOf(file, fields, points));
     // what addVertices throws names no file either
     named(source, [&] {
@@ -106,14 +105,15 @@ void readLas(const Source& source, Sink& sink) {
     finishScan(sink, source);
 
     const LasCrs crs = lasCrs(file);
-    tellFrame(crs, source, first, sink);
+    tellFrame(crs, source, sink);
     const bool scaled = sink.scales_degrees && crs.kind == LasCrs::Kind::kGeographic; // once all is read
-    if (first == 0) sink.cloud.source_header = lasSourceHeader(file, sink.world_from_input || scaled);
+    if (is_first) sink.cloud.source_header = lasSourceHeader(file, sink.world_from_input || scaled);
     for (const std::string& note : file.notes) addNote(sink.cloud, source.name, note);
 }
 
 } // namespace
 
-const FormatReader readers::kLas{[](std::string_view bytes) { return bytes.starts_with("LASF"); }, nullptr, readLas};
+const FormatReader readers::kLas{[](std::string_view bytes) { return bytes.starts_with("LASF"); }, nullptr, readLas,
+                                 alwaysInBatches};
 
 } // namespace pointrt

@@ -170,6 +170,7 @@ void readPcd(const Source& source, Sink& sink) {
 
 } // namespace
 
-const FormatReader readers::kPcd{.isStart = isPcdStart, .isLine = isFirstPcdLine, .read = readPcd};
+const FormatReader readers::kPcd{
+    .isStart = isPcdStart, .isLine = isFirstPcdLine, .read = readPcd, .readsInBatches = alwaysInBatches};
 
 } // namespace pointrt

@@ -31,7 +31,8 @@ struct Reader {
     void readVertices(const PlyElement& element) {
         Row row{};
         std::vector<char> packed(header.packed_size);
-        const bool for_grid = header.grid_rows > 0;
+        const bool for_grid = header.grid_rows > 0 && !sink.batches;
+        LetGoBehind let_go{body.source};
         for (std::uint64_t i = 0; i < element.count; ++i) {
             for (const PlyProperty& property : element.properties) {
                 if (property.is_list)
@@ -44,6 +45,7 @@ struct Reader {
             if (header.harmonic_colors) evaluateHarmonics(row);
             const std::uint32_t vertex = addVertex(sink, row, packed.data());
             if (for_grid) vertices.push_back(vertex);
+            if (sink.batches) let_go(static_cast<std::uint64_t>(body.values.at - body.source.begin()));
         }
     }
 
@@ -130,6 +132,7 @@ ScanTraits traitsOf(const PlyHeader& header) {
     const PlyElement& vertex = vertexElement(header);
     ScanTraits traits;
     traits.vertices = vertex.count;
+    traits.faces = hasFaces(header);
     traits.columns = header.columns;
     for (const PlyProperty& property : vertex.properties) {
         traits.normals = traits.normals || property.role == kNormalX;
@@ -149,6 +152,14 @@ ScanTraits traitsOf(const PlyHeader& header) {
 }
 
 bool isPlyStart(std::string_view bytes) { return bytes.starts_with("ply") && bytes.size() > 3 && isSpace(bytes[3]); }
+
+/// Whether there is nothing but points.
+bool isOfPoints(const Source& source) {
+    const PlyHeader header = readPlyHeader(source);
+    return header.gaussians == PlyGaussians::kNone && !hasFaces(header) &&
+           std::none_of(header.elements.begin(), header.elements.end(),
+                        [&](const PlyElement& element) { return isRangeGrid(header, element); });
+}
 
 void readPly(const Source& source, Sink& sink) {
     PlyHeader header = readPlyHeader(source);
@@ -172,6 +183,6 @@ void readPly(const Source& source, Sink& sink) {
 
 } // namespace
 
-const FormatReader readers::kPly{.isStart = isPlyStart, .read = readPly};
+const FormatReader readers::kPly{.isStart = isPlyStart, .read = readPly, .readsInBatches = isOfPoints};
 
 } // namespace pointrt

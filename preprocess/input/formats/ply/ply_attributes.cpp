@@ -9,12 +9,6 @@
 namespace pointrt {
 namespace {
 
-bool hasFaces(const PlyHeader& header) {
-    return std::any_of(header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
-        return (element.name == "face" || element.name == "tristrips") && element.count > 0;
-    });
-}
-
 bool isColor(Role role) { return role >= kRed && role <= kBlue; }
 
 /// As Blender, MeshLab and others write them.

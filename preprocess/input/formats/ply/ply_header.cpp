@@ -221,6 +221,12 @@ const PlyElement& vertexElement(const PlyHeader& header) {
                          [](const PlyElement& element) { return element.name == "vertex"; });
 }
 
+bool hasFaces(const PlyHeader& header) {
+    return std::any_of(header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
+        return (element.name == "face" || element.name == "tristrips") && element.count > 0;
+    });
+}
+
 std::string pluralOf(const PlyElement& element) {
     if (element.name == "vertex") return "vertices";
     if (element.name == "face") return "faces";

@@ -53,6 +53,9 @@ PlyHeader readPlyHeader(const Source& source);
 /// The vertex element.
 const PlyElement& vertexElement(const PlyHeader& header);
 
+/// Whether there are faces or strips of them.
+bool hasFaces(const PlyHeader& header);
+
 /// "vertices", "faces" or "'NAME' elements", for messages.
 std::string pluralOf(const PlyElement& element);
 

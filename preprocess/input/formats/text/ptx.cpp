@@ -269,6 +269,6 @@ void readPtx(const Source& source, Sink& sink) {
 
 } // namespace
 
-const FormatReader readers::kPtx{.isStart = isPtxStart, .read = readPtx};
+const FormatReader readers::kPtx{.isStart = isPtxStart, .read = readPtx, .readsInBatches = alwaysInBatches};
 
 } // namespace pointrt

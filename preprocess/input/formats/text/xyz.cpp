@@ -165,6 +165,6 @@ void readXyz(const Source& source, Sink& sink) {
 
 } // namespace
 
-const FormatReader readers::kXyz{.read = readXyz};
+const FormatReader readers::kXyz{.read = readXyz, .readsInBatches = alwaysInBatches};
 
 } // namespace pointrt

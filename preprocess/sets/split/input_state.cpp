@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/sets/split/input_state.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+
+std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
+    std::vector<PlanInput> states;
+    for (const std::string& path : paths) {
+        struct stat status {};
+        const auto refuse = [&](const std::string& reason) { throw Error(ExitCode::kBadInput, path + ": " + reason); };
+        if (::stat(path.c_str(), &status) != 0) refuse(errno == ENOENT ? "no such file" : std::strerror(errno));
+        if (!S_ISREG(status.st_mode)) refuse("is no regular file, and a tile set reads its inputs twice");
+        PlanInput& state = states.emplace_back();
+        state.path = path;
+        state.bytes = static_cast<std::uint64_t>(status.st_size);
+        state.modified_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+    }
+    return states;
+}
+
+void requireSameInputs(const SetPlan& plan, const std::vector<std::string>& paths) {
+    const auto refuse = [&](const std::string& reason) {
+        throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force begins anew");
+    };
+    if (paths.size() != plan.inputs.size())
+        refuse(fmt::format("was begun with {} input files, not {}", plan.inputs.size(), paths.size()));
+    const std::vector<PlanInput> now = statesOf(paths);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const PlanInput& then = plan.inputs[i];
+        if (now[i].path != then.path) refuse(fmt::format("was begun with {} where {} is now", then.path, now[i].path));
+        if (now[i].bytes != then.bytes || now[i].modified_ns != then.modified_ns)
+            refuse(then.path + " has been written since it was begun");
+    }
+}
+
+} // namespace pointrt

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Batches hold what a reading of everything at once does.
+#include "preprocess/input/stream.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "set_fixture.h"
+
+namespace pointrt {
+namespace {
+
+/// All batches of a second reading, one after the other.
+struct Collected {
+    std::vector<Vec3d> positions;
+    std::vector<Rgb8> colors;
+    std::vector<std::vector<char>> attributes;
+    std::vector<std::size_t> scans;
+
+    void add(const PointBatch& batch) {
+        const std::size_t count = batch.positions.size();
+        positions.insert(positions.end(), batch.positions.begin(), batch.positions.end());
+        colors.insert(colors.end(), batch.cloud.colors.begin(), batch.cloud.colors.end());
+        if (batch.cloud.colors.empty()) colors.resize(positions.size(), kGreyColor);
+        scans.resize(positions.size(), batch.scan);
+        attributes.resize(batch.cloud.attributes.size());
+        for (std::size_t i = 0; i < attributes.size(); ++i) {
+            const Attribute& each = batch.cloud.attributes[i];
+            ASSERT_EQ(each.values.size(), count * each.bytesEach());
+            attributes[i].insert(attributes[i].end(), each.values.begin(), each.values.end());
+        }
+    }
+};
+
+/// Colours of 16 bits whose largest values come late, an attribute that only one file has.
+std::vector<std::string> colouredFiles(const test::TemporaryFolder& folder) {
+    std::string first = "x,y,z,red,green,blue,reading\n", second = "x,y,z,red,green,blue\n";
+    for (int i = 0; i < 1000; ++i) {
+        first += fmt::format("{},{},0,{},{},9,{}\n", i, i % 7, i % 200, i < 900 ? 3 : 40'000, 0.5 * i);
+        second += fmt::format("{},{},1,{},{},9\n", i, i % 5, i % 200, 255);
+    }
+    return {folder.write("first.csv", first), folder.write("second.csv", second)};
+}
+
+TEST_F(SetTest, BatchesAreAReadingOfAllAtOnce) {
+    const std::vector<std::string> files = colouredFiles(folder);
+    StreamOptions options;
+    options.batch_points = 64;
+    std::size_t largest = 0;
+    const StreamFindings found = readInBatches(
+        files, options, [&](const PointBatch& batch) { largest = std::max(largest, batch.positions.size()); });
+    EXPECT_EQ(largest, 64u);
+    EXPECT_EQ(found.scan_points, (std::vector<std::uint64_t>{1000, 1000}));
+    EXPECT_EQ(found.largest_color, (std::vector<float>{40'000, 255}));
+    options.known = &found;
+    Collected batches;
+    readInBatches(files, options, [&](const PointBatch& batch) { batches.add(batch); });
+
+    const Cloud whole = readInputs(files, {});
+    ASSERT_EQ(batches.positions.size(), whole.positions.size());
+    for (std::size_t i = 0; i < whole.positions.size(); ++i)
+        EXPECT_EQ(batches.positions[i], Vec3d(whole.origin + whole.positions[i].cast<double>()));
+    EXPECT_EQ(batches.colors, whole.colors);
+    EXPECT_EQ(batches.scans.front(), 0u);
+    EXPECT_EQ(batches.scans.back(), 1u);
+    ASSERT_EQ(found.cloud.attributes.size(), 1u); // the number of the scan is for others to add
+    ASSERT_EQ(whole.attributes.front().name, "reading");
+}
+
+TEST_F(SetTest, AReadingGoesOnAfterAnyFile) {
+    const std::vector<std::string> files = colouredFiles(folder);
+    StreamOptions options;
+    options.read.filter.every = 3; // which counts on from file to file
+    const StreamFindings found = readInBatches(files, options, [](const PointBatch&) {});
+    options.known = &found;
+    Collected all, rest;
+    std::vector<StreamPlace> places;
+    options.file_done = [&](const StreamPlace& place) { places.push_back(place); };
+    readInBatches(files, options, [&](const PointBatch& batch) { all.add(batch); });
+    ASSERT_EQ(places.size(), 2u);
+    options.start = places.front();
+    readInBatches(files, options, [&](const PointBatch& batch) { rest.add(batch); });
+    ASSERT_LT(rest.positions.size(), all.positions.size());
+    const auto same = static_cast<std::ptrdiff_t>(rest.positions.size());
+    EXPECT_TRUE(std::equal(rest.positions.begin(), rest.positions.end(), all.positions.end() - same));
+    EXPECT_EQ(rest.scans.front(), 1u);
+}
+
+TEST_F(SetTest, AMeshIsReadByItselfWhereItIsSmall) {
+    const std::string ball = folder.write("quad.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                                                      "property float y\nproperty float z\nelement face 2\n"
+                                                      "property list uchar int vertex_indices\nend_header\n"
+                                                      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+    StreamOptions options;
+    options.read.sample_count = 500;
+    std::size_t points = 0;
+    const StreamFindings found = readInBatches({ball}, options, [&](const PointBatch& batch) {
+        points += batch.positions.size();
+        for (const Vec3f& normal : batch.cloud.normals) EXPECT_EQ(normal, Vec3f(0, 0, 1));
+    });
+    EXPECT_EQ(points, 500u);
+    EXPECT_EQ(found.files.front().sampled, 500u);
+    options.largest_whole_file = 10;
+    const std::string reason =
+        reasonOf([&] { readInBatches({ball}, options, [](const PointBatch&) {}); }, ExitCode::kBadInput);
+    EXPECT_NE(reason.find("quad.ply: is read as a whole"), std::string::npos) << reason;
+}
+
+} // namespace
+} // namespace pointrt
