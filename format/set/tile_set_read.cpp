@@ -164,9 +164,10 @@ public:
             throw SetFault("is no JSON object");
         if (depth == 1 && event == Json::parse_event_t::key) return enter(value.get_ref<const std::string&>());
         if (depth == 1 && event == Json::parse_event_t::value && key_ == "version") requireVersion(value);
+        const bool is_tile = depth == kTileDepth && key_ == "tiles";
+        if (is_tile && event == Json::parse_event_t::object_start) before_ = held_;
         count(event);
-        if (depth != kTileDepth || key_ != "tiles") return true;
-        if (event == Json::parse_event_t::object_start) before_ = held_;
+        if (!is_tile) return true;
         if (event == Json::parse_event_t::value || event == Json::parse_event_t::array_start)
             throw SetFault(placeIn("tiles", tiles_.size()) + "is no object");
         if (event != Json::parse_event_t::object_end) return true;

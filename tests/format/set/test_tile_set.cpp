@@ -32,6 +32,25 @@ TEST(TileSet, IsReadAsItWasWrittenAndWrittenToTheSameBytes) {
     EXPECT_EQ(set.tiles[8].cell, (TileCell{1, 1, 1}));
 }
 
+TEST(TileSet, MayHaveThousandsOfTiles) {
+    TileSet set;
+    set.edge = 1;
+    set.levels.assign(6, {0.0625, 0.03125, 0, 0, 0});
+    for (std::uint32_t level = 0; level < 6; ++level)
+        for (std::int32_t x = 0; x < 32 >> level; ++x)
+            for (std::int32_t y = 0; y < 32 >> level; ++y)
+                for (std::int32_t z = 0; z < 32 >> level; ++z)
+                    set.tiles.push_back(test::setTile(level, {x, y, z}, 7, 0.1 * level));
+    arrangeTiles(set);
+    const test::TemporaryFolder folder;
+    writeTileSet(set, folder.path);
+    const TileSet read = readTileSet(folder.path);
+    EXPECT_EQ(read.tiles.size(), 37449u); // 8^0 + ... + 8^5
+    EXPECT_EQ(read.splats, 7u * 32768);
+    EXPECT_EQ(read.tiles.back().cell, (TileCell{31, 31, 31}));
+    for (const auto& children : childrenOf(read)) EXPECT_TRUE(children.empty() || children.size() == 8);
+}
+
 TEST(TileSet, ChildrenStandTogetherInTheirParentsOrder) {
     const TileSet set = test::smallSet();
     const auto children = childrenOf(set);
