@@ -22,11 +22,6 @@ namespace pointrt {
 
 namespace {
 
-/// What a scan without colours is made of: a pale plaster, with a soft highlight.
-constexpr std::array<float, 3> kPlaster{0.72f, 0.69f, 0.64f};
-constexpr float kSpecular = 0.15f;
-constexpr float kShininess = 24.0f;
-
 std::size_t threadCount(int requested) {
     return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
 }
@@ -45,13 +40,6 @@ void checkStats(const BakeOptions& options) {
     if (isSameFile(path, options.output))
         throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
     requireReportWritable(path);
-}
-
-/// What only building and pruning the octree need, before the index takes memory.
-void freeScaffold(PackedSplats& splats) {
-    std::vector<Disc>().swap(splats.discs); // {} would keep the memory
-    std::vector<Rgb8>().swap(splats.colors);
-    std::vector<std::uint64_t>().swap(splats.morton);
 }
 
 /// Found out before the work, not after it.
@@ -81,15 +69,6 @@ Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& repo
     } catch (const Error& error) {
         throw Error(error.code, sourceName(options) + ": " + error.what());
     }
-}
-
-MaterialRow materialRow(const BakeOptions& options, bool has_color) {
-    MaterialRow row{};
-    for (std::size_t c = 0; c < 3; ++c) row[PRO_MAT_BASE_COLOR + c] = has_color ? 1.0f : kPlaster[c];
-    row[PRO_MAT_REFLECTIVITY] = options.reflectivity;
-    row[PRO_MAT_SPECULAR] = kSpecular;
-    row[PRO_MAT_SHININESS] = kShininess;
-    return row;
 }
 
 TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
@@ -136,7 +115,7 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
            BakeReport& report, BakeProgress& progress) {
     content.attributes = carryAttributes(content.attributes, pointsOfSplats(splats));
     report.filled = splats.filled;
-    content.materials = {materialRow(options, (splats.frame.flags & PRO_FLAG_COLOR) != 0)};
+    content.materials = {scanMaterial((splats.frame.flags & PRO_FLAG_COLOR) != 0, options.reflectivity)};
     content.metadata = metadataJson(options, report);
     content.pruned = options.prune;
     const ProSections sections = makeSections(splats, octree, content);

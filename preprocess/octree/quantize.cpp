@@ -63,8 +63,7 @@ void fillFrame(const Splats& splats, pro_info& frame) {
         frame.bounds_max[axis] = splats.origin[axis] + centers.hi[axis];
     }
     frame.radius_max = static_cast<float>(radius_max / frame.scale);
-    const float octaves = std::min(kRadiusOctavesMax, std::log2(radius_max / radius_min));
-    frame.radius_step = octaves / PRO_RADIUS_CODE_MAX;
+    frame.radius_step = radiusStep(radius_min, radius_max);
     frame.blend_slab = kBlendSlab;
     frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
 }
@@ -95,12 +94,6 @@ bool fillsGap(const Splats& splats, std::size_t i) {
     return !splats.filled_from.empty() && splats.input_index[i] >= splats.input_count;
 }
 
-/// sigma: input units; radius: cube units, as readers decode it
-std::uint8_t noiseCode(float sigma, float radius, double scale) {
-    const double steps = std::round(double{sigma} / (double{radius} * scale) * double{PRO_NOISE_STEPS});
-    return static_cast<std::uint8_t>(std::clamp(steps, 0.0, double{PRO_NOISE_CODE_MAX}));
-}
-
 /// What the file says of how the packed splats were sampled; keys: their numbers in splats.
 void packSampling(const Splats& splats, const std::vector<Keyed>& keys, PackedSplats& packed) {
     packed.input_count = splats.input_count;
@@ -110,11 +103,33 @@ void packSampling(const Splats& splats, const std::vector<Keyed>& keys, PackedSp
     tbb::parallel_for(std::size_t{0}, packed.noise.size(), [&](std::size_t k) {
         packed.noise[k] = noiseCode(splats.noise[keys[k].index], packed.discs[k].radius, packed.frame.scale);
     });
-    const bool clean = std::all_of(packed.noise.begin(), packed.noise.end(), [](auto code) { return code == 0; });
-    if (clean) std::vector<std::uint8_t>().swap(packed.noise);
+    dropCleanNoise(packed);
 }
 
 } // namespace
+
+float radiusStep(float radius_min, float radius_max) {
+    const float octaves = std::min(kRadiusOctavesMax, std::log2(radius_max / radius_min));
+    return octaves / PRO_RADIUS_CODE_MAX;
+}
+
+void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed) {
+    const pro_info& frame = packed.frame;
+    pro_splat_encode(&splat, frame.radius_max, frame.radius_step, packed.words[k].data());
+    pro_splat decoded;
+    pro_splat_decode(packed.words[k].data(), frame.radius_max, frame.radius_step, &decoded);
+    packed.discs[k] = {Vec3f(decoded.position), Vec3f(decoded.normal), decoded.radius};
+}
+
+std::uint8_t noiseCode(float sigma, float radius, double scale) {
+    const double steps = std::round(double{sigma} / (double{radius} * scale) * double{PRO_NOISE_STEPS});
+    return static_cast<std::uint8_t>(std::clamp(steps, 0.0, double{PRO_NOISE_CODE_MAX}));
+}
+
+void dropCleanNoise(PackedSplats& packed) {
+    const bool clean = std::all_of(packed.noise.begin(), packed.noise.end(), [](auto code) { return code == 0; });
+    if (clean) std::vector<std::uint8_t>().swap(packed.noise);
+}
 
 PackedSplats quantizeSplats(Splats&& splats) {
     PackedSplats packed;
@@ -151,10 +166,7 @@ PackedSplats quantizeSplats(Splats&& splats) {
                               radius,
                               {color[0], color[1], color[2]},
                               0};
-        pro_splat_encode(&plain, frame.radius_max, frame.radius_step, packed.words[k].data());
-        pro_splat decoded;
-        pro_splat_decode(packed.words[k].data(), frame.radius_max, frame.radius_step, &decoded);
-        packed.discs[k] = {Vec3f(decoded.position), Vec3f(decoded.normal), decoded.radius};
+        packSplat(plain, k, packed);
         packed.morton[k] = keys[k].morton;
         packed.input_index[k] = splats.input_index[i];
         if (has_colors) packed.colors[k] = color;
@@ -162,6 +174,12 @@ PackedSplats quantizeSplats(Splats&& splats) {
     packSampling(splats, keys, packed);
     splats = {};
     return packed;
+}
+
+void freeScaffold(PackedSplats& splats) {
+    std::vector<Disc>().swap(splats.discs); // {} would keep the memory
+    std::vector<Rgb8>().swap(splats.colors);
+    std::vector<std::uint64_t>().swap(splats.morton);
 }
 
 } // namespace pointrt

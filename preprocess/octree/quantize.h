@@ -42,8 +42,22 @@ constexpr float kBlendSlab = 0.5f;
 /// radii): 1.66 at 8, 1.92 at 6, 2.47 at 4.
 constexpr double kLeafEdgeRadii = 8.0;
 
+/// Octaves a code, so that the codes reach from the largest radius to the smallest one, or 16 octaves at most.
+float radiusStep(float radius_min, float radius_max);
+
+/// The k-th of packed is this splat: its words, and its disc as readers will decode it. Cube units of packed.frame.
+void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed);
+
+/// As in NOIS. sigma: input units; radius: cube units, as readers decode it.
+std::uint8_t noiseCode(float sigma, float radius, double scale);
+/// Leaves noise out where all of it is 0.
+void dropCleanNoise(PackedSplats& packed);
+
 /// splats is emptied. The cube is centred on the discs and holds all of them. Of splats at one quantised position the
 /// first stays that does not fill a gap, or the first one.
 PackedSplats quantizeSplats(Splats&& splats);
+
+/// Frees what only building and pruning the octree need, before the index takes memory.
+void freeScaffold(PackedSplats& splats);
 
 } // namespace pointrt

@@ -11,6 +11,11 @@ namespace pointrt {
 
 namespace {
 
+/// What a scan without colours is made of.
+constexpr std::array<float, 3> kPlaster{0.72f, 0.69f, 0.64f};
+constexpr float kSpecular = 0.15f;
+constexpr float kShininess = 24.0f;
+
 std::vector<std::uint32_t> leafWords(const std::vector<Leaf>& leaves) {
     std::vector<std::uint32_t> words;
     words.reserve(leaves.size() * PRO_LEAF_WORDS);
@@ -55,6 +60,15 @@ pro_world makeWorld(const ProContent& content) {
 }
 
 } // namespace
+
+MaterialRow scanMaterial(bool has_color, float reflectivity) {
+    MaterialRow row{};
+    for (std::size_t c = 0; c < 3; ++c) row[PRO_MAT_BASE_COLOR + c] = has_color ? 1.0f : kPlaster[c];
+    row[PRO_MAT_REFLECTIVITY] = reflectivity;
+    row[PRO_MAT_SPECULAR] = kSpecular;
+    row[PRO_MAT_SHININESS] = kShininess;
+    return row;
+}
 
 ProSections makeSections(const PackedSplats& splats, const Octree& octree, const ProContent& content) {
     ProSections sections;

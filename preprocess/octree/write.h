@@ -12,6 +12,10 @@ namespace pointrt {
 
 using MaterialRow = std::array<float, PRO_MATERIAL_FLOATS>;
 
+/// What scans are made of: their own colours or a pale plaster, with a soft highlight.
+/// @param reflectivity 0 to 1
+MaterialRow scanMaterial(bool has_color, float reflectivity);
+
 /// What the file holds besides splats and octree.
 struct ProContent {
     std::vector<MaterialRow> materials; ///< 1 to 256 rows; splats name theirs

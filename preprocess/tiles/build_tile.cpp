@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/build_tile.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "format/base/error.h"
+#include "format/index/build_index.h"
+#include "preprocess/octree/carry_attributes.h"
+#include "preprocess/octree/write.h"
+#include "preprocess/tiles/gather.h"
+#include "preprocess/tiles/pack_tile.h"
+#include "preprocess/tiles/splat_file.h"
+
+namespace pointrt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The tile's own file and its neighbours' in one order for the whole set, so that splats of one position keep theirs.
+GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder) {
+    std::vector<TileKey> sources = tree.neighborsOf(tile);
+    sources.push_back(tile);
+    std::sort(sources.begin(), sources.end());
+    GatheredSplats gathered;
+    const double edge = edgeOf(set, tile.level);
+    for (const TileKey& source : sources) {
+        const SplatFile file(folder, source);
+        if (gathered.splats.attributes.empty()) gathered.splats.attributes = file.schema();
+        if (gathered.splats.attributes.size() != file.schema().size())
+            throw Error(ExitCode::kBadInput,
+                        splatFileOf(folder, source) + ": has other attributes than its neighbours");
+        gatherSplats(tile, edge, source, file.splats(), gathered);
+        if (source != tile) continue;
+        gathered.splats.error = file.head().error;
+        gathered.splats.spacing = file.head().spacing;
+    }
+    return gathered;
+}
+
+std::string metadataOf(const TileOptions& options, const TileKey& tile, const GatheredSplats& gathered) {
+    Json json = Json::parse(options.metadata);
+    json["tile"] = {{"level", tile.level},
+                    {"cell", tile.cell},
+                    {"splats", gathered.own},
+                    {"error", gathered.splats.error},
+                    {"spacing", gathered.splats.spacing}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+ProContent contentOf(const TileSet& set, const TileOptions& options, const TileKey& tile, GatheredSplats& gathered,
+                     const PackedSplats& packed) {
+    ProContent content;
+    content.materials = {scanMaterial((packed.frame.flags & PRO_FLAG_COLOR) != 0, options.reflectivity)};
+    content.attributes = carryAttributes(gathered.splats.attributes, packed.input_index);
+    for (const auto& row : set.sensors) content.sensors.insert(content.sensors.end(), row.begin(), row.end());
+    content.world.up = Vec3d(set.up[0], set.up[1], set.up[2]);
+    content.world.metres_per_unit = set.metres;
+    content.metadata = metadataOf(options, tile, gathered);
+    content.pruned = options.prune;
+    return content;
+}
+
+Octree growOctree(const PackedSplats& packed, const TileOptions& options) {
+    Octree octree = buildOctree(packed, options.octree);
+    if (options.prune) pruneOctree(packed, options.pruning, octree);
+    return octree;
+}
+
+void write(const std::string& path, const PackedSplats& packed, const Octree& octree, const ProContent& content,
+           const TileOptions& options) {
+    ProSections sections = makeSections(packed, octree, content);
+    sections.view.order = nullptr; // points have no numbers in a set
+    TracingIndex index;
+    pro_index index_view{};
+    try {
+        if (options.index) index = buildTracingIndex(sections.info, sections.view, {options.threads, {}});
+    } catch (const Error& error) {
+        throw Error(error.code, path + ": " + error.what() + "; --compact writes tiles without it");
+    }
+    if (options.index) index_view = indexView(index);
+    writePro(path, true, sections, options.index ? &index_view : nullptr);
+}
+
+std::string pathOf(const SetFolders& folders, const TileKey& tile) {
+    return folders.set + "/" + tileFileName(tile.level, tile.cell);
+}
+
+} // namespace
+
+std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const TileKey& tile,
+                                 const std::vector<LevelCoding>& codings, const SetFolders& folders,
+                                 const TileOptions& options) {
+    GatheredSplats gathered = gatherAll(set, tree, tile, folders.splats);
+    if (gathered.own == 0) return std::nullopt;
+    PackedSplats packed = packTile(set, tile, codings.at(tile.level), gathered.splats);
+    const ProContent content = contentOf(set, options, tile, gathered, packed);
+    gathered = {};
+    const Octree octree = growOctree(packed, options);
+    freeScaffold(packed);
+    write(pathOf(folders, tile), packed, octree, content, options);
+    return findTileRow(folders, tile);
+}
+
+} // namespace pointrt

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the tiles of a level code radii: all alike, so that a splat has the same bits in each of them.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "preprocess/tiles/tile_tree.h"
+
+namespace pointrt {
+
+/// As in the header of a .pro.
+struct LevelCoding {
+    float radius_max = 0;  ///< cube units
+    float radius_step = 0; ///< octaves
+};
+
+/// Of a tile's own splats, input units; both 0 where it has none.
+struct RadiusRange {
+    float least = 0, most = 0;
+};
+
+/// The largest radius of a tile's splats over the edge of its core. In cube units 1/8; a slab then ends 0.28 edges from
+/// its centre, inside the half edge that the cube has around the core.
+constexpr double kRadiusPerEdge = 0.25;
+
+/// [levels]. Covers the tiles' own splats and those that come in from neighbours of other levels; the latter may be
+/// larger than kRadiusPerEdge allows here, and then shrink to it.
+/// @param edge of level 0's cores, input units
+std::vector<LevelCoding> findLevelCodings(const TileTree& tree, double edge,
+                                          const std::function<RadiusRange(const TileKey&)>& range_of);
+
+} // namespace pointrt

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preprocess/merge/merge_disc.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+namespace pointrt {
+namespace {
+
+std::vector<std::uint32_t> allOf(const MergeDiscs& discs) {
+    std::vector<std::uint32_t> members(discs.positions.size());
+    std::iota(members.begin(), members.end(), 0u);
+    return members;
+}
+
+TEST(MergeDisc, CoversWhatLiesSideBySide) {
+    const Vec3f up(0, 0, 1);
+    const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {up, up, up, up}, {1, 1, 1, 1}};
+    const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
+    EXPECT_TRUE(merged.position.isApprox(Vec3f(0.5f, 0.5f, 0)));
+    EXPECT_TRUE(merged.normal.isApprox(up));
+    EXPECT_FLOAT_EQ(merged.radius, std::sqrt(0.5f) + 1);
+    // half way between two members' directions the rim is 1.7071 from the middle, 1 + hypot(1.2071, 0.5) - 1 from
+    // theirs
+    EXPECT_NEAR(merged.error, std::hypot(std::sqrt(0.5f) + 1 - 0.5f, 0.5f) - 1, 1e-3);
+}
+
+TEST(MergeDisc, MeansAreByArea) {
+    const Vec3f up(0, 0, 1), aside = Vec3f(0.6f, 0, 0.8f);
+    const MergeDiscs discs{{{0, 0, 0}, {5, 0, 0}}, {up, aside}, {2, 1}};
+    const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
+    EXPECT_TRUE(merged.position.isApprox(Vec3f(1, 0, 0)));
+    EXPECT_TRUE(merged.normal.isApprox((4 * up + aside).normalized()));
+}
+
+TEST(MergeDisc, KeepsTheAreaOfWhatIsScattered) {
+    const Vec3f up(0, 0, 1);
+    const MergeDiscs discs{{{0, 0, 0}, {3, 0, 2}, {0, 3, -2}}, {up, up, up}, {1, 2, 2}};
+    const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
+    EXPECT_FLOAT_EQ(merged.radius, 3);
+    EXPECT_GT(merged.error, 2); // how far the upper one lies off the plane
+}
+
+TEST(MergeDisc, OneStaysItself) {
+    const MergeDiscs discs{{{1, 2, 3}}, {Vec3f(0, 1, 0)}, {0.5f}};
+    const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
+    EXPECT_EQ(merged.position, discs.positions[0]);
+    EXPECT_EQ(merged.radius, 0.5f);
+    EXPECT_EQ(merged.error, 0);
+}
+
+TEST(MergeDisc, SidesStayApart) {
+    const Vec3f up(0, 0, 1), steep(0, 0.8f, 0.6f), level(0, 1, 0);
+    const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {up, -up, steep, level}, {1, 1, 1, 1}};
+    EXPECT_EQ(groupBySide(discs, allOf(discs), true), (std::vector<std::uint32_t>{0, 1, 0, 2}));
+    EXPECT_EQ(groupBySide(discs, allOf(discs), false), (std::vector<std::uint32_t>{0, 0, 0, 1}));
+}
+
+/// Normals of no side: the mean of a normal and its opposite is either.
+TEST(MergeDisc, AxesDoNotCancel) {
+    const Vec3f up(0, 0, 1);
+    const MergeDiscs discs{{{0, 0, 0}, {1, 0, 0}}, {up, -up}, {1, 1}};
+    EXPECT_NEAR(std::abs(mergeDiscs(discs, allOf(discs), false).normal.z()), 1, 1e-6);
+}
+
+/// Members' points are no farther from the merged disc than its error, nor its points from them.
+TEST(MergeDisc, ErrorBoundsTheDistanceOfRims) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> both(-1, 1);
+    for (int round = 0; round < 200; ++round) {
+        MergeDiscs discs;
+        for (int i = 0; i < 5; ++i) {
+            discs.positions.emplace_back(both(random), both(random), 0.3f * both(random));
+            discs.normals.push_back(Vec3f(0.4f * both(random), 0.4f * both(random), 1).normalized());
+            discs.radii.push_back(0.6f + 0.3f * both(random));
+        }
+        const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
+        for (std::size_t i = 0; i < 5; ++i) {
+            const Vec3f u = discs.normals[i].unitOrthogonal(), v = discs.normals[i].cross(u);
+            const float angle = 3.2f * both(random);
+            const Vec3f rim = discs.positions[i] + discs.radii[i] * (std::cos(angle) * u + std::sin(angle) * v);
+            const Vec3f way = rim - merged.position;
+            const float height = way.dot(merged.normal);
+            const float beyond = std::max(0.0f, (way - height * merged.normal).norm() - merged.radius);
+            EXPECT_LE(std::hypot(height, beyond), merged.error + 1e-5f);
+        }
+    }
+}
+
+} // namespace
+} // namespace pointrt
