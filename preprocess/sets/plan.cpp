@@ -38,4 +38,8 @@ std::string bucketFile(const SetPlan& plan, const PlanTile& tile) {
 
 std::string splitMark(const SetPlan& plan) { return plan.work + "/split.json"; }
 
+std::string splatsFolder(const SetPlan& plan) { return plan.work + "/splats"; }
+
+std::string finishedFolder(const SetPlan& plan) { return plan.work + "/set"; }
+
 } // namespace pointrt

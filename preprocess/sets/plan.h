@@ -109,8 +109,8 @@ struct SetPlan {
     /// of `sides`, where there are any.
     OrientMode orient = OrientMode::kAuto;
     PlanSides sides;
-    /// [scans] standard deviation across the surface over the spacing, as SurfaceReport::noise; empty where it was not
-    /// measured: cleaning then asks each tile.
+    /// [scans] standard deviation across the surface over the spacing, as SurfaceReport::noise. Measured once points
+    /// are split, which makes writeNoise's file; empty where they are too few, or not to be cleaned.
     std::vector<float> noise;
 
     std::string settings; ///< JSON of all options that the bytes depend on
@@ -131,13 +131,19 @@ std::string nameOf(const PlanTile& tile);
 /// Numbers in plan.tiles of the tiles whose cores a box reaches into, ascending.
 std::vector<std::uint32_t> tilesIn(const SetPlan& plan, const PlanBox& box);
 
-/// The folders and files of a bake, below plan.work.
+/// The folders and files of a bake, below its work folder.
 std::string planFile(const std::string& work);                     ///< plan.json
 std::string bucketFile(const SetPlan& plan, const PlanTile& tile); ///< buckets/L-X-Y-Z.points
 std::string splitMark(const SetPlan& plan);                        ///< there once all buckets are whole
+std::string splatsFolder(const SetPlan& plan);                     ///< splats, of splat files
+/// set: the set while it is made, with its folder tiles. Once set.json stands in it, it is renamed to plan.output.
+std::string finishedFolder(const SetPlan& plan);
 
 /// Writes plan.json, whole or not at all. Same plan, same bytes. Throws Error (kCannotWrite).
 void writePlan(const SetPlan& plan);
+
+/// Takes down the noise of the plan's scans beside it. Throws Error (kCannotWrite).
+void writeNoise(const SetPlan& plan, const std::vector<float>& noise);
 
 /// Reads work + "/plan.json", but for `bake`. Throws Error (kBadInput) where it is missing or not as it should be.
 SetPlan readPlan(const std::string& work);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats.
+// plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats; and, once
+// points are split, noise.json: a number a scan.
 
 #include <cstring>
 #include <fstream>
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 1;
 
 std::string sidesFile(const std::string& work) { return work + "/sides.bin"; }
+std::string noiseFile(const std::string& work) { return work + "/noise.json"; }
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
@@ -205,7 +207,6 @@ Json planJson(const SetPlan& plan, std::uint64_t sides_xxh3) {
     json["levels"] = plan.levels;
     json["world"] = worldJson(plan);
     json["orient"] = static_cast<int>(plan.orient);
-    json["noise"] = plan.noise;
     json["sides"] = {{"count", plan.sides.positions.size()}, {"xxh3", sides_xxh3}};
     json["schema"] = schemaJson(plan.schema);
     json["scans"] = scansJson(plan.scans);
@@ -233,7 +234,6 @@ SetPlan planOf(const Json& json) {
     plan.levels = take<std::uint32_t>(json, "levels");
     takeWorld(json.at("world"), plan);
     plan.orient = static_cast<OrientMode>(json.at("orient").get<int>());
-    plan.noise = json.at("noise").get<std::vector<float>>();
     plan.schema = schemaOf(json.at("schema"));
     plan.scans = scansOf(json.at("scans"));
     plan.source_header = take<std::string>(json, "source_header");
@@ -243,6 +243,12 @@ SetPlan planOf(const Json& json) {
     plan.first_tile_of_block = json.at("first_tile_of_block").get<std::vector<std::uint32_t>>();
     plan.tiles = tilesOf(json.at("tiles"));
     return plan;
+}
+
+/// Empty before it is measured.
+std::vector<float> readNoise(const std::string& work) {
+    std::ifstream stream(noiseFile(work));
+    return stream ? Json::parse(stream).get<std::vector<float>>() : std::vector<float>();
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -260,6 +266,10 @@ void writePlan(const SetPlan& plan) {
     writeWhole(planFile(plan.work), text + "\n");
 }
 
+void writeNoise(const SetPlan& plan, const std::vector<float>& noise) {
+    writeWhole(noiseFile(plan.work), Json(noise).dump() + "\n");
+}
+
 SetPlan readPlan(const std::string& work) {
     const std::string path = planFile(work), text = readWhole(path);
     const Json json = Json::parse(text, nullptr, false);
@@ -271,6 +281,7 @@ SetPlan readPlan(const std::string& work) {
         requireSame(XXH3_64bits(sides.data(), sides.size()) == take<std::uint64_t>(json.at("sides"), "xxh3"),
                     sidesFile(work));
         plan.sides = sidesOf(sides);
+        plan.noise = readNoise(work);
         return plan;
     } catch (const Json::exception&) {
         throw Error(ExitCode::kBadInput, path + ": is no plan of this program");

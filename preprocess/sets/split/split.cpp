@@ -11,6 +11,7 @@
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "preprocess/sets/split/bucket_writer.h"
+#include "preprocess/sets/split/measure_noise.h"
 
 namespace pointrt {
 namespace {
@@ -114,6 +115,7 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
             request.inputs, stream, [&](const PointBatch& batch) { writer.add(batch); }, progress);
     requireCounts(plan, writer.counts());
     writer.finish();
+    if (plan.bake.surface.clean > 0) writeNoise(plan, measureNoise(plan));
     writeJson(splitMark(plan), {{"points", plan.points}});
     std::error_code failure;
     std::filesystem::remove(markFile(plan), failure);

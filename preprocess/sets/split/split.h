@@ -15,9 +15,9 @@ struct SplitOptions {
 /// Whether all buckets are whole.
 bool isSplit(const SetPlan& plan);
 
-/// Fills the buckets, where they are not whole yet. The same bytes for any number of threads, and after having been
-/// killed at any moment. Throws Error as readInBatches does, (kBadInput) where inputs hold other points than when the
-/// plan was made, (kCannotWrite) where the disk is full.
+/// Fills the buckets, where they are not whole yet, and measures the noise of the scans (SetPlan::noise, in its file).
+/// The same bytes for any number of threads, and after having been killed at any moment. Throws Error as readInBatches
+/// does, (kBadInput) where inputs hold other points than when the plan was made, (kCannotWrite) where the disk is full.
 void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgress& progress = {},
                  const SplitOptions& options = {});
 

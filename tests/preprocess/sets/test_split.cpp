@@ -143,6 +143,28 @@ TEST_F(SetTest, DamagedBucketsAreToldInALine) {
     EXPECT_NE(reason().find(path), std::string::npos);
 }
 
+/// Points of a plane a unit apart, off it by up to `off` to both sides, evenly spread.
+std::string noisyPlane(double corner, double off) {
+    std::string text;
+    for (std::uint64_t i = 0; i < 10'000; ++i)
+        text += fmt::format("{:.4f} {:.4f} {:.4f}\n", corner + double(i % 100) + 0.3 * unitShare(mixBits(3 * i)),
+                            double(i / 100) + 0.3 * unitShare(mixBits(3 * i + 1)),
+                            off * (2 * unitShare(mixBits(3 * i + 2)) - 1));
+    return text;
+}
+
+TEST_F(SetTest, NoiseIsMeasuredOfEachScan) {
+    const SetRequest request = requestOf(
+        {folder.write("clean.xyz", noisyPlane(0, 0.001)), folder.write("noisy.xyz", noisyPlane(100, 0.5))}, 20'000);
+    const SetPlan plan = readPlan(splitInto("A.proset", request).work);
+    ASSERT_EQ(plan.noise.size(), 2u);
+    EXPECT_LT(plan.noise[0], 0.01);
+    EXPECT_NEAR(plan.noise[1], 0.5 / std::sqrt(3.0), 0.1); // the deviation of an even spread
+    SetRequest unclean = request;
+    unclean.bake.surface.clean = 0;
+    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).noise.empty());
+}
+
 TEST_F(SetTest, InputsThatChangeBetweenReadingsAreToldInALine) {
     const SetRequest request = requestOf({writeHill("a.csv", 3000)});
     SetPlan plan = makePlan(request);
