@@ -11,6 +11,7 @@
 #include "format/base/report_file.h"
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
+#include "format/set/tile_set.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"
@@ -43,7 +44,7 @@ void render(const Options& options) {
     if (!options.stats.empty()) requireReportWritable(options.stats);
     SceneDescription description = describeScene(options);
     requireOutputsApart(options, description);
-    if (!isSceneFile(options.scene)) requirePro(options.scene, kWindowBakes);
+    if (!isSceneFile(options.scene) && !isTileSet(options.scene)) requirePro(options.scene, kWindowBakes);
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);

@@ -239,10 +239,7 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
 }
 
 void renderTurntable(RenderSession& session, const Options& options, Report& report) {
-    const DeviceScene& scene = session.loaded->scene;
-    const Vec3 center = 0.5 * (scene.bounds.lo + scene.bounds.hi);
-    const TurntableAxis axis{session.settings.camera.target.value_or(center),
-                             sceneUp(scene.description, session.settings)};
+    const TurntableAxis axis = turntableAxis(*session.loaded);
     const Camera first = session.camera;
     requirePictureMemory(session, options);
     noteInterrupts();

@@ -123,16 +123,38 @@ std::string unitOf(const std::vector<PlacedScan>& scans, const PaintRequest& req
     return is(1200.0 / 3937) ? " (US ft)" : ""; // the survey foot
 }
 
-ScanNumbers findNumbers(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
+/// Each scan once: of a set the root, which has some of its numbers, in place of its tiles.
+std::vector<PlacedScan> wholesOf(const std::vector<PlacedScan>& scans) {
+    std::vector<PlacedScan> wholes;
+    for (PlacedScan scan : scans) {
+        if (scan.root) scan.file = scan.root;
+        if (!scan.root || wholes.empty() || wholes.back().instance != scan.instance) wholes.push_back(scan);
+    }
+    return wholes;
+}
+
+/// With the ends that its set has of an attribute.
+std::optional<SplatNumbers> wholeNumbers(const PlacedScan& whole, const PaintRequest& request) {
+    auto numbers = numbersFor(whole, request.color_by, request.up);
+    if (!numbers || !whole.set || !numbers->attribute.values) return numbers;
+    for (const SetAttribute& each : whole.set->attributes)
+        if (each.name == numbers->attribute.name) {
+            numbers->attribute.low = each.low;
+            numbers->attribute.high = each.high;
+        }
+    return numbers;
+}
+
+ScanNumbers findNumbers(const std::vector<PlacedScan>& wholes, const PaintRequest& request) {
     ScanNumbers sources;
-    bool any = scans.empty();
-    for (const PlacedScan& scan : scans) {
-        sources.push_back(numbersFor(scan, request.color_by, request.up));
+    bool any = wholes.empty();
+    for (const PlacedScan& scan : wholes) {
+        sources.push_back(wholeNumbers(scan, request));
         any |= sources.back().has_value();
     }
     if (!any)
         throw Error{ExitCode::kBadUsage,
-                    "--color-by: " + lackText(scans, request.color_by, {kOwnColors, kHeight, kNormal})};
+                    "--color-by: " + lackText(wholes, request.color_by, {kOwnColors, kHeight, kNormal})};
     return sources;
 }
 
@@ -144,8 +166,8 @@ ColorChoice normalColors(const std::vector<PlacedScan>& scans) {
 
 /// "a.pro", or "the scans" of several.
 std::string namesOf(const std::vector<PlacedScan>& scans) {
-    const auto is_first = [&](const PlacedScan& scan) { return scan.file == scans[0].file; };
-    return std::all_of(scans.begin(), scans.end(), is_first) ? scans[0].file->path + " has" : "the scans have";
+    const auto is_first = [&](const PlacedScan& scan) { return scan.instance->path == scans[0].instance->path; };
+    return std::all_of(scans.begin(), scans.end(), is_first) ? scans[0].instance->path + " has" : "the scans have";
 }
 
 std::vector<std::string> wordsOf(const std::vector<PlacedScan>& scans, std::vector<std::string> words) {
@@ -176,22 +198,24 @@ std::string lackText(const std::vector<PlacedScan>& scans, const std::string& wo
 
 ColorChoice chooseColors(const std::vector<PlacedScan>& scans, const PaintRequest& request) {
     if (request.color_by == kNormal) return normalColors(scans);
-    const ScanNumbers sources = findNumbers(scans, request);
+    const std::vector<PlacedScan> wholes = wholesOf(scans);
+    const ScanNumbers sources = findNumbers(wholes, request);
     const ColorMap map = mapFor(request);
     const std::string title = attributeWord(request.color_by) + unitOf(scans, request);
     ColorChoice choice;
     ValueRange range;
     if (isCategorical(map)) {
-        choice.legend = listLegend(title, map, categoriesOf(scans, sources));
+        choice.legend = listLegend(title, map, categoriesOf(wholes, sources));
     } else {
         const auto whole = smallWholeRange(sources);
-        range = request.color_range ? *request.color_range : whole ? *whole : rangeWithoutExtremes(scans, sources);
+        range = request.color_range ? *request.color_range : whole ? *whole : rangeWithoutExtremes(wholes, sources);
         choice.legend = barLegend(title, map, range);
         if (whole && !request.color_range && range.high - range.low < kFewWhole)
             choice.legend->ticks = wholeTicks(range);
     }
-    for (const std::optional<SplatNumbers>& source : sources)
-        choice.colors.emplace_back(NumberColors{source, ColorScale(map, range)});
+    for (const PlacedScan& scan : scans)
+        choice.colors.emplace_back(
+            NumberColors{numbersFor(scan, request.color_by, request.up), ColorScale(map, range)});
     return choice;
 }
 

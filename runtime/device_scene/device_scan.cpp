@@ -17,15 +17,6 @@ namespace pointrt {
 
 namespace {
 
-void mapFile(DeviceScan& scan) {
-    requirePro(scan.path);
-    pro_message message{};
-    const pro_result result = pro_open(scan.path.c_str(), PRO_OPEN_TRACE, &scan.file, &message);
-    if (result != PRO_OK) throw Error(exitCodeOf(result), scan.path + ": " + message.text);
-    pro_get_info(scan.file, &scan.info);
-    pro_get_view(scan.file, &scan.view);
-}
-
 /// A section of the file on the device: where its first page is bound, and the others.
 struct ScanBuffer {
     PagedBuffer DeviceScan::*buffer;
@@ -124,18 +115,32 @@ void upload(Device& device, DeviceScan& scan) {
 
 } // namespace
 
-DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
+DeviceScan mapScan(const std::string& path) {
+    requirePro(path);
     DeviceScan scan;
     scan.path = path;
+    pro_message message{};
+    const pro_result result = pro_open(path.c_str(), PRO_OPEN_TRACE, &scan.file, &message);
+    if (result != PRO_OK) throw Error(exitCodeOf(result), path + ": " + message.text);
+    pro_get_info(scan.file, &scan.info);
+    pro_get_view(scan.file, &scan.view);
+    return scan;
+}
+
+void uploadScan(Device& device, DeviceScan& scan, bool verbose) {
     const OnError undo([&] { destroyScan(device, scan); });
-    mapFile(scan);
     upload(device, scan);
     if (verbose)
         std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n",
-                     printable(path).c_str(), scan.info.splat_count,
+                     printable(scan.path).c_str(), scan.info.splat_count,
                      isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",
                      isPaged(scan.pages) ? ", in pages" : "", scan.built.grid.size[0] == 0 ? "from the file" : "built",
                      scan.index.size[0], scan.index.size[1], scan.index.size[2]);
+}
+
+DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
+    DeviceScan scan = mapScan(path);
+    uploadScan(device, scan, verbose);
     return scan;
 }
 

@@ -30,8 +30,13 @@ struct DeviceScan {
     std::uint64_t device_bytes = 0;
 };
 
-/// Maps, validates and uploads (or imports) path; of a file with an index its view has no octree, of one without the
-/// index is built. Throws Error: kBadInput "FILE: reason" or kCannotRun.
+/// Maps and validates path, without anything on the device; of a file with an index its view has no octree. Throws
+/// Error kBadInput "FILE: reason".
+DeviceScan mapScan(const std::string& path);
+/// Uploads (or imports) what mapScan gave; of a file without an index that is built. Throws Error: kBadInput "FILE:
+/// reason" or kCannotRun. scan is destroyed then.
+void uploadScan(Device& device, DeviceScan& scan, bool verbose);
+/// Both.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
 /// A scene of nothing: small buffers for programs that must be given some.
 DeviceScan blankScan(Device& device);

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/set/open_tile.h"
 #include "runtime/device_scene/environment.h"
 #include "runtime/device_scene/ggx_albedo.h"
 #include "runtime/device_scene/scene_rows.h"
+#include "runtime/device_scene/scene_tiles.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/util/on_error.h"
 #include "shaders/shared/ggx_table.h"
@@ -18,45 +20,32 @@ namespace pointrt {
 
 namespace {
 
-/// The number of path's file, opened once.
-std::uint32_t fileNumber(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
-    const auto known =
-        std::find_if(scene.files.begin(), scene.files.end(), [&](const DeviceScan& f) { return f.path == path; });
-    if (known == scene.files.end()) {
-        scene.files.push_back(loadScan(device, path, verbose));
-        scene.device_bytes += scene.files.back().device_bytes;
-        return static_cast<std::uint32_t>(scene.files.size() - 1);
-    }
-    return static_cast<std::uint32_t>(known - scene.files.begin());
+/// Loads path's file, once.
+void loadFile(Device& device, DeviceScene& scene, const std::string& path, bool verbose) {
+    const auto is_path = [&](const DeviceScan& file) { return file.path == path; };
+    if (std::any_of(scene.files.begin(), scene.files.end(), is_path)) return;
+    scene.files.push_back(loadScan(device, path, verbose));
+    scene.device_bytes += scene.files.back().device_bytes;
 }
 
-/// What does not depend on the materials.
-gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
-                                  std::uint32_t number) {
-    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
-    const pro_index& grid = file.index;
-    const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
-    gpu::InstanceParams params{};
-    params.row_x = rows[0];
-    params.row_y = rows[1];
-    params.row_z = rows[2];
-    params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
-                    std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
-    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
-    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
-    const std::uint32_t layer = grid.size[0] * grid.size[1];
-    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
-    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
-    params.materials = {number, 0, 0, 0};
-    return params;
+/// Without tiles yet.
+void addSet(DeviceScene& scene, std::uint32_t number) {
+    SceneSet& set = scene.sets.emplace_back();
+    set.number = number;
+    set.opened = openSet(scene.description.instances[number].path);
+    const TileSet& tiles = set.opened.set;
+    requireTile(tiles, tiles.tiles[0], set.opened.folder);
+    set.root = mapScan(tilePath(set.opened, 0));
+    std::copy(tiles.bounds_min.begin(), tiles.bounds_min.end(), set.root.info.bounds_min);
+    std::copy(tiles.bounds_max.begin(), tiles.bounds_max.end(), set.root.info.bounds_max);
 }
 
 /// Of the instances; without any, of the bounded shapes.
 Bounds findBounds(const DeviceScene& scene) {
     std::optional<Bounds> all;
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const pro_info& info = scene.files[scene.instances[i].file].info;
-        const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
+    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, scans[i]->info);
         all = all ? joined(*all, bounds) : bounds;
     }
     if (!all) all = boundsOfShapes(scene.description);
@@ -148,9 +137,9 @@ void furnishRows(Device& device, DeviceScene& scene, SceneRows rows) {
 
 /// The splats of an instance that was painted.
 const PagedBuffer* paintedSplats(const DeviceScene& scene, const Instance& instance) {
-    const std::size_t number = instance.params.materials.x;
-    if (number >= scene.paint.of.size() || !scene.paint.of[number]) return nullptr;
-    return &scene.paint.splats[*scene.paint.of[number]];
+    const std::vector<std::optional<std::size_t>>& painted = scene.paint.of;
+    if (instance.place >= painted.size() || !painted[instance.place]) return nullptr;
+    return &scene.paint.splats[*painted[instance.place]];
 }
 
 /// All programs name an instance's buffers, those too that never read them.
@@ -167,26 +156,18 @@ DeviceScene openScene(Device& device, SceneDescription description, bool verbose
     DeviceScene scene;
     scene.description = std::move(description);
     const OnError undo([&] { destroyDeviceScene(device, scene); });
+    const std::vector<InstanceDescription>& instances = scene.description.instances;
+    for (std::uint32_t i = 0; i < instances.size(); ++i)
+        if (isTileSet(instances[i].path))
+            addSet(scene, i);
+        else
+            loadFile(device, scene, instances[i].path, verbose);
     std::vector<pro_info> infos;
-    for (const InstanceDescription& each : scene.description.instances) {
-        Instance instance;
-        instance.file = fileNumber(device, scene, each.path, verbose);
-        const DeviceScan& file = scene.files[instance.file];
-        instance.oriented = (file.info.flags & PRO_FLAG_ORIENTED) != 0;
-        scene.instances.push_back(instance);
-        scene.splat_count += file.info.splat_count;
-        infos.push_back(file.info);
-    }
+    for (const DeviceScan* scan : wholeScans(scene)) infos.push_back(scan->info);
     scene.space = chooseRenderSpace(scene.description, infos);
     scene.bounds = findBounds(scene);
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        Instance& instance = scene.instances[i];
-        instance.params = placeInstance(scene.space, scene.files[instance.file],
-                                        scene.description.instances[i].placement, static_cast<std::uint32_t>(i));
-        instance.params_buffer =
-            createBuffer(device, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    }
-    if (scene.instances.empty()) addBlank(device, scene);
+    standInstances(device, scene);
+    if (instances.empty()) addBlank(device, scene);
     return scene;
 }
 
@@ -220,17 +201,40 @@ bool castsCaustics(const DeviceScene& scene) {
 
 std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description) {
     std::vector<PlacedScan> scans;
-    for (std::size_t i = 0; i < scene.instances.size(); ++i)
-        scans.push_back({&scene.files[scene.instances[i].file], &description.instances.at(i)});
+    for (const Instance& each : scene.instances) {
+        const InstanceDescription& instance = description.instances.at(each.number);
+        scans.push_back({&scene.files[each.file], &instance});
+        if (!each.tile) continue;
+        const SceneSet& set = *std::find_if(scene.sets.begin(), scene.sets.end(),
+                                            [&](const SceneSet& one) { return one.number == each.number; });
+        scans.back().root = &set.root;
+        scans.back().set = &set.opened.set;
+    }
+    return scans;
+}
+
+std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene) {
+    std::vector<const DeviceScan*> scans;
+    auto set = scene.sets.begin();
+    for (std::uint32_t i = 0; i < scene.description.instances.size(); ++i) {
+        if (set != scene.sets.end() && set->number == i) {
+            scans.push_back(&set++->root);
+            continue;
+        }
+        const std::string& path = scene.description.instances[i].path;
+        scans.push_back(&*std::find_if(scene.files.begin(), scene.files.end(),
+                                       [&](const DeviceScan& file) { return file.path == path; }));
+    }
     return scans;
 }
 
 std::optional<Vec3> knownUp(const DeviceScene& scene) {
-    for (const auto& [file, instance] : placedScans(scene, scene.description)) {
+    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    for (std::size_t i = 0; i < scans.size(); ++i) {
         pro_world world;
-        pro_get_world(file->file, &world);
+        pro_get_world(scans[i]->file, &world);
         const Vec3 up{world.up[0], world.up[1], world.up[2]};
-        const std::array<Vec3, 3>& rotation = instance->placement.rotation;
+        const std::array<Vec3, 3>& rotation = scene.description.instances[i].placement.rotation;
         if (up != Vec3{}) return normalize({dot(rotation[0], up), dot(rotation[1], up), dot(rotation[2], up)});
     }
     return std::nullopt;
@@ -266,6 +270,7 @@ void destroyDeviceScene(Device& device, DeviceScene& scene) {
     destroyBuffer(device, scene.blank.params_buffer);
     for (Instance& instance : scene.instances) destroyBuffer(device, instance.params_buffer);
     for (DeviceScan& file : scene.files) destroyScan(device, file);
+    for (SceneSet& set : scene.sets) destroyScan(device, set.root);
     scene = {};
 }
 

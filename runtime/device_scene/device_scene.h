@@ -14,16 +14,28 @@
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/sets/opened_set.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
 
-/// A file as it stands in the scene.
+/// A file as it stands in the scene: a scan, or a tile of one.
 struct Instance {
-    std::uint32_t file = 0; ///< in DeviceScene::files
+    std::uint32_t file = 0;            ///< in DeviceScene::files
+    std::uint32_t number = 0;          ///< in SceneDescription::instances: the tiles of a set have the same one
+    std::size_t place = 0;             ///< in DeviceScene::instances
+    std::optional<std::uint32_t> tile; ///< of its set
     gpu::InstanceParams params{};
     Buffer params_buffer;
     bool oriented = false;
+};
+
+/// A tile set that an instance of the description names.
+struct SceneSet {
+    std::uint32_t number = 0; ///< of that instance
+    OpenedSet opened;
+    DeviceScan root; ///< mapped alone: what is to be known of the whole, whatever tiles there are; bounds are the set's
+    bool told_coarse = false;
 };
 
 struct SceneRows; // of scene_rows.h
@@ -31,9 +43,10 @@ struct SceneRows; // of scene_rows.h
 struct DeviceScene {
     SceneDescription description;
     RenderSpace space;
-    std::vector<DeviceScan> files; ///< each .pro once, however often it stands in the scene
-    std::vector<Instance> instances;
-    Instance blank; ///< stands for them in the bindings of scenes without any
+    std::vector<DeviceScan> files;   ///< each .pro once, however often it stands in the scene
+    std::vector<SceneSet> sets;      ///< in the order of their instances
+    std::vector<Instance> instances; ///< in the order of the description; in place of a set its tiles
+    Instance blank;                  ///< stands for them in the bindings of scenes without any
     ScenePaint paint;
     Bounds bounds; ///< of the instances; without any, of what shapes are bounded
     std::vector<gpu::Light> light_rows;
@@ -50,7 +63,8 @@ struct DeviceScene {
 };
 
 /// Maps the files that description names and puts them on the device, with where they stand; shapes, materials and
-/// lights follow with uploadSceneTables, for which the bounds must be known. Throws Error as loadScan does.
+/// lights follow with uploadSceneTables, for which the bounds must be known, and before them the tiles of sets, which
+/// are opened here, with standTiles (scene_tiles.h). Throws Error as loadScan and openSet do.
 DeviceScene openScene(Device& device, SceneDescription description, bool verbose);
 
 /// Puts shapes, materials, lights and painted splats of scene.description, as it is now, on the device, in place of
@@ -74,8 +88,11 @@ bool standsAlike(const SceneDescription& a, const SceneDescription& b);
 /// Whether anything throws caustics, and there are lights for it.
 bool castsCaustics(const DeviceScene& scene);
 
-/// The scans as they stand in description.
+/// The files and tiles as they stand in description.
 std::vector<PlacedScan> placedScans(const DeviceScene& scene, const SceneDescription& description);
+
+/// For each instance of the description what tells of all of it: its file, or its set's root.
+std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene);
 
 /// The paged buffers of the instance with this number.
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);

@@ -66,12 +66,15 @@ void addSensors(const DeviceScan& file, const Placement& placement, SceneSample&
 
 SceneSample gatherSample(const DeviceScene& scene) {
     SceneSample sample;
-    const std::uint64_t step = std::max<std::uint64_t>(1, scene.splat_count / kSamples);
-    sample.oriented = !scene.instances.empty();
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const DeviceScan& file = scene.files[scene.instances[i].file];
+    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    std::uint64_t splats = 0;
+    for (const DeviceScan* scan : scans) splats += scan->info.splat_count;
+    const std::uint64_t step = std::max<std::uint64_t>(1, splats / kSamples);
+    sample.oriented = !scans.empty();
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+        const DeviceScan& file = *scans[i];
         const Placement& placement = scene.description.instances[i].placement;
-        sample.oriented = sample.oriented && scene.instances[i].oriented;
+        sample.oriented = sample.oriented && (file.info.flags & PRO_FLAG_ORIENTED) != 0;
         addSplats(file, placement, step, sample);
         addSensors(file, placement, sample);
         sample.zeros.push_back(placement.translation);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "format/set/tile_set.h"
 #include "runtime/coloring/legend.h"
 #include "runtime/device_scene/device_scan.h"
 #include "runtime/device_scene/splat_paint.h"
@@ -38,10 +39,12 @@ bool isPainted(const InstanceDescription& instance, const RenderSettings& settin
 /// the file's rows. Throws Error kBadInput where there are more of both than a splat can name.
 std::vector<std::uint32_t> paintedMaterials(const InstanceDescription& instance, const DeviceScan& file);
 
-/// A file as it stands in a scene.
+/// A file as it stands in a scene, or a tile.
 struct PlacedScan {
-    const DeviceScan* file;
-    const InstanceDescription* instance;
+    const DeviceScan* file = nullptr;
+    const InstanceDescription* instance = nullptr;
+    const DeviceScan* root = nullptr; ///< of a tile's set, which tells what numbers there are, whatever tiles there are
+    const TileSet* set = nullptr;     ///< of a tile
 };
 
 struct PaintPlan {

@@ -37,8 +37,8 @@ public:
         for (const MaterialDescription& material : description.materials) add(material);
         for (const ShapeDescription& shape : description.shapes) addShape(shape);
         for (const LightDescription& light : description.lights) addLight(light);
-        for (std::size_t i = 0; i < scene.instances.size(); ++i)
-            addInstance(description.instances.at(i), scene.instances[i]);
+        for (const Instance& instance : scene.instances)
+            if (!sharesRows(instance)) addInstance(description.instances.at(instance.number), instance);
         if (description.sky && !description.sky->image.empty()) addSkyLight();
     }
 
@@ -91,6 +91,22 @@ private:
         gpu::Light light{};
         LIGHT_KIND(light) = LIGHT_SKY;
         rows.lights.push_back(light);
+    }
+
+    /// Whether it is a tile with the same rows as the one before: it gets what that one has.
+    bool sharesRows(const Instance& instance) {
+        if (!instance.tile || instance.place == 0) return false;
+        const Instance& before = scene_.instances[instance.place - 1];
+        const DeviceScan &file = scene_.files[instance.file], &other = scene_.files[before.file];
+        const std::size_t floats = std::size_t{file.info.material_count} * PRO_MATERIAL_FLOATS;
+        if (before.number != instance.number || file.info.material_count != other.info.material_count ||
+            !std::equal(file.view.materials, file.view.materials + floats, other.view.materials))
+            return false;
+        gpu::InstanceParams params = instance.params;
+        params.materials = rows.instances.back().materials;
+        std::copy_n(rows.instances.back().color_range, MAX_COLOR_RANGES, params.color_range);
+        rows.instances.push_back(params);
+        return true;
     }
 
     /// Appends the instance's rows, and names them in its params.
@@ -178,7 +194,9 @@ SceneRows makeSceneRows(const DeviceScene& scene, const SceneDescription& descri
     rows.features = featuresOf(rows, settings.integrator);
     const bool noisy = std::any_of(scene.instances.begin(), scene.instances.end(),
                                    [&](const Instance& each) { return scene.files[each.file].noisy; });
-    if (noisy) rows.features |= FEATURE_NOISE;
+    const bool noisy_set = std::any_of(scene.sets.begin(), scene.sets.end(),
+                                       [](const SceneSet& each) { return each.opened.set.noise > 0; });
+    if (noisy || noisy_set) rows.features |= FEATURE_NOISE;
     return rows;
 }
 

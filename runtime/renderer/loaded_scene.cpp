@@ -5,7 +5,9 @@
 
 #include "runtime/device_scene/gather_sample.h"
 #include "runtime/device_scene/scene_rows.h"
+#include "runtime/device_scene/scene_tiles.h"
 #include "runtime/framing/framing.h"
+#include "runtime/renderer/tile_feedback.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/upright.h"
 
@@ -31,7 +33,7 @@ FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, co
 /// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit; of
 /// those that are a few large discs they go around the discs, so that these do not stand knee-deep in a floor.
 Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
-    if (sample.splats.empty() || scene.instances.empty()) return scene.bounds;
+    if (sample.splats.empty() || scene.description.instances.empty()) return scene.bounds;
     constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
     if (sample.splats.size() < kEachCounts) {
         const SampleBox discs = discBounds(sample);
@@ -42,6 +44,31 @@ Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
     const Bounds& all = scene.bounds;
     return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},
             {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
+}
+
+/// Of a turntable so many tell which tiles it needs.
+constexpr std::uint32_t kTurntableCameras = 64;
+
+/// That tiles are chosen for.
+std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest& request) {
+    if (request.turntable == 0) return {loaded.camera};
+    const TurntableAxis axis = turntableAxis(loaded);
+    const std::uint32_t count = std::min(request.turntable, kTurntableCameras);
+    std::vector<Camera> cameras;
+    for (std::uint32_t i = 0; i < count; ++i) cameras.push_back(turntableCamera(loaded.camera, axis, i, count));
+    return cameras;
+}
+
+TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const LoadRequest& request) {
+    TileRequest tiles;
+    tiles.cameras = pictureCameras(loaded, request);
+    tiles.size = {loaded.settings.width, loaded.settings.height};
+    tiles.memory = tileMemory(device, request.memory);
+    const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
+    tiles.painted = std::any_of(instances.begin(), instances.end(),
+                                [&](const InstanceDescription& each) { return isPainted(each, loaded.settings); });
+    tiles.verbose = request.verbose;
+    return tiles;
 }
 
 /// Puts up what stands around the scene, and all tables.
@@ -66,7 +93,23 @@ void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     const Camera stage = framedCamera(loaded, stage_view.camera);
     loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
+    if (!scene.sets.empty()) standTiles(device, scene, tileRequest(device, loaded, request));
     uploadSceneTables(device, scene, loaded.settings);
+}
+
+/// Tiles as their rays want them, round by round: what children are met is known when they are there. Two rounds bring
+/// what no camera sees to the pixel of what one sees (kUnseenPixel), and one finds that nothing more is wanted.
+constexpr int kTileRounds = 3;
+
+void refineTiles(Device& device, LoadedScene& loaded, const LoadRequest& request) {
+    const TileRequest tiles = tileRequest(device, loaded, request);
+    for (int round = 0; round < kTileRounds; ++round) {
+        if (!markTilesMet(device, loaded.tracer, loaded.scene, loaded.settings, tiles.cameras)) return;
+        if (!standTiles(device, loaded.scene, tiles)) return;
+        uploadSceneTables(device, loaded.scene, loaded.settings);
+        addPrograms(device, loaded.scene, loaded.settings, loaded.tracer.programs);
+        rebind(device, loaded.tracer);
+    }
 }
 
 TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {
@@ -74,6 +117,11 @@ TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {
 }
 
 } // namespace
+
+TurntableAxis turntableAxis(const LoadedScene& loaded) {
+    const Vec3 center = 0.5 * (loaded.scene.bounds.lo + loaded.scene.bounds.hi);
+    return {loaded.settings.camera.target.value_or(center), sceneUp(loaded.scene.description, loaded.settings)};
+}
 
 ProgramKinds kindsOf(const DeviceScene& scene, const RenderSettings& settings) {
     return {scene.features, shapeKinds(scene.shape_rows), settings.integrator, scene.sky_light != NO_LIGHT,
@@ -100,6 +148,7 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     const TracerSize size = request.size.value_or(wholeFrames(worker, request.settings));
     createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels,
                      request.form);
+    if (request.refines_tiles && !loaded->scene.sets.empty()) refineTiles(worker, *loaded, request);
     loaded->program_kinds = kindsOf(loaded->scene, loaded->settings);
     if (!wantsPhotons(loaded->scene, loaded->settings)) return loaded;
     begin("caustics", kPhotonsShare);

@@ -14,6 +14,7 @@
 #include "runtime/renderer/frame_tiling.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_settings.h"
+#include "runtime/scene/turntable.h"
 #include "runtime/tracer/band_tracer.h"
 
 namespace pointrt {
@@ -54,14 +55,20 @@ struct LoadedScene {
     bool lacks_photons = false; ///< since its tables were changed: it throws caustics that the tracer does not have yet
 };
 
+/// What pictures of a turntable of the scene go around.
+TurntableAxis turntableAxis(const LoadedScene& loaded);
+
 struct LoadRequest {
     SceneDescription scene;
     RenderSettings settings;
-    CameraRequest staging;           ///< what surroundings are put up for: the settings' camera, were there no view
-    std::optional<TracerSize> size;  ///< of the tracer; none: for whole frames of the settings' size
-    std::optional<Vec3> fallback_up; ///< where neither scene nor scans say it; none: what the camera has
-    bool fov_is_free = false;        ///< nobody has said it: it may become wider
-    double free_share = 1;           ///< of the picture's width, from the left: nothing covers it
+    CameraRequest staging;              ///< what surroundings are put up for: the settings' camera, were there no view
+    std::optional<TracerSize> size;     ///< of the tracer; none: for whole frames of the settings' size
+    std::optional<Vec3> fallback_up;    ///< where neither scene nor scans say it; none: what the camera has
+    bool fov_is_free = false;           ///< nobody has said it: it may become wider
+    double free_share = 1;              ///< of the picture's width, from the left: nothing covers it
+    std::uint64_t memory = kTileMemory; ///< bytes for the tiles of sets
+    std::uint32_t turntable = 0;        ///< pictures of a turntable that tiles are chosen for; 0: for the first camera
+    bool refines_tiles = false;         ///< those that no camera sees as well, where rays meet them
     bool verbose = false;
     FormRequest form; ///< of its passes
 };

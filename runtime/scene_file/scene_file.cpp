@@ -10,6 +10,7 @@
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
+#include "format/set/tile_set.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/upright.h"
 #include "runtime/scene_file/read_parts.h"
@@ -126,7 +127,8 @@ std::string fileOf(const SceneValue& value, const SceneReading& reading) {
     const std::string name = textOf(value);
     const std::filesystem::path path = std::filesystem::path(reading.scene.path).parent_path() / name;
     std::error_code error;
-    if (!std::filesystem::exists(path, error) || std::filesystem::is_directory(path, error))
+    const bool is_folder = std::filesystem::is_directory(path, error) && !isTileSet(path.string());
+    if (!std::filesystem::exists(path, error) || is_folder)
         refuse(value, "there is no file \"" + printable(path.string()) + "\"");
     return path.string();
 }

@@ -128,6 +128,10 @@ OptionGroup runOptions() {
         "Run",
         {{"--device", "list|N|NAME", "Vulkan device by number or part of its name; list shows them (default: best)",
           setDevice},
+         {"--memory", "SIZE",
+          "What the tiles of sets may take, such as 2G or 500M; where a picture wants more, they are coarser (default "
+          "2G)",
+          [](Options& o, const std::string& text) { o.memory = parseBytes(text); }},
          {"--bench", "N",
           "Render N frames after a warm-up, print JSON (default: none, 1 to " + std::to_string(kMaxBenchFrames) + ")",
           [](Options& o, const std::string& text) { o.bench_frames = parseCount(text, 1, kMaxBenchFrames); }},

@@ -140,7 +140,8 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option(
            "SCENE", options.scene,
-           "FILE.pro as pointrt-bake wrote it, or a scene file FILE.toml (docs/SCENES.md), which the options overrule")
+           "FILE.pro or NAME.proset as pointrt-bake wrote it, or a scene file FILE.toml (docs/SCENES.md), which the "
+           "options overrule")
         ->type_name("")
         ->group("Scene");
     addGroups(app, options);

@@ -8,6 +8,7 @@
 
 #include "runtime/film/frame_limits.h"
 #include "runtime/scene/render_settings.h"
+#include "runtime/sets/cut.h"
 
 namespace pointrt {
 
@@ -22,10 +23,11 @@ struct Options {
     std::optional<Vec3> up_axis;   ///< of the scene too, where that does not say; camera has it as well
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
-    std::string view;               ///< name of a view in the scene file, empty: its camera
-    std::uint32_t turntable = 0;    ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
-    bool resume = false;            ///< go on with the film in output, which ends in .exr
-    std::uint32_t bench_frames = 0; ///< 0: no benchmark
+    std::uint64_t memory = kTileMemory; ///< bytes for the tiles of sets
+    std::string view;                   ///< name of a view in the scene file, empty: its camera
+    std::uint32_t turntable = 0;        ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
+    bool resume = false;                ///< go on with the film in output, which ends in .exr
+    std::uint32_t bench_frames = 0;     ///< 0: no benchmark
     bool list_devices = false;
     bool profile = false; ///< goes with output or bench_frames
     // without output and bench_frames there is a window

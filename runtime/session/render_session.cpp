@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/render_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -13,6 +14,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+std::optional<SetReport> describeSets(const DeviceScene& scene) {
+    if (scene.sets.empty()) return std::nullopt;
+    SetReport report;
+    for (const SceneSet& each : scene.sets) {
+        const OpenedSet& set = each.opened;
+        report.tiles += set.cut.tiles.size();
+        report.bytes += set.cut.bytes;
+        report.wanted_tiles += set.wanted.tiles.size();
+        report.wanted_bytes += set.wanted.bytes;
+        report.lost_tiles += static_cast<std::uint64_t>(std::count(set.lost.begin(), set.lost.end(), true));
+    }
+    return report;
+}
+
 void describe(const RenderSession& session, Report& report) {
     const RenderSettings& settings = session.settings;
     report.device = session.device.name;
@@ -21,6 +36,7 @@ void describe(const RenderSession& session, Report& report) {
     report.height = settings.height;
     report.spp = settings.spp;
     report.splats = session.loaded->scene.splat_count;
+    report.sets = describeSets(session.loaded->scene);
     report.device_bytes = session.loaded->scene.device_bytes + deviceBytes(session.loaded->tracer);
 }
 
@@ -48,6 +64,7 @@ RenderSession::~RenderSession() {
 void loadSession(RenderSession& session, SceneDescription description, const Options& options, Report& report) {
     const Clock::time_point start = Clock::now();
     LoadRequest request = loadRequest(options, std::move(description));
+    request.refines_tiles = true;
     if (options.resume) request.form = formToResume(options.output);
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;

@@ -50,6 +50,15 @@ std::string timesJson(std::vector<double> values) {
            ", \"max\": " + jsonNumber(values.back()) + "}";
 }
 
+std::string setsJson(const SetReport& sets) {
+    const auto member = [](const char* name, std::uint64_t value) {
+        return std::string("\"") + name + "\": " + std::to_string(value);
+    };
+    return "{" + member("tiles", sets.tiles) + ", " + member("bytes", sets.bytes) + ", " +
+           member("wanted_tiles", sets.wanted_tiles) + ", " + member("wanted_bytes", sets.wanted_bytes) + ", " +
+           member("lost_tiles", sets.lost_tiles) + "}";
+}
+
 } // namespace
 
 std::string jsonNumber(double value) {
@@ -100,6 +109,7 @@ std::string reportJson(const Report& report) {
         {"denoise_ms", jsonNumber(report.denoise_ms)},
         {"rays", rays},
         {"mrays_per_second", jsonNumber(all_rays ? static_cast<double>(all_rays) / (1e3 * middle) : 0)}};
+    if (report.sets) members.emplace_back("sets", setsJson(*report.sets));
     if (!report.profile.empty()) members.emplace_back("profile", report.profile);
     return jsonObject(members);
 }

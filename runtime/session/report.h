@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,11 @@
 #include "runtime/image/film.h"
 
 namespace pointrt {
+
+/// The tiles that stand for a scene's sets, and those that would, were there memory for them.
+struct SetReport {
+    std::uint64_t tiles = 0, bytes = 0, wanted_tiles = 0, wanted_bytes = 0, lost_tiles = 0;
+};
 
 struct Report {
     std::string device;
@@ -20,6 +26,7 @@ struct Report {
     double noise = 0;          ///< relativeNoise of the picture before denoising; JSON null where not finite
     std::uint64_t splats = 0;
     std::uint64_t device_bytes = 0;
+    std::optional<SetReport> sets;    ///< where the scene has any
     double load_seconds = 0;          ///< from opening the file to ready
     double first_frame_seconds = 0;   ///< from the start of the process to the first finished frame
     std::vector<double> frame_ms;     ///< of each measured frame, at least one

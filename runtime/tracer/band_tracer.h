@@ -30,8 +30,9 @@ struct BandTracer {
     CausticMaps caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
     std::vector<TracerTarget> targets;
-    DescriptorSets sets;            ///< for what looks at no instance
-    PassProfile* profile = nullptr; ///< of its passes, where one is wanted
+    DescriptorSets sets;                ///< for what looks at no instance
+    PassProfile* profile = nullptr;     ///< of its passes, where one is wanted
+    const Buffer* hit_counts = nullptr; ///< where one is wanted: gets how many rays of the last pass hit each target
 
     BandTracer() = default;
     BandTracer(const BandTracer&) = delete;

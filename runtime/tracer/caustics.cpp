@@ -54,12 +54,16 @@ PhotonTarget shapeTarget(const DeviceScene& scene, std::size_t number) {
 
 std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
     std::vector<PhotonTarget> targets;
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        if (!scene.instances[i].params.materials.w) continue;
-        const pro_info& info = scene.files[scene.instances[i].file].info;
-        const Bounds bounds = placedBounds(scene.description.instances[i].placement, info);
+    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const auto casts = [&](std::uint32_t number) {
+        return std::any_of(scene.instances.begin(), scene.instances.end(),
+                           [&](const Instance& each) { return each.number == number && each.params.materials.w != 0; });
+    };
+    for (std::uint32_t i = 0; i < scans.size(); ++i) {
+        if (!casts(i)) continue;
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, scans[i]->info);
         const RenderSphere around = sphereAround(scene.space, bounds);
-        targets.push_back({around.center, around.radius, static_cast<std::uint32_t>(i)});
+        targets.push_back({around.center, around.radius, i});
     }
     for (std::size_t i = 0; i < scene.description.shapes.size(); ++i)
         if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, i));

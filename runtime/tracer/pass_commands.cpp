@@ -48,6 +48,13 @@ void PassCommands::run(const Pass& pass) {
         record(pass);
 }
 
+void PassCommands::copyHitCount(const Buffer& counts, std::size_t place) {
+    if (!commands_) return;
+    const VkBufferCopy copy{offsetof(gpu::Control, hit_count), place * sizeof(std::uint32_t), sizeof(std::uint32_t)};
+    vkCmdCopyBuffer(commands_, control_.handle, counts.handle, 1, &copy);
+    recordBarrier(commands_);
+}
+
 gpu::Control PassCommands::finish() {
     if (profile_) return counters_;
     submitAndWait(device_, commands_);

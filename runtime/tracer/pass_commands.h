@@ -27,6 +27,8 @@ public:
 
     /// What later ones read it has written by then.
     void run(const Pass& pass);
+    /// Copies how many hits the list of hits has to a place in counts, unless a profile is taken.
+    void copyHitCount(const Buffer& counts, std::size_t place);
     /// Returns when all passes are done, with the counters as they are then.
     gpu::Control finish();
 

@@ -42,10 +42,15 @@ struct Constants {
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
-    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven},  {SPEC_ORIENTED, c.instance.oriented},
-                                     {SPEC_NOISY, c.instance.noisy},    {SPEC_SKY_IMAGE, c.sky_image},
-                                     {SPEC_INTEGRATOR, c.integrator},   {SPEC_FEATURES, c.features},
-                                     {SPEC_CAMERA_PASS, c.camera_pass}, {SPEC_GATHERS_PHOTONS, c.gathers_photons},
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven},
+                                     {SPEC_ORIENTED, c.instance.oriented},
+                                     {SPEC_NOISY, c.instance.noisy},
+                                     {SPEC_CORED, c.instance.cored},
+                                     {SPEC_SKY_IMAGE, c.sky_image},
+                                     {SPEC_INTEGRATOR, c.integrator},
+                                     {SPEC_FEATURES, c.features},
+                                     {SPEC_CAMERA_PASS, c.camera_pass},
+                                     {SPEC_GATHERS_PHOTONS, c.gathers_photons},
                                      {SPEC_SHAPE_KINDS, c.shape_kinds}};
     if (!isPaged(c.instance.pages)) return values;
     for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
@@ -72,12 +77,15 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
     constants.features = scene.features;
     constants.shape_kinds = shapeKinds(scene.shape_rows);
     constants.gathers_photons = castsCaustics(scene) && showsLight(settings.integrator);
+    // beams have one program for all instances, and the cores of files are their grids
+    constants.instance.cored = !scene.sets.empty();
     return constants;
 }
 
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
     const DeviceScan& file = scene.files[instance.file];
-    return {file.index.uneven != 0, instance.oriented, file.noisy, isPaged(file.pages) ? file.pages : PageCounts{}};
+    return {file.index.uneven != 0, instance.oriented, file.noisy, instance.tile.has_value(),
+            isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
@@ -124,6 +132,15 @@ void orderQueued(const Constants& constants, const Constants& of_camera, Program
     if (programs.show_light) orderLight(constants, programs, orders);
 }
 
+/// Those of instances that are like none before.
+void orderInstances(const DeviceScene& scene, const Constants& constants, Programs& programs,
+                    std::vector<Order>& orders) {
+    for (const Instance& instance : scene.instances) {
+        const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
+        if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
+    }
+}
+
 /// What is needed, for places in programs.
 std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants, Programs& programs) {
     Constants of_camera = constants;
@@ -139,10 +156,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
     if (programs.rays_go_on && (programs.form == PassForm::kQueued || constants.gathers_photons))
         orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
     if (constants.gathers_photons) orders.push_back({&programs.photon, "photon", photon_spv, constants});
-    for (const Instance& instance : scene.instances) {
-        const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
-        if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
-    }
+    orderInstances(scene, constants, programs, orders);
     return orders;
 }
 
@@ -165,6 +179,12 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
     const OnError undo([&] { destroyPrograms(device, programs); });
     buildAll(device, orderAll(scene, constantsFor(scene, settings), programs));
     return programs;
+}
+
+void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs) {
+    std::vector<Order> orders;
+    orderInstances(scene, constantsFor(scene, settings), programs, orders);
+    buildAll(device, std::move(orders));
 }
 
 void destroyPrograms(Device& device, Programs& programs) {

@@ -16,10 +16,10 @@ namespace pointrt {
 struct CausticMap;
 struct FrameBuffers;
 
-/// What programs know of an instance: whether it is uneven, oriented and noisy (shaders/trace/instance.glsl), and where
-/// it has several, its pages (shaders/frame/pages.glsl).
+/// What programs know of an instance: whether it is uneven, oriented, noisy and a tile (shaders/trace/instance.glsl),
+/// and where it has several, its pages (shaders/frame/pages.glsl).
 struct InstanceTraits {
-    bool uneven = false, oriented = false, noisy = false;
+    bool uneven = false, oriented = false, noisy = false, cored = false;
     PageCounts pages; ///< all 0 where each buffer has one
     auto operator<=>(const InstanceTraits&) const = default;
 };
@@ -49,6 +49,8 @@ struct Programs {
 
 /// Builds what the scene needs for the settings' integrator, in the form asked for where that can be.
 Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, FormRequest form);
+/// Builds what the scene's instances need besides, now that they are others.
+void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs);
 void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);

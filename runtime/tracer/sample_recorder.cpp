@@ -44,6 +44,8 @@ void SampleRecorder::askInstances(std::uint32_t bits) {
     for (const TracerTarget& target : tracer_.targets) {
         run(target.programs->trace, target.sets, bits, PassLanes::kAsked);
         surface(target.programs->surface, target.sets, bits);
+        if (tracer_.hit_counts)
+            commands_.copyHitCount(*tracer_.hit_counts, static_cast<std::size_t>(&target - tracer_.targets.data()));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 namespace pointrt {
 std::string plainText(double value) {
@@ -29,6 +30,19 @@ double parseRealAbove(const std::string& text, double low, double high) {
     if (parseNumber(text, value) && value > low && value <= high) return value;
     throw std::invalid_argument("\"" + text + "\" is not a number above " + plainText(low) + " and up to " +
                                 plainText(high));
+}
+
+std::uint64_t parseBytes(const std::string& text) {
+    constexpr std::string_view kUnits = "KMGT";
+    constexpr double kMost = 9e18; // below 2^63
+    const std::size_t unit = text.empty() ? std::string_view::npos : kUnits.find(text.back());
+    const bool has_unit = unit != std::string_view::npos;
+    double number = 0;
+    if (parseNumber(has_unit ? text.substr(0, text.size() - 1) : text, number)) {
+        const double bytes = has_unit ? std::ldexp(number, 10 * (static_cast<int>(unit) + 1)) : number;
+        if (bytes >= 1 && bytes <= kMost) return static_cast<std::uint64_t>(bytes);
+    }
+    throw std::invalid_argument("\"" + text + "\" is not a size such as 2G, 500M or a number of bytes");
 }
 
 PixelSize parseSize(const std::string& text, std::uint32_t most) {

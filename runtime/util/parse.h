@@ -30,6 +30,9 @@ double parseReal(const std::string& text, double low, double high);
 /// A number above low and up to high.
 double parseRealAbove(const std::string& text, double low, double high);
 
+/// "500M": bytes, or kibi-, mebi-, gibi- or tebibytes with K, M, G or T, above 0 and below 2^63.
+std::uint64_t parseBytes(const std::string& text);
+
 /// "WxH", each from 1 to most.
 PixelSize parseSize(const std::string& text, std::uint32_t most);
 

@@ -39,7 +39,8 @@ struct Shape {
 
 #define MAX_COLOR_RANGES 8
 
-// One .pro in the scene: how its cube lies in render space, its encoding and its materials.
+// One .pro in the scene: how its cube lies in render space, its encoding and its materials. Tiles of a set are one
+// instance: they have its number and its materials, and each a core, in which its hits count.
 struct InstanceParams {
     vec4 row_x; // rows of cube_from_render, a similarity: xyz linear part, w translation
     vec4 row_y;
@@ -50,6 +51,8 @@ struct InstanceParams {
     uvec4 grid_size;   // xyz: cells
     uvec4 grid_words;  // x: in a layer, y: number of the last, z: of the last one of a brick
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
+    vec4 core_low;     // of a tile, in grid units: corners of its core; w: how far rounding may put a ray beside it
+    vec4 core_high;
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };
 
@@ -57,7 +60,7 @@ struct InstanceParams {
 POINTRT_ROWS(Material, MATERIAL_VECTORS);
 POINTRT_ROWS(Shape, SHAPE_VECTORS);
 POINTRT_ROWS(Light, LIGHT_VECTORS);
-POINTRT_ROWS(InstanceParams, 9 + MAX_COLOR_RANGES);
+POINTRT_ROWS(InstanceParams, 11 + MAX_COLOR_RANGES);
 } // namespace pointrt::gpu
 #endif
 

@@ -37,6 +37,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_GATHERS_PHOTONS POINTRT_SPEC(18)
 // Kinds of the scene's shapes where it has few (scene_layout.h).
 #define SPEC_SHAPE_KINDS POINTRT_SPEC(19)
+// Whether the instance is a tile of a set.
+#define SPEC_CORED POINTRT_SPEC(20)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

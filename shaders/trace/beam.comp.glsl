@@ -24,12 +24,12 @@ float freeCells(uint word) {
     return skippedCells(min(min(both.x, both.y), min(both.z, both.w)), 0u);
 }
 
-// How far a point, in grid units, is at least from all filled cells, by its largest component. From outside, they are
-// no nearer than from the grid's nearest point, and no nearer than the grid.
-float freeAround(vec3 point, Grid grid, vec3 highest) {
-    float outside = largest(max(-point, point - highest));
-    point = clamp(point, vec3(0.0), highest);
-    vec3 base = min(floor(point), highest - 1.0);
+// How far a point, in grid units, is at least from all filled cells of a box, by its largest component. From outside,
+// they are no nearer than from the box's nearest point, and no nearer than the box.
+float freeAround(vec3 point, Grid grid, vec3 lowest, vec3 highest) {
+    float outside = largest(max(lowest - point, point - highest));
+    point = clamp(point, lowest, highest);
+    vec3 base = min(floor(point), gridEnd() - 1.0);
     uint word = gridWord(ivec3(base), grid);
     vec3 in_cell = point - base;
     float inside = isFilled(word) ? 0.0 : freeCells(word) - 1.0 + least(min(in_cell, 1.0 - in_cell));
@@ -65,16 +65,16 @@ Beam tileBeam(vec2 corner) {
 float marchBeam(Beam beam) {
     Grid grid = loadGridFrame();
     float scale = instance.grid_scale.x;
-    vec3 highest = gridEnd();
-    vec3 start = gridPoint(beam.middle.origin), direction = beam.middle.direction;
+    vec3 start = gridPoint(beam.middle.origin), direction = beam.middle.direction, lowest, highest;
+    walkedBox(start, lowest, highest);
     float width = beam.width * scale;
     // beyond its far corner no ray can be in the grid
-    float t_far = length(max(abs(start), abs(highest - start)));
+    float t_far = length(max(abs(lowest - start), abs(highest - start)));
     float t = 0.0, advance = kMinStep;
     int left = kMaxSteps;
     do { // lanes that are done take part until all are: see trace.glsl
         bool going = advance >= kMinStep && t < t_far && left > 0;
-        float free = freeAround(start + direction * t, grid, highest);
+        float free = freeAround(start + direction * t, grid, lowest, highest);
         float further = (free - width - t * beam.spread) / (largest(abs(direction)) + beam.spread);
         advance = going ? further : advance;
         t = going ? t + max(further, 0.0) : t;

@@ -25,6 +25,22 @@ vec3 gridPoint(vec3 cube) { return cube * instance.grid_scale.x - vec3(instance.
 // The grid's highest corner.
 vec3 gridEnd() { return vec3(instance.grid_size.xyz); }
 
+// Of what a ray is from a tile, rounding makes less than this: a few times 2^-24.
+const float kCoreRounding = 4e-7;
+
+// What of the grid is to be walked through by rays that start here (grid units): all of it, of a tile its core, and
+// around that what rounding takes, which is another for each tile: the ray must not pass between two of them.
+void walkedBox(vec3 origin, out vec3 lowest, out vec3 highest) {
+    lowest = vec3(0.0);
+    highest = gridEnd();
+    if (kCored) {
+        vec3 away = abs(origin);
+        float margin = instance.core_low.w + kCoreRounding * max(away.x, max(away.y, away.z));
+        lowest = max(instance.core_low.xyz - margin, lowest);
+        highest = min(instance.core_high.xyz + margin, highest);
+    }
+}
+
 // Cells to skip from an empty one towards the octant that shift stands for. No product, no conversion: what follows a
 // load is what a step takes.
 float skippedCells(uint word, uint octant_shift) {

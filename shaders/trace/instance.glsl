@@ -11,6 +11,8 @@ layout(constant_id = SPEC_UNEVEN) const bool kUneven = false;
 layout(constant_id = SPEC_ORIENTED) const bool kOriented = false;
 // Whether it says how far its surface scatters.
 layout(constant_id = SPEC_NOISY) const bool kNoisy = false;
+// Whether it is a tile of a set, whose hits count in its core alone.
+layout(constant_id = SPEC_CORED) const bool kCored = false;
 
 vec3 cubePoint(vec3 render_point) {
     vec4 p = vec4(render_point, 1.0);

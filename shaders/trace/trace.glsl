@@ -41,6 +41,7 @@ struct Walk {
     uint octant_shift;
     float t;        // from origin to where the ray enters the next cell
     float t_end;    // to where it leaves the grid
+    vec2 t_core;    // of a tile: to where it comes into the core, and leaves it
 };
 
 // A cell whose discs the ray may hit, as a step leaves it.
@@ -55,9 +56,10 @@ struct CellRay {
     vec3 origin;
     vec3 direction;
     float own_slope; // against the normal of its own surface
+    vec2 t_core;     // as of a Walk
 };
 
-// Starts at the grid's border: from a distant eye t would leave too few bits for the splat test.
+// Starts at the grid's border, of a tile at its core's: from a distant eye t would leave too few bits for the splat test.
 // t_start receives the distance from the ray's origin.
 Walk startWalk(TraceRay ray, out float t_start) {
     float scale = instance.grid_scale.x;
@@ -71,17 +73,19 @@ Walk startWalk(TraceRay ray, out float t_start) {
     vec3 side = 1.0 - 2.0 * walk.entry; // signs of the direction
     uvec3 bits = uvec3(rising);
     walk.octant_shift = PRO_SKIP_BITS * (bits.x | bits.y << 1 | bits.z << 2);
-    vec3 origin = gridPoint(ray.origin), highest = gridEnd();
-    vec3 near = (mix(highest, vec3(0.0), rising) - origin) * walk.inverse;
+    vec3 origin = gridPoint(ray.origin), lowest, highest;
+    walkedBox(origin, lowest, highest);
+    vec3 near = (mix(highest, lowest, rising) - origin) * walk.inverse;
     // ends before looking ahead leaves the grid, by no more than the lists take in around a cell (kSlackSteps)
-    vec3 last = mix(vec3(0.0), highest, rising) - 1.5 * instance.grid_scale.y * side;
+    vec3 last = mix(lowest, highest, rising) - 1.5 * instance.grid_scale.y * side;
     vec3 far = (last - origin) * walk.inverse;
     t_start = max(max(near.x, near.y), max(near.z, ray.t_min));
     // from a distant origin the product's rounding may put it outside, where words are those of other cells
-    walk.origin = clamp(origin + walk.direction * t_start, vec3(0.0), highest);
+    walk.origin = clamp(origin + walk.direction * t_start, lowest, highest);
     walk.start = walk.origin + side * instance.grid_scale.y;
     walk.t = 0.0;
     walk.t_end = min(min(far.x, far.y), far.z) - t_start;
+    walk.t_core = kCored ? vec2(max(max(near.x, near.y), near.z) - t_start, walk.t_end) : vec2(0.0);
     return walk;
 }
 
@@ -123,6 +127,16 @@ Visit stepWalk(Walk walk, Grid grid, out float t_out) {
     return Visit(meets ? cell : NO_INDEX, middle, spot.edge);
 }
 
+// Of a radius, as far as near splats of the same disc lie apart in two tiles: each is less than a hundredth off.
+const float kCoreSlack = 1.0 / 32.0;
+
+// Whether a tile's hit counts: in its core, or where at the core's border the ray is so near to the disc that the
+// neighbour's near splat may lie beyond it. With rays that graze the disc that is far along the ray.
+bool countsInCore(float t, float slope, float normal_squared, float radius_squared, vec2 t_core) {
+    float height = (t - clamp(t, t_core.x, t_core.y)) * slope;
+    return height * height <= kCoreSlack * kCoreSlack * normal_squared * radius_squared;
+}
+
 // Distance to a cell disc along the ray, or t_limit where it is missed, not nearer, or the ray's own surface.
 float hitDisc(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float t_limit) {
     const ivec3 axes = ivec3(0, 1, 2);
@@ -138,7 +152,9 @@ float hitDisc(uvec2 words, CellRay cell_ray, TraceRay ray, float t_start, float 
     float facing = dot(normal, ray.own_normal);
     bool own = t < ray.own_t - t_start && facing * (kOriented ? abs(facing) : facing) > 0.25 * dot(normal, normal) &&
                slope * facing * cell_ray.own_slope > 0.0;
-    return dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !own ? t : t_limit;
+    bool hits = dot(offset, offset) < radius_squared && t >= -t_start && t < t_limit && !own;
+    if (kCored) hits = hits && countsInCore(t, slope, dot(normal, normal), radius_squared, cell_ray.t_core);
+    return hits ? t : t_limit;
 }
 
 bool walks(Walk walk, Visit visit, float t_end) { return visit.cell == NO_INDEX && walk.t < t_end; }
@@ -175,7 +191,7 @@ void testCell(Walk walk, Visit visit, TraceRay ray, float t_start, inout TraceHi
     float codes = unpackHalf2x16(cell[PRO_CELL_COUNT] >> PRO_CELL_CODES_SHIFT).x / visit.edge;
     vec3 middle = visit.middle + middleOffset(cell[PRO_CELL_BLENDING_COUNT]) * (0.5 * visit.edge);
     CellRay cell_ray = CellRay((walk.origin - middle) * codes, walk.direction * codes,
-                               dot(walk.direction, ray.own_normal));
+                               dot(walk.direction, ray.own_normal), walk.t_core);
     // runs start and end where they will: what is tested beside them are discs as well
     uint first = cell[PRO_CELL_FIRST], end = visits ? first + (cell[PRO_CELL_COUNT] & PRO_CELL_COUNT_MASK) : 0u;
     uint k = visits ? first & ~1u : 0u;

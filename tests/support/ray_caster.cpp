@@ -114,6 +114,7 @@ struct RayCaster::State {
         const SpecConstant traits[] = {{SPEC_UNEVEN, file().index.uneven},
                                        {SPEC_ORIENTED, scene.instances[0].oriented},
                                        {SPEC_NOISY, file().noisy},
+                                       {SPEC_CORED, 0},
                                        {SPEC_INTEGRATOR, 0},
                                        {SPEC_FEATURES, ~0u},
                                        {SPEC_CAMERA_PASS, 0},

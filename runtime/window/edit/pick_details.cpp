@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/window/edit/pick_details.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "runtime/coloring/point_classes.h"
 #include "runtime/device_scene/color_choice.h"
@@ -28,9 +30,9 @@ std::string shortText(double number, const pro_attribute& attribute) {
 }
 
 /// "classification 6, building" of what the splat is coloured by.
-std::string numberText(const DeviceScene& scene, const Pick& pick) {
+std::string numberText(const DeviceScene& scene, const Pick& pick, std::size_t place) {
     const std::string& word = scene.paint.request.color_by;
-    const auto numbers = numbersFor(placedScans(scene, scene.description).at(pick.owner), word, scene.paint.request.up);
+    const auto numbers = numbersFor(placedScans(scene, scene.description).at(place), word, scene.paint.request.up);
     if (!numbers) return "";
     double number = 0;
     readNumbers(*numbers, pick.splat, {&number, 1});
@@ -40,18 +42,42 @@ std::string numberText(const DeviceScene& scene, const Pick& pick) {
            (is_class ? ", " + className(static_cast<std::uint8_t>(number)) : "");
 }
 
-void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
-    const Instance& instance = scene.instances.at(pick.owner);
-    const Placement& placement = scene.description.instances.at(pick.owner).placement;
-    const DeviceScan& file = scene.files.at(instance.file);
+pro_splat splatOf(const DeviceScan& file, std::uint32_t number) {
     pro_splat splat{};
-    pro_splat_decode(file.view.splats + std::size_t{4} * pick.splat, file.info.radius_max, file.info.radius_step,
-                     &splat);
+    pro_splat_decode(file.view.splats + std::size_t{PRO_SPLAT_WORDS} * number, file.info.radius_max,
+                     file.info.radius_step, &splat);
+    return splat;
+}
+
+/// The place in scene.instances of what was picked at a point of its own coordinates. Tiles of a set have one number:
+/// it is the one whose splat of that number is nearest.
+std::size_t pickedInstance(const DeviceScene& scene, const Pick& pick, Vec3 input) {
+    std::size_t place = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Instance& each : scene.instances) {
+        const DeviceScan& file = scene.files[each.file];
+        if (each.number != pick.owner || pick.splat >= file.info.splat_count) continue;
+        const pro_splat splat = splatOf(file, pick.splat);
+        const Vec3 origin{file.info.origin[0], file.info.origin[1], file.info.origin[2]};
+        const Vec3 center{splat.position[0], splat.position[1], splat.position[2]};
+        const double distance = length(origin + file.info.scale * center - input);
+        if (distance < nearest) place = each.place;
+        nearest = std::min(nearest, distance);
+    }
+    return place;
+}
+
+void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
+    const Placement& placement = scene.description.instances.at(pick.owner).placement;
+    const Vec3 input = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
+    const std::size_t place = pickedInstance(scene, pick, input);
+    const DeviceScan& file = scene.files.at(scene.instances.at(place).file);
+    const pro_splat splat = splatOf(file, pick.splat);
     point.owner = std::filesystem::path(file.path).filename().string();
-    point.position = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
+    point.position = input;
     point.normal = unrotated(placement, pick.normal);
     point.radius = double{splat.radius} * file.info.scale;
-    point.number = numberText(scene, pick);
+    point.number = numberText(scene, pick, place);
     if (file.info.flags & PRO_FLAG_COLOR) point.color = {splat.color[0], splat.color[1], splat.color[2]};
 }
 

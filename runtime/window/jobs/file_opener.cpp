@@ -5,6 +5,7 @@
 
 #include "format/base/error.h"
 #include "format/base/require_pro.h"
+#include "format/set/tile_set.h"
 #include "runtime/scene_file/scene_file.h"
 #include "runtime/window/files/file_list.h"
 #include "runtime/window/jobs/bake_job.h"
@@ -12,7 +13,9 @@
 namespace pointrt {
 namespace {
 
-bool isScene(const std::string& path) { return path.ends_with(".pro") || isSceneFile(path) || beginsAsPro(path); }
+bool isScene(const std::string& path) {
+    return path.ends_with(".pro") || isSceneFile(path) || isTileSet(path) || beginsAsPro(path);
+}
 
 } // namespace
 

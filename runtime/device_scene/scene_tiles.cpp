@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/scene_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "format/base/error.h"
+#include "format/base/parallel.h"
+#include "format/base/printable.h"
+#include "format/set/open_tile.h"
+#include "runtime/sets/core_reach.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the device's own memory: what films, programs and others need is left.
+constexpr double kDeviceShare = 0.75;
+
+/// What of a tile's place rounding makes, of its cube: hits and cores are told to a position step, and where the tile
+/// is small beside render space, its matrix moves all by a share of that.
+constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
+
+/// What does not depend on the materials.
+gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                  std::uint32_t number) {
+    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
+    const pro_index& grid = file.index;
+    const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
+    gpu::InstanceParams params{};
+    params.row_x = rows[0];
+    params.row_y = rows[1];
+    params.row_z = rows[2];
+    params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
+                    std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
+    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
+    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
+    const std::uint32_t layer = grid.size[0] * grid.size[1];
+    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
+    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
+    params.materials = {number, 0, 0, 0};
+    params.core_high = {static_cast<float>(grid.size[0]), static_cast<float>(grid.size[1]),
+                        static_cast<float>(grid.size[2]), 0};
+    return params;
+}
+
+/// Where a tile's hits count, in its grid's cells.
+void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params) {
+    const double cells = params.grid_scale.x;
+    const auto along = [&](double input, std::size_t axis) {
+        const double cube = (input - file.info.origin[axis]) / file.info.scale;
+        return static_cast<float>(cube * cells - file.index.origin[axis]);
+    };
+    const float moved = std::max({std::abs(params.row_x.w), std::abs(params.row_y.w), std::abs(params.row_z.w)});
+    const float margin = (kCoreSteps * PRO_POSITION_STEP + kMatrixRounding * moved) * params.grid_scale.x;
+    params.core_low = {along(box.low[0], 0), along(box.low[1], 1), along(box.low[2], 2), margin};
+    params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), 0};
+}
+
+std::unordered_map<std::string, std::uint32_t> filesByPath(const DeviceScene& scene) {
+    std::unordered_map<std::string, std::uint32_t> files;
+    for (std::uint32_t i = 0; i < scene.files.size(); ++i) files.emplace(scene.files[i].path, i);
+    return files;
+}
+
+/// Instances on their way into a scene.
+class Standing {
+public:
+    Standing(Device& device, DeviceScene& scene) : device_(device), scene_(scene), files_(filesByPath(scene)) {}
+
+    void addFile(std::uint32_t number, const std::string& path) {
+        add(number, files_.at(path));
+        scene_.splat_count += scene_.files[scene_.instances.back().file].info.splat_count;
+    }
+
+    void addTiles(const SceneSet& set) {
+        const TileSet& tiles = set.opened.set;
+        std::vector<bool> in_cut(tiles.tiles.size(), false);
+        for (const std::uint32_t tile : set.opened.cut.tiles) in_cut[tile] = true;
+        for (const std::uint32_t tile : set.opened.cut.tiles) {
+            add(set.number, files_.at(tilePath(set.opened, tile)));
+            Instance& instance = scene_.instances.back();
+            instance.tile = tile;
+            placeCore(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
+            scene_.splat_count += tiles.tiles[tile].splats;
+        }
+    }
+
+private:
+    void add(std::uint32_t number, std::uint32_t file) {
+        Instance instance;
+        instance.file = file;
+        instance.number = number;
+        instance.place = scene_.instances.size();
+        instance.oriented = (scene_.files[file].info.flags & PRO_FLAG_ORIENTED) != 0;
+        instance.params =
+            placeInstance(scene_.space, scene_.files[file], scene_.description.instances[number].placement, number);
+        instance.params_buffer =
+            createBuffer(device_, "instance parameters", sizeof instance.params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        scene_.instances.push_back(instance);
+    }
+
+    Device& device_;
+    DeviceScene& scene_;
+    std::unordered_map<std::string, std::uint32_t> files_;
+};
+
+/// Lets go what no instance and no cut names.
+void dropUnused(Device& device, DeviceScene& scene) {
+    std::unordered_set<std::string> used;
+    for (const InstanceDescription& each : scene.description.instances) used.insert(each.path);
+    for (const SceneSet& set : scene.sets)
+        for (const std::uint32_t tile : set.opened.cut.tiles) used.insert(tilePath(set.opened, tile));
+    std::erase_if(scene.files, [&](DeviceScan& file) {
+        if (used.count(file.path) != 0) return false;
+        scene.device_bytes -= file.device_bytes;
+        destroyScan(device, file);
+        return true;
+    });
+}
+
+void tellLost(const std::string& reason) {
+    std::fprintf(stderr, "pointrt-view: %s; what there is of it in a coarser tile is shown\n",
+                 printable(reason).c_str());
+}
+
+/// A tile that was opened, or why it was not.
+struct TileFile {
+    std::uint32_t tile = 0;
+    DeviceScan scan;
+    std::exception_ptr failure;
+};
+
+/// On all cores: it is read from end to end.
+void openTiles(const OpenedSet& set, std::vector<TileFile>& files) {
+    forAll(files.size(), [&](std::size_t i) {
+        TileFile& each = files[i];
+        try {
+            requireTile(set.set, set.set.tiles[each.tile], set.folder);
+            each.scan = mapScan(tilePath(set, each.tile));
+        } catch (...) {
+            each.failure = std::current_exception();
+        }
+    });
+}
+
+/// True where it was there; else it is marked as lost. A root has no other that would stand for it.
+bool takeTile(Device& device, DeviceScene& scene, OpenedSet& set, TileFile& file, bool verbose) {
+    try {
+        if (file.failure) std::rethrow_exception(file.failure);
+        uploadScan(device, file.scan, verbose);
+        scene.files.push_back(std::exchange(file.scan, {}));
+        scene.device_bytes += scene.files.back().device_bytes;
+        return true;
+    } catch (const Error& error) {
+        destroyScan(device, file.scan);
+        if (error.code != ExitCode::kBadInput || file.tile == 0) throw;
+        tellLost(error.what());
+        set.lost[file.tile] = true;
+        return false;
+    }
+}
+
+/// Loads what of the set's cut is not there yet. False where something of it is lost.
+bool loadCut(Device& device, DeviceScene& scene, OpenedSet& set, bool verbose) {
+    const auto known = filesByPath(scene);
+    std::vector<TileFile> missing;
+    for (const std::uint32_t tile : set.cut.tiles)
+        if (known.count(tilePath(set, tile)) == 0) missing.push_back({tile, {}, {}});
+    openTiles(set, missing);
+    bool whole = true;
+    for (TileFile& file : missing) whole &= takeTile(device, scene, set, file, verbose);
+    return whole;
+}
+
+CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileRequest& request) {
+    CutRequest wanted;
+    const Placement& placement = scene.description.instances[set.number].placement;
+    for (const Camera& camera : request.cameras) wanted.views.push_back(cutView(placement, camera, request.size));
+    wanted.memory = request.memory / scene.sets.size();
+    wanted.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
+    return wanted;
+}
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+
+void tellCoarse(SceneSet& set, std::uint64_t memory) {
+    const OpenedSet& opened = set.opened;
+    if (opened.cut.fits || std::exchange(set.told_coarse, true)) return;
+    std::fprintf(
+        stderr,
+        "pointrt-view: %s: coarser than the picture would show: %zu tiles fit in %s, and it wants %zu with %s; "
+        "--memory gives more\n",
+        printable(opened.folder).c_str(), opened.cut.tiles.size(), mebibytes(memory).c_str(),
+        opened.wanted.tiles.size(), mebibytes(opened.wanted.bytes).c_str());
+}
+
+} // namespace
+
+std::uint64_t tileMemory(const Device& device, std::uint64_t request) {
+    if (device.unified_memory) return request;
+    std::uint64_t own = 0;
+    for (std::uint32_t i = 0; i < device.memory.memoryHeapCount; ++i)
+        if (device.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+            own = std::max<std::uint64_t>(own, device.memory.memoryHeaps[i].size);
+    return std::min(request, static_cast<std::uint64_t>(kDeviceShare * static_cast<double>(own)));
+}
+
+void standInstances(Device& device, DeviceScene& scene) {
+    for (Instance& instance : scene.instances) destroyBuffer(device, instance.params_buffer);
+    scene.instances.clear();
+    scene.splat_count = 0;
+    Standing standing(device, scene);
+    auto set = scene.sets.begin();
+    for (std::uint32_t i = 0; i < scene.description.instances.size(); ++i)
+        if (set != scene.sets.end() && set->number == i)
+            standing.addTiles(*set++);
+        else
+            standing.addFile(i, scene.description.instances[i].path);
+}
+
+bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request) {
+    bool others = false;
+    for (SceneSet& set : scene.sets) {
+        const std::vector<std::uint32_t> before = set.opened.cut.tiles;
+        const CutRequest wanted = cutRequest(scene, set, request);
+        chooseCuts(set.opened, wanted);
+        dropUnused(device, scene);
+        while (!loadCut(device, scene, set.opened, request.verbose)) chooseCuts(set.opened, wanted);
+        dropUnused(device, scene);
+        tellCoarse(set, wanted.memory);
+        others |= set.opened.cut.tiles != before;
+    }
+    if (!others) return false;
+    scene.device_bytes -= deviceBytes(scene.paint);
+    destroyScenePaint(device, scene.paint);
+    standInstances(device, scene);
+    return true;
+}
+
+} // namespace pointrt

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles of a set are one scan: what rays hit, what is lit and what is mirrored is that of the splats in one file.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "format/base/error.h"
+#include "format/set/open_tile.h"
+#include "tests/support/hand_cut_set.h"
+#include "tests/trace/render_helper.h"
+
+namespace pointrt::test {
+namespace {
+
+constexpr std::uint32_t kSide = 320; // ten pictures have a million rays
+constexpr int kPictures = 10;
+/// What two tiles of the same splats may make of one hit: cells round their discs, and surfaces lie between them.
+constexpr double kSameShare = 0.02; // of a radius
+
+/// Eight tiles of a sphere around the point where they meet, and the root with the same splats.
+struct SphereSet {
+    SphereSet() {
+        const Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1);
+        radius = static_cast<double>(splats.radii[0]);
+        set = writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
+    }
+    ~SphereSet() { std::filesystem::remove_all(folder); }
+    std::string whole() const { return tilePath(folder, set.tiles[0]); }
+    std::string folder = temporaryPath("sphere.proset");
+    double radius = 0;
+    TileSet set;
+};
+
+/// Of two films the pixels where one sees a surface and the other does not, or elsewhere.
+struct Difference {
+    std::size_t rays = 0, hits = 0, holes = 0, elsewhere = 0;
+    void add(const Film& whole, const Film& tiles, double near) {
+        for (std::size_t i = 0; i < whole.depth.size(); ++i) {
+            const bool hit = std::isfinite(whole.depth[i]), too = std::isfinite(tiles.depth[i]);
+            ++rays;
+            hits += hit;
+            holes += hit && !too;
+            elsewhere += too && (!hit || std::abs(double{tiles.depth[i]} - double{whole.depth[i]}) > near);
+        }
+    }
+};
+
+/// Looks around on a spiral: the same places on any machine.
+RenderSettings lookFrom(int picture, double distance) {
+    RenderSettings settings = square(kSide);
+    settings.integrator = Integrator::kNormal;
+    const double z = 1 - (2 * picture + 1.0) / kPictures, turn = 2.4 * picture, ring = std::sqrt(1 - z * z);
+    const Vec3 side{ring * std::cos(turn), ring * std::sin(turn), z};
+    settings.camera.eye = distance * side;
+    settings.camera.target = distance * side - side;
+    settings.camera.fov_deg = distance > 1 ? 40 : 100;
+    return settings;
+}
+
+Difference differenceFrom(const SphereSet& sphere, double distance) {
+    Difference difference;
+    for (int picture = 0; picture < kPictures; ++picture) {
+        const RenderSettings settings = lookFrom(picture, distance);
+        const Rendered whole = renderFile(sphere.whole(), settings), tiles = renderFile(sphere.folder, settings);
+        difference.add(whole.film, tiles.film, kSameShare * sphere.radius);
+    }
+    std::printf("from %.1f: %zu rays, %zu hits, %zu holes, %zu elsewhere\n", distance, difference.rays, difference.hits,
+                difference.holes, difference.elsewhere);
+    return difference;
+}
+
+TEST(TileSets, FirstHitsAreThoseOfOneFile) {
+    const SphereSet sphere;
+    ASSERT_EQ(sphere.set.tiles.size(), 9u);
+    const Difference difference = differenceFrom(sphere, 3);
+    EXPECT_EQ(difference.rays, std::size_t{kPictures} * kSide * kSide);
+    EXPECT_GT(difference.hits, difference.rays / 2);
+    // positions are in steps of the tile's cube: outlines differ by those
+    EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
+}
+
+TEST(TileSets, NoRayFindsAWayBetweenTiles) {
+    const SphereSet sphere;
+    const Difference difference = differenceFrom(sphere, 0.3); // from within there is nothing but sphere
+    EXPECT_EQ(difference.hits, difference.rays);
+    EXPECT_EQ(difference.holes, 0u);
+    EXPECT_LE(difference.elsewhere, difference.rays / 100'000);
+}
+
+double meanDifference(const Film& a, const Film& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(double{a.rgba[i]} - double{b.rgba[i]});
+    return sum / static_cast<double>(a.rgba.size());
+}
+
+/// Rays that leave a tile's surface do not meet its repeats in the next one, nor do they pass below it.
+TEST(TileSets, LightIsThatOfOneFile) {
+    const SphereSet sphere;
+    for (const Room room : {Room::kMatte, Room::kMirror})
+        for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
+            RenderSettings settings = square(96);
+            settings.room = room;
+            settings.integrator = integrator;
+            settings.spp = 4;
+            settings.reflectivity = 0.3f;
+            settings.caustics = false; // of more instances fewer photons are traced
+            const Film whole = renderFile(sphere.whole(), settings).film,
+                       tiles = renderFile(sphere.folder, settings).film;
+            EXPECT_LT(meanDifference(whole, tiles), 2e-4) << static_cast<int>(integrator);
+        }
+}
+
+TEST(TileSets, TheParentOfALostTileIsDrawn) {
+    const SphereSet sphere;
+    const RenderSettings settings = lookFrom(0, 3);
+    std::filesystem::resize_file(tilePath(sphere.folder, sphere.set.tiles[3]), 5000);
+    testing::internal::CaptureStderr();
+    const Rendered tiles = renderFile(sphere.folder, settings);
+    const std::string told = testing::internal::GetCapturedStderr();
+    EXPECT_NE(told.find(sphere.set.tiles[3].file), std::string::npos) << told;
+    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+    Difference difference;
+    difference.add(renderFile(sphere.whole(), settings).film, tiles.film, kSameShare * sphere.radius);
+    EXPECT_EQ(difference.holes, 0u);
+    EXPECT_LE(difference.elsewhere, 1u);
+}
+
+TEST(TileSets, WithoutItsRootASetIsNone) {
+    const SphereSet sphere;
+    std::filesystem::remove(sphere.whole());
+    EXPECT_THROW(renderFile(sphere.folder, lookFrom(0, 3)), Error);
+    std::filesystem::remove(setFileOf(sphere.folder));
+    EXPECT_THROW(renderFile(sphere.folder, lookFrom(0, 3)), Error);
+}
+
+} // namespace
+} // namespace pointrt::test
