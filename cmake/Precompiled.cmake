@@ -44,6 +44,13 @@ function(pointrt_links result target)
   set(${result} "${links}" PARENT_SCOPE)
 endfunction()
 
+# Tests run for seconds and are compiled for minutes. Headers are read by the options that they were precompiled with.
+function(pointrt_optimize_less target)
+  if("GTest::gtest" IN_LIST links AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  endif()
+endfunction()
+
 # The target that holds the headers which sources with these links share; made where it is new.
 function(pointrt_header_set result links)
   set(name pointrt_headers)
@@ -66,6 +73,7 @@ function(pointrt_header_set result links)
     target_compile_features(${name} PRIVATE cxx_std_20)
     target_link_libraries(${name} PRIVATE ${libraries})
     target_precompile_headers(${name} PRIVATE ${headers})
+    pointrt_optimize_less(${name})
   endif()
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
@@ -83,6 +91,7 @@ function(pointrt_precompile_target target)
   endif()
   pointrt_header_set(headers "${links}")
   target_precompile_headers(${target} REUSE_FROM ${headers})
+  pointrt_optimize_less(${target})
 endfunction()
 
 # All targets of `folder` and below.

@@ -48,6 +48,17 @@ std::vector<Body> whiteBodies() {
             pane};
 }
 
+/// One of each kind: how rough it is makes no other program, and most of a picture's time here is its programs'.
+std::vector<Body> oneOfEachKind() {
+    std::vector<Body> bodies;
+    for (Body& body : whiteBodies()) {
+        const bool again = !bodies.empty() && bodies.back().material.kind == body.material.kind &&
+                           bodies.back().material.thin == body.material.thin;
+        if (!again) bodies.push_back(std::move(body));
+    }
+    return bodies;
+}
+
 /// Mean, lowest and highest of one channel over the pixels that the body covers whole.
 struct Reading {
     double mean = 0, low = 1e30, high = -1e30;
@@ -156,9 +167,8 @@ TEST(Furnace, WhiteBodiesVanishInAWhiteSky) {
 TEST(Furnace, WhiteBodiesVanishInAWhitePicture) {
     const SphereFile file(kSplats);
     const std::string picture = writeSky("white.exr", 16, [](Vec3) { return Color{1, 1, 1}; });
-    for (const Body& body : whiteBodies())
+    for (const Body& body : oneOfEachKind())
         for (Surface& surface : bothSurfaces(file, body.material)) {
-            if (body.material.roughness > 0.5f) continue; // seen in the even sky
             surface.scene.sky->image = picture;
             RenderSettings settings = outsideView(Integrator::kPath);
             settings.spp = 32;
@@ -172,7 +182,7 @@ TEST(Furnace, WhiteBodiesVanishInAWhitePicture) {
 TEST(Furnace, ClassicIntegratorsKeepAllLight) {
     // with all of the sky taken as ambient every kind gives back what it gets; mirrors and glass need no ambient
     const SphereFile file(kSplats);
-    for (const Body& body : whiteBodies())
+    for (const Body& body : oneOfEachKind())
         for (Surface& surface : bothSurfaces(file, body.material))
             for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted}) {
                 const bool specular =
