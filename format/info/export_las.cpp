@@ -8,7 +8,6 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/info/input_order.h"
 #include "format/info/las_plan.h"
 
 namespace pointrt {
@@ -35,8 +34,8 @@ void storeNumber(double value, std::uint32_t type, char* to) {
 }
 
 /// The values of a column for these splats, as its field has them.
-std::vector<char> valuesOf(const LasColumn& column, Splats splats) {
-    const pro_attribute& attribute = *column.attribute;
+std::vector<char> valuesOf(const ProFile& file, const LasColumn& column, Splats splats) {
+    const pro_attribute& attribute = file.attributes()[column.attribute];
     const std::size_t number = pro_type_bytes(column.field.type), bytes = number * attribute.components;
     std::vector<char> values(splats.size() * bytes);
     for (std::size_t i = 0; i < splats.size(); ++i) {
@@ -92,35 +91,40 @@ std::vector<char> recordsOf(const ProFile& file, const LasExport& plan, Splats s
     std::vector<char> records(splats.size() * header.record_bytes);
     putPositions(file, header, splats, records.data());
     for (const LasColumn& column : plan.columns)
-        packField(column.field, valuesOf(column, splats).data(), header.record_bytes, splats.size(), records.data());
+        packField(column.field, valuesOf(file, column, splats).data(), header.record_bytes, splats.size(),
+                  records.data());
     if (plan.colors) putColors(file, *plan.colors, splats, header.record_bytes, records.data());
     if (plan.returns)
         putReturns(*plan.returns, header.point_format, splats.size(), header.record_bytes, records.data());
     return records;
 }
 
-bool writeAll(const ProFile& file, const LasExport& plan, Splats splats, LasWriter& writer) {
+bool writeSplats(const ProFile& file, const LasExport& plan, Splats splats, LasWriter& writer) {
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         const std::size_t count = std::min(kSplatsAtOnce, splats.size() - first);
         const std::vector<char> records = recordsOf(file, plan, splats.subspan(first, count));
         if (!writer.add(records.data(), count)) return false;
     }
-    return writer.finish();
+    return true;
+}
+
+bool writeAll(const ExportSource& source, const LasExport& plan, LasWriter& writer) {
+    return source.forEachPart([&](const ProFile& file, Splats splats) {
+        return writeSplats(file, plan, splats, writer);
+    }) && writer.finish();
 }
 
 } // namespace
 
-void exportLas(const ProFile& file, const std::string& path, bool overwrite) {
-    const std::vector<std::uint32_t> splats = inputOrder(file);
-    LasExport plan = planLas(file, path.ends_with(".laz"));
-    plan.description.header.point_count = splats.size();
+void exportLas(const ExportSource& source, const std::string& path, bool overwrite) {
+    const LasExport plan = planLas(source, path.ends_with(".laz"));
     const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
     format::AtomicFile out;
     const LasTarget target{
         [&](const void* data, std::size_t bytes) { return out.write(data, bytes); },
         [&](std::uint64_t offset, const void* data, std::size_t bytes) { return out.overwrite(offset, data, bytes); }};
     LasWriter writer(plan.description, target);
-    if (!out.open(path, existing) || !writeAll(file, plan, splats, writer) || !out.commit())
+    if (!out.open(path, existing) || !writeAll(source, plan, writer) || !out.commit())
         throw Error(ExitCode::kCannotWrite,
                     path + ": " + out.error() + (out.nameIsTaken() ? "; --force overwrites it" : ""));
 }

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "pointrt/pro.hpp"
+#include "format/info/export_source.h"
 
 namespace pointrt {
 
-/// Writes every splat once, in input order (in file order where the file has none): LAZ where path ends in .laz, else
+/// Writes every splat of source, in its order: LAZ where path ends in .laz, else
 /// LAS, as planLas says. Normals and radii, which LAS has no place for, are left out. path appears complete or not at
 /// all. Throws Error: kCannotWrite, also when path exists and not overwrite; kCannotRun for LAZ in a build without it.
-void exportLas(const ProFile& file, const std::string& path, bool overwrite);
+void exportLas(const ExportSource& source, const std::string& path, bool overwrite);
 
 } // namespace pointrt

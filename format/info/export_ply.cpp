@@ -11,7 +11,6 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/info/input_order.h"
 
 namespace pointrt {
 
@@ -37,23 +36,22 @@ std::string propertyName(const pro_attribute& attribute, std::uint32_t component
     return attribute.components == 1 ? name : name + "_" + std::to_string(component);
 }
 
-std::string attributeLines(const ProFile& file) {
+std::string attributeLines(const ExportSource& source) {
     std::string text;
-    for (const pro_attribute& each : file.attributes())
+    for (const pro_attribute& each : source.attributes)
         for (std::uint32_t c = 0; c < each.components; ++c)
             text += std::string("property ") + plyType(each.type) + " " + propertyName(each, c) + "\n";
     return text;
 }
 
-std::string header(const ProFile& file, std::size_t splats) {
-    const pro_info& info = file.info();
+std::string header(const ExportSource& source) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment splats of a .pro file: oriented discs\n";
-    text += "element vertex " + std::to_string(splats) + "\n";
+    text += "element vertex " + std::to_string(source.splats) + "\n";
     for (const char* name : {"x", "y", "z"}) text += std::string("property double ") + name + "\n";
     for (const char* name : {"nx", "ny", "nz", "radius"}) text += std::string("property float ") + name + "\n";
-    if (info.flags & PRO_FLAG_COLOR)
+    if (source.info.flags & PRO_FLAG_COLOR)
         for (const char* name : {"red", "green", "blue"}) text += std::string("property uchar ") + name + "\n";
-    return text + attributeLines(file) + "end_header\n";
+    return text + attributeLines(source) + "end_header\n";
 }
 
 template <typename T>
@@ -85,10 +83,7 @@ void appendAttributes(std::vector<char>& buffer, const ProFile& file, std::size_
 /// Takes the next bytes; false where it cannot.
 using Write = std::function<bool(const void* data, std::size_t bytes)>;
 
-bool writeAll(const Write& write, const ProFile& file) {
-    const std::vector<std::uint32_t> splats = inputOrder(file);
-    const std::string text = header(file, splats.size());
-    if (!write(text.data(), text.size())) return false;
+bool writeSplats(const Write& write, const ProFile& file, std::span<const std::uint32_t> splats) {
     std::vector<char> buffer;
     for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
         buffer.clear();
@@ -102,20 +97,28 @@ bool writeAll(const Write& write, const ProFile& file) {
     return true;
 }
 
-void exportToStandardOutput(const ProFile& file) {
+bool writeAll(const Write& write, const ExportSource& source) {
+    const std::string text = header(source);
+    return write(text.data(), text.size()) &&
+           source.forEachPart([&](const ProFile& file, std::span<const std::uint32_t> splats) {
+               return writeSplats(write, file, splats);
+           });
+}
+
+void exportToStandardOutput(const ExportSource& source) {
     const auto write = [](const void* data, std::size_t bytes) { return std::fwrite(data, 1, bytes, stdout) == bytes; };
-    if (!writeAll(write, file) || std::fflush(stdout) != 0)
+    if (!writeAll(write, source) || std::fflush(stdout) != 0)
         throw Error(ExitCode::kCannotWrite, std::string("standard output: ") + std::strerror(errno));
 }
 
 } // namespace
 
-void exportPly(const ProFile& file, const std::string& path, bool overwrite) {
-    if (path == "-") return exportToStandardOutput(file);
+void exportPly(const ExportSource& source, const std::string& path, bool overwrite) {
+    if (path == "-") return exportToStandardOutput(source);
     const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
     format::AtomicFile out;
     const auto write = [&](const void* data, std::size_t bytes) { return out.write(data, bytes); };
-    if (!out.open(path, existing) || !writeAll(write, file) || !out.commit())
+    if (!out.open(path, existing) || !writeAll(write, source) || !out.commit())
         throw Error(ExitCode::kCannotWrite,
                     path + ": " + out.error() + (out.nameIsTaken() ? "; --force overwrites it" : ""));
 }

@@ -31,6 +31,7 @@ bool holds(const LasField& field, const pro_attribute& attribute, std::size_t sp
     const double most = field.mask != 0 ? field.mask : std::exp2(has_sign ? bits - 1 : bits) - 1;
     if (attribute.low < (has_sign ? -most - 1 : 0) || attribute.high > most) return false;
     if (!isReal(attribute.type)) return true;
+    if (!attribute.values) return false; // of many files: not worth looking through them
     for (std::size_t i = 0; i < splats * attribute.components; ++i) {
         const double value = pro_attribute_value(&attribute, i);
         if (value != std::trunc(value) || (value == 0 && std::signbit(value))) return false;
@@ -38,20 +39,27 @@ bool holds(const LasField& field, const pro_attribute& attribute, std::size_t sp
     return true;
 }
 
+/// Null where there is none.
+const pro_attribute* attributeOf(const ExportSource& scan, std::string_view name) {
+    const auto found = std::find_if(scan.attributes.begin(), scan.attributes.end(),
+                                    [&](const pro_attribute& each) { return name == each.name; });
+    return found == scan.attributes.end() ? nullptr : &*found;
+}
+
 /// Whether the attribute is there and holds more than fields of formats 0 to 5 can.
-bool exceedsOld(const ProFile& file, const char* name, double most) {
-    const pro_attribute* const attribute = file.attribute(name);
+bool exceedsOld(const ExportSource& scan, const char* name, double most) {
+    const pro_attribute* const attribute = attributeOf(scan, name);
     return attribute && attribute->high > most && attribute->high <= 255;
 }
 
 /// The smallest point format that takes all of the attributes of LAS; no old one where the source had a new one.
-std::uint8_t chooseFormat(const ProFile& file, const std::optional<LasSource>& source) {
-    const auto has = [&](const char* name) { return file.attribute(name) != nullptr; };
+std::uint8_t chooseFormat(const ExportSource& scan, const std::optional<LasSource>& source) {
+    const auto has = [&](const char* name) { return attributeOf(scan, name) != nullptr; };
     const std::uint8_t before = source ? source->header.point_format : 0;
     const bool fresh = before >= 6 || has("overlap") || has("scanner_channel") || has("scan_angle") || has("nir") ||
-                       exceedsOld(file, "classification", 31) || exceedsOld(file, "return_number", 7) ||
-                       exceedsOld(file, "number_of_returns", 7);
-    const bool colors = has("rgb16") || (file.info().flags & PRO_FLAG_COLOR) != 0;
+                       exceedsOld(scan, "classification", 31) || exceedsOld(scan, "return_number", 7) ||
+                       exceedsOld(scan, "number_of_returns", 7);
+    const bool colors = has("rgb16") || (scan.info.flags & PRO_FLAG_COLOR) != 0;
     if (fresh) return has("nir") || before == 8 || before == 10 ? 8 : colors || before == 7 ? 7 : 6;
     const bool time = has("gps_time") || before == 1 || before >= 3;
     return static_cast<std::uint8_t>((colors || before == 2 || before == 3 || before == 5 ? 2 : 0) + (time ? 1 : 0));
@@ -126,8 +134,9 @@ void describeAgain(const LasField& field, const std::string& before, const LasEx
 }
 
 /// Gives an attribute extra bytes at the end of the record.
-void addExtra(const pro_attribute& attribute, const std::vector<LasField>& known, LasExport& plan,
+void addExtra(const ExportSource& scan, std::size_t number, const std::vector<LasField>& known, LasExport& plan,
               std::string& descriptors) {
+    const pro_attribute& attribute = scan.attributes[number];
     const auto same = std::find_if(known.begin(), known.end(), [&](const LasField& field) {
         return field.name == attribute.name && field.type == attribute.type && field.components == attribute.components;
     });
@@ -144,20 +153,21 @@ void addExtra(const pro_attribute& attribute, const std::vector<LasField>& known
     field.at = header.record_bytes;
     header.record_bytes =
         static_cast<std::uint16_t>(header.record_bytes + field.components * pro_type_bytes(field.raw_type));
-    plan.columns.push_back({field, &attribute});
+    plan.columns.push_back({field, number});
 }
 
-void planColumns(const ProFile& file, const std::optional<LasSource>& source, LasExport& plan) {
+void planColumns(const ExportSource& scan, const std::optional<LasSource>& source, LasExport& plan) {
     plan.fields = lasFields(plan.description.header.point_format);
     const std::vector<LasField> known = sourceExtraFields(source);
     std::string descriptors;
-    for (const pro_attribute& attribute : file.attributes()) {
+    for (std::size_t i = 0; i < scan.attributes.size(); ++i) {
+        const pro_attribute& attribute = scan.attributes[i];
         const auto field = std::find_if(plan.fields.begin(), plan.fields.end(),
                                         [&](const LasField& each) { return each.name == attribute.name; });
-        if (field != plan.fields.end() && holds(*field, attribute, file.info().splat_count))
-            plan.columns.push_back({*field, &attribute});
+        if (field != plan.fields.end() && holds(*field, attribute, scan.info.splat_count))
+            plan.columns.push_back({*field, i});
         else
-            addExtra(attribute, known, plan, descriptors);
+            addExtra(scan, i, known, plan, descriptors);
     }
     if (!descriptors.empty())
         plan.description.records.push_back(recordOf(kLasSpecUser, kExtraBytesRecord, descriptors));
@@ -169,8 +179,8 @@ void planColumns(const ProFile& file, const std::optional<LasSource>& source, La
             if (field.name == name && !used) return &field;
         return nullptr;
     };
-    if ((file.info().flags & PRO_FLAG_COLOR) != 0) plan.colors = unused("rgb16");
-    if (!file.attribute("return_number")) plan.returns = unused("return_number");
+    if ((scan.info.flags & PRO_FLAG_COLOR) != 0) plan.colors = unused("rgb16");
+    if (!attributeOf(scan, "return_number")) plan.returns = unused("return_number");
 }
 
 // ---- header ----
@@ -203,7 +213,7 @@ std::string geoKeys(std::uint16_t code, bool projected) {
 }
 
 /// The coordinate system, of a scan that did not come from a LAS file.
-void describeCrs(const ProFile& file, const Json& metadata, LasDescription& description) {
+void describeCrs(const ExportSource& scan, const Json& metadata, LasDescription& description) {
     const Json world = metadata.is_object() ? metadata.value("world", Json::object()) : Json::object();
     const std::string crs = world.is_object() && world.contains("crs") && world["crs"].is_string()
                                 ? world["crs"].get<std::string>()
@@ -212,7 +222,7 @@ void describeCrs(const ProFile& file, const Json& metadata, LasDescription& desc
     if (crs.starts_with("EPSG:")) {
         const auto code = static_cast<std::uint16_t>(std::strtoul(crs.c_str() + 5, nullptr, 10));
         description.records.push_back(
-            recordOf(kLasCrsUser, kGeoKeysRecord, geoKeys(code, file.world().metres_per_unit > 0)));
+            recordOf(kLasCrsUser, kGeoKeysRecord, geoKeys(code, scan.world.metres_per_unit > 0)));
         return;
     }
     description.header.global_encoding |= kWktBit;
@@ -224,7 +234,7 @@ std::optional<LasSource> sourceOf(const Json& metadata) {
     return parseLasSource(dumpJson(metadata["source_header"], false));
 }
 
-void describe(const ProFile& file, const Json& metadata, const std::optional<LasSource>& source,
+void describe(const ExportSource& scan, const Json& metadata, const std::optional<LasSource>& source,
               LasDescription& description) {
     LasHeader& header = description.header;
     description.header_bytes = source ? source->header_bytes : std::string(227, '\0');
@@ -241,25 +251,27 @@ void describe(const ProFile& file, const Json& metadata, const std::optional<Las
             if (record.vlr.user_id != kLasSpecUser || record.vlr.record_id != kExtraBytesRecord)
                 description.records.push_back(record);
     } else {
-        describeCrs(file, metadata, description);
+        describeCrs(scan, metadata, description);
     }
-    if (!source || !fits(file.info(), header)) chooseScale(file.info(), header);
+    if (!source || !fits(scan.info, header)) chooseScale(scan.info, header);
 }
 
 } // namespace
 
-LasExport planLas(const ProFile& file, bool packed) {
-    const Json metadata = parseMetadata(file.metadata());
+LasExport planLas(const ExportSource& scan, bool packed) {
+    const Json metadata = parseMetadata(scan.metadata);
     const std::optional<LasSource> source = sourceOf(metadata);
     LasExport plan;
     LasHeader& header = plan.description.header;
-    describe(file, metadata, source, plan.description);
+    describe(scan, metadata, source, plan.description);
     header.packed = packed;
-    header.point_format = chooseFormat(file, source);
+    header.point_format = chooseFormat(scan, source);
     header.record_bytes = lasRecordBytes(header.point_format);
-    planColumns(file, source, plan);
+    planColumns(scan, source, plan);
     const bool has_extra = header.record_bytes > lasRecordBytes(header.point_format);
-    if (header.point_format >= 6 || (has_extra && !source)) header.version_minor = 4;
+    header.point_count = scan.splats;
+    const bool many = scan.splats > std::numeric_limits<std::uint32_t>::max();
+    if (header.point_format >= 6 || (has_extra && !source) || many) header.version_minor = 4;
     return plan;
 }
 

@@ -4,16 +4,16 @@
 
 #include <vector>
 
+#include "format/info/export_source.h"
 #include "format/scanfile/las_fields.h"
 #include "format/scanfile/las_writer.h"
-#include "pointrt/pro.hpp"
 
 namespace pointrt {
 
-/// A field of the points, and the attribute that it takes its values from.
+/// A field of the points, and the number of the attribute that it takes its values from.
 struct LasColumn {
     LasField field;
-    const pro_attribute* attribute;
+    std::size_t attribute = 0;
 };
 
 struct LasExport {
@@ -27,6 +27,6 @@ struct LasExport {
 /// The version, point format, scale and records of the LAS file that the scan came from, as far as they can hold what
 /// the scan has; else the smallest point format that can, and a scale of a power of ten finer than the scan's steps.
 /// Attributes that are none of LAS become extra bytes.
-LasExport planLas(const ProFile& file, bool packed);
+LasExport planLas(const ExportSource& source, bool packed);
 
 } // namespace pointrt

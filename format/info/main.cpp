@@ -40,10 +40,10 @@ void addOptions(CLI::App& app, Options& options) {
         ->type_name("");
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
-    app.add_option("--export", options.export_path,
-                   "Write the splats in input order as PLY, LAS or LAZ, by its suffix; - is PLY to standard output; "
-                   "one that is "
-                   "there is kept without -f")
+    app.add_option(
+           "--export", options.export_path,
+           "Write the splats in input order, a set's tile by tile, as PLY, LAS or LAZ, by its suffix; - is PLY to "
+           "standard output; one that is there is kept without -f")
         ->type_name("FILE");
     app.add_flag("-f,--force", options.force, "Let --export overwrite a file");
     app.add_flag("-q,--quiet", options.quiet, "No reports, only errors and what is asked for: --verify lists findings");
@@ -101,13 +101,17 @@ int verify(const Options& options) {
                 options.input + ": " + std::to_string(count) + (count == 1 ? " finding" : " findings"));
 }
 
-int exportSplats(const Options& options) {
-    const ProFile file(options.input);
+int exportSplats(const Options& options, const ExportSource& source) {
     if (isLas(options.export_path))
-        exportLas(file, options.export_path, options.force);
+        exportLas(source, options.export_path, options.force);
     else
-        exportPly(file, options.export_path, options.force);
+        exportPly(source, options.export_path, options.force);
     return 0;
+}
+
+int exportFile(const Options& options) {
+    const ProFile file(options.input);
+    return exportSplats(options, exportSource(file));
 }
 
 int print(const Options& options) {
@@ -120,7 +124,7 @@ int print(const Options& options) {
 
 int runSet(const Options& options) {
     if (!options.export_path.empty())
-        throw Error(ExitCode::kBadUsage, options.input + ": is a tile set, of which --export takes one tile at a time");
+        return exportSplats(options, exportSource(readTileSet(options.input), options.input));
     return options.verify ? verifySet(options.input, options.json, options.quiet)
                           : printSet(options.input, options.json);
 }
@@ -129,7 +133,7 @@ int runOptions(const Options& options) {
     checkOptions(options);
     if (isTileSet(options.input)) return runSet(options);
     if (!options.verify) requirePro(options.input);
-    return options.verify ? verify(options) : options.export_path.empty() ? print(options) : exportSplats(options);
+    return options.verify ? verify(options) : options.export_path.empty() ? print(options) : exportFile(options);
 }
 
 } // namespace

@@ -22,9 +22,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kDepthMax = 64; // settings; printing recurses
-/// Of JSON at a time: half a million sensors. The parser looks through a list whenever an object in it ends, so the
-/// product of both bounds its time: a second.
-constexpr std::size_t kValuesMax = std::size_t{1} << 21, kObjectsMax = 512;
+/// Of JSON at a time: a quarter of a million sensors. The parser looks through a list whenever an object in it ends, so
+/// the product of both bounds its time: half a second.
+constexpr std::size_t kValuesMax = std::size_t{1} << 20, kObjectsMax = 256;
 
 constexpr std::string_view kKeys[] = {"format", "version",  "splats",  "input_points", "lattice",  "bounds",
                                       "up",     "metres",   "crs",     "colors",       "oriented", "noise",

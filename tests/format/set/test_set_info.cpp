@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -88,6 +90,42 @@ TEST_F(SetInfo, VerifyLooksAtEveryTile) {
     EXPECT_EQ(json["findings"].size(), 2u);
     EXPECT_EQ(json["findings"][1]["tile"], "tiles/0-1-1-0.pro");
     EXPECT_NE(run("").out.find("; 2 not there or not as set.json names them"), std::string::npos);
+}
+
+TEST_F(SetInfo, ExportHasEveryOriginalSplatOnce) {
+    const std::string ply = folder.file("a.ply");
+    ASSERT_EQ(run("--export " + ply).code, 0);
+    const test::Bytes bytes = test::readBytes(ply);
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    EXPECT_NE(text.find("\nelement vertex 256\n"), std::string::npos);
+    const std::size_t begin = text.find("end_header\n") + 11, record = 3 * 8 + 4 * 4 + 3;
+    ASSERT_EQ(text.size(), begin + 256 * record);
+    std::vector<std::array<double, 3>> is, wanted;
+    for (std::size_t i = 0; i < 256; ++i) is.push_back(test::loadAt<std::array<double, 3>>(bytes, begin + i * record));
+    for (const test::LatticeSplat& each : test::sheet(16, 2, 0.01f)) {
+        std::array<double, 3>& place = wanted.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            place[axis] =
+                set.lattice_origin[axis] + (static_cast<double>(each.code[axis]) + 0.5) * set.edge / (1 << 20);
+    }
+    std::sort(is.begin(), is.end());
+    std::sort(wanted.begin(), wanted.end());
+    EXPECT_EQ(is, wanted);
+    EXPECT_EQ(run("--export " + ply).code, 4) << "it is kept";
+}
+
+TEST_F(SetInfo, ExportsLas) {
+    ASSERT_EQ(run("--export " + folder.file("a.las")).code, 0);
+    const test::Bytes bytes = test::readBytes(folder.file("a.las"));
+    EXPECT_EQ(test::loadAt(bytes, 107), 256u) << "points";
+    EXPECT_NEAR(test::loadAt<double>(bytes, 179), 1007.75, 1e-5) << "highest x";
+    EXPECT_NEAR(test::loadAt<double>(bytes, 187), 1000.25, 1e-5) << "lowest";
+    EXPECT_NEAR(test::loadAt<double>(bytes, 203), 2000.25, 1e-5) << "lowest y";
+    std::filesystem::remove(tilePath(name, set.tiles[3]));
+    const Outcome result = run("--export " + folder.file("b.las"));
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err, "pointrt-info: error: " + name + "/tiles/0-0-1-0.pro: No such file or directory\n");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("b.las")));
 }
 
 TEST_F(SetInfo, ABrokenSetIsOneLine) {
