@@ -186,6 +186,27 @@ void checkRepeats(Tile& tile, const ProFile& file) {
         tile.add("its core holds " + std::to_string(own) + " splats, not " + std::to_string(tile.tile.splats));
 }
 
+/// What set.json says of all tiles. Merged splats are means of original ones, so they do not leave their ranges.
+void checkRanges(Tile& tile, const ProFile& file) {
+    for (std::size_t i = 0; i < file.attributes().size(); ++i) {
+        const pro_attribute& is = file.attributes()[i];
+        const SetAttribute& all = tile.set.attributes[i];
+        const bool has_none = is.low == 0 && is.high == 0; // or zeros
+        if (!has_none && (is.low < all.low || is.high > all.high))
+            tile.add("attribute " + all.name + " goes beyond set.json's low and high");
+    }
+    const double step = file.info().scale / double{PRO_POSITION_STEPS};
+    for (std::size_t i = 0; i < file.info().splat_count; ++i) {
+        if (offsetOf(codeOf(wordsOf(file, i))) != Offset{}) continue;
+        const pro_splat splat = file.splat(i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double at = file.info().origin[axis] + file.info().scale * double{splat.position[axis]};
+            if (at >= tile.set.bounds_min[axis] - step && at <= tile.set.bounds_max[axis] + step) continue;
+            return tile.add("its splats go beyond set.json's bounds");
+        }
+    }
+}
+
 void addFinding(const pro_message* message, void* findings) {
     static_cast<std::vector<TileFinding>*>(findings)->push_back({message->finding, message->text});
 }
@@ -205,7 +226,11 @@ std::vector<TileFinding> verifyTile(const TileSet& set, const std::string& folde
         requireTile(set, tile.tile, folder);
         pro_message message{};
         checkPro(pro_verify(path.c_str(), addFinding, &tile.findings, &count, &message), path, message);
-        if (count == 0) checkRepeats(tile, openTile(set, tile.tile, folder, PRO_OPEN_SKIP_CHECKSUMS));
+        if (count == 0) {
+            const ProFile file = openTile(set, tile.tile, folder, PRO_OPEN_SKIP_CHECKSUMS);
+            checkRepeats(tile, file);
+            checkRanges(tile, file);
+        }
     } catch (const Error& error) {
         tile.add(reasonOf(error.what(), path));
     } catch (const ProError& error) {

@@ -65,6 +65,7 @@ TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
     set.levels.push_back(set.levels[1]);
     set.tiles.push_back({.level = 2, .file = tileFileName(2, {}), .error = 0.5});
     set.tiles.push_back({.level = 1, .cell = {1, 0, 0}, .file = tileFileName(1, {1, 0, 0})});
+    set.bounds_max = {1016, 2016, 316};
     arrangeTiles(set); // 2-0-0-0, 1-0-0-0, 1-1-0-0, and the four of level 0
     std::vector<test::LatticeSplat> coarse = test::sheet(8, 1, test::sheetRadius(16)), beside = coarse;
     test::writeTile(set, set.tiles[0], coarse, folder.path);
@@ -83,6 +84,12 @@ TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
 TEST_F(VerifyTile, CountsWhatTheCoreHolds) {
     ++tile.splats;
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 its core holds 64 splats, not 65\n");
+}
+
+TEST_F(VerifyTile, FindsSplatsBeyondTheBounds) {
+    set.bounds_max[0] = 1007.7; // the last column is at 1007.75
+    EXPECT_EQ(findings(), "tiles/0-1-0-0.pro 0 its splats go beyond set.json's bounds\n"
+                          "tiles/0-1-1-0.pro 0 its splats go beyond set.json's bounds\n");
 }
 
 TEST_F(VerifyTile, TellsWhatIsDamagedWithItsNumber) {
