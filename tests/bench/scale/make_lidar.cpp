@@ -135,7 +135,6 @@ struct Layout {
             const std::int64_t inside = coordinate(record, axis), size = tile.size[axis];
             const std::int64_t mirrored = cell[axis] % 2 == 0 ? inside : size - 1 - inside;
             const auto start = static_cast<std::int64_t>(cell[axis]) * size;
-            // two thirds of the points' spacing at most apart where they lay together
             const std::int64_t moved = mirrored + jitter(random >> (20 * axis), tile.spacing / 6);
             setCoordinate(record, axis, start + std::clamp<std::int64_t>(moved, 0, size - 1));
             place[axis] = static_cast<double>(start + mirrored) / size;
