@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <string>
 
@@ -129,6 +130,7 @@ TEST_P(Forms, AreAlikeUnderASkyImage) {
     scene.sky = evenSky(1);
     scene.sky->image = writeSky("forms.exr", 16, directionColor);
     expectAlike(scene, settingsOf());
+    std::remove(scene.sky->image.c_str());
 }
 
 TEST_P(Forms, AreAlikeThroughPixelCentres) {
