@@ -14,7 +14,8 @@ struct CleanInput {
     bool keep_normals = false;                ///< as they are; else they are those of the surface that is found
     std::vector<std::uint32_t> scan_of_point; ///< [points], or empty where all are of one scan
     std::size_t scan_count = 1;
-    std::vector<std::uint8_t> rims; ///< [points], 1: at the rim of its scan's grid; or empty
+    std::vector<float> noise_of_scans; ///< [scans], as CleanReport::noise, where it was measured before; else empty
+    std::vector<std::uint8_t> rims;    ///< [points], 1: at the rim of its scan's grid; or empty
 };
 
 struct CleanReport {

@@ -49,7 +49,7 @@ void splitRegion(const MergeDiscs& discs, const Region& region, int depth, std::
     }
 }
 
-/// The discs of a region grouped by cells so many to an edge, and by sides.
+/// The discs of a region grouped by cells so many to an edge, by sides, and so that none is long and thin.
 MergeGroups groupBy(const MergeDiscs& discs, const Region& region, std::uint32_t cells, bool oriented) {
     struct Placed {
         std::uint32_t cell, disc;
@@ -67,7 +67,7 @@ MergeGroups groupBy(const MergeDiscs& discs, const Region& region, std::uint32_t
     std::sort(placed.begin(), placed.end());
 
     MergeGroups groups;
-    std::vector<std::uint32_t> members;
+    std::vector<std::uint32_t> members, sizes;
     for (std::size_t begin = 0, end; begin < placed.size(); begin = end) {
         members.clear();
         for (end = begin; end < placed.size() && placed[end].cell == placed[begin].cell; ++end)
@@ -75,9 +75,15 @@ MergeGroups groupBy(const MergeDiscs& discs, const Region& region, std::uint32_t
         const std::vector<std::uint32_t> side_of = groupBySide(discs, members, oriented);
         const std::uint32_t sides = *std::max_element(side_of.begin(), side_of.end()) + 1;
         for (std::uint32_t side = 0; side < sides; ++side) {
-            groups.first.push_back(static_cast<std::uint32_t>(groups.members.size()));
+            std::size_t first = groups.members.size();
             for (std::size_t k = 0; k < members.size(); ++k)
                 if (side_of[k] == side) groups.members.push_back(members[k]);
+            sizes.clear();
+            splitLong(discs, std::span(groups.members).subspan(first), sizes);
+            for (const std::uint32_t size : sizes) {
+                groups.first.push_back(static_cast<std::uint32_t>(first));
+                first += size;
+            }
         }
     }
     return groups;

@@ -15,9 +15,9 @@ struct MergeGroups {
 };
 
 /// The unit cube, which is the parent's core, is halved until at most about a thousand discs are in a region, and each
-/// region cut into so many cells along each axis that the groups, of one cell and one side each, are about a share of
-/// its discs. On a surface that makes cells about two of its spacings wide, where discs turn every way larger ones. All
-/// cells end at the regions' borders, and those at the core's.
+/// region cut into so many cells along each axis that the groups, of one cell and one side each and none of them long
+/// and thin, are about a share of its discs. On a surface that makes cells about two of its spacings wide, where discs
+/// turn every way larger ones. All cells end at the regions' borders, and those at the core's.
 /// @param discs within the unit cube, along a Morton curve
 /// @param share in (0, 1]
 /// The result does not depend on the number of threads.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/merge/merge_disc.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace pointrt {
@@ -83,7 +85,53 @@ float rimDistance(const MergeDiscs& discs, std::span<const std::uint32_t> member
     return farthest;
 }
 
+/// The axes along which positions spread most and second most.
+struct Spread {
+    Vec3f center, along, across;
+};
+
+Spread spreadOf(const MergeDiscs& discs, std::span<const std::uint32_t> members) {
+    Vec3d center = Vec3d::Zero();
+    for (const std::uint32_t i : members) center += discs.positions[i].cast<double>();
+    center /= static_cast<double>(members.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const std::uint32_t i : members) {
+        const Vec3d way = discs.positions[i].cast<double>() - center;
+        covariance += way * way.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance); // ascending
+    return {center.cast<float>(), solver.eigenvectors().col(2).cast<float>(),
+            solver.eigenvectors().col(1).cast<float>()};
+}
+
+/// Half of how far discs reach along an axis.
+float halfReach(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Vec3f& axis) {
+    float low = std::numeric_limits<float>::max(), high = -low;
+    for (const std::uint32_t i : members) {
+        const float place = discs.positions[i].dot(axis);
+        low = std::min(low, place - discs.radii[i]);
+        high = std::max(high, place + discs.radii[i]);
+    }
+    return (high - low) / 2;
+}
+
 } // namespace
+
+void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes) {
+    constexpr float kLong = 2;
+    const auto whole = static_cast<std::uint32_t>(members.size());
+    if (members.size() < 2) return sizes.push_back(whole);
+    const Spread spread = spreadOf(discs, members);
+    if (halfReach(discs, members, spread.along) <= kLong * halfReach(discs, members, spread.across))
+        return sizes.push_back(whole);
+    const auto middle = std::stable_partition(members.begin(), members.end(), [&](std::uint32_t i) {
+        return (discs.positions[i] - spread.center).dot(spread.along) < 0;
+    });
+    const auto first = static_cast<std::size_t>(middle - members.begin());
+    if (first == 0 || first == members.size()) return sizes.push_back(whole); // all at one place
+    splitLong(discs, members.first(first), sizes);
+    splitLong(discs, members.subspan(first), sizes);
+}
 
 std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented) {
     std::vector<Vec3f> sums;

@@ -30,6 +30,11 @@ constexpr float kSameSide = 0.5f;
 /// @param oriented else a normal and its opposite are the same side
 std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented);
 
+/// Splits a group where its members' discs reach more than twice as far along their line as across it, and the halves
+/// again: a disc that covers all of a stick sticks out on both sides. Appends the groups' sizes; members are put in
+/// order of the groups.
+void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes);
+
 /// Position and normal are the means by area. Where the members lie in a plane, side by side, the disc covers all of
 /// theirs, so that what was closed stays closed. Elsewhere, as in a tree, its area is the sum of theirs: a ray of any
 /// direction then meets it as often as it met them.

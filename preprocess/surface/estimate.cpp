@@ -57,9 +57,22 @@ NeighborLists connect(Points& points, std::optional<NearestSearch>& search, cons
     return lists;
 }
 
+/// Turns normals to the sides that are told, and flags them as given. Those seen at a grazing angle tell nothing: a
+/// side stands for a wide surrounding, whose normal may be that far off.
+void faceSides(Points& points, const std::vector<Vec3f>& sides, std::vector<std::uint8_t>& given) {
+    constexpr float kGrazing = 0.3f; // cosine of 73 degrees
+    for (std::size_t i = 0; i < points.size() && !sides.empty(); ++i) {
+        const float cosine = points.normals[i].dot(sides[points.input_index[i]]);
+        if (std::abs(cosine) < kGrazing || given[i]) continue;
+        if (cosine < 0) points.normals[i] = -points.normals[i];
+        given[i] = 1;
+    }
+}
+
 /// Gives points their normals, on the right side; returns whether the side is known.
 bool shape(Points& points, const NeighborLists& lists, const NearestSearch& search, bool normal_sides,
-           const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
+           const SurfaceDecisions& decided, const SurfaceOptions& options, SurfaceReport& report,
+           const StageProgress& progress) {
     std::vector<std::uint8_t> given;
     {
         const Stopwatch watch(report.seconds_normals);
@@ -67,6 +80,7 @@ bool shape(Points& points, const NeighborLists& lists, const NearestSearch& sear
         report.normals_estimated = std::size_t(std::count(given.begin(), given.end(), 0));
     }
     if (!normal_sides) std::fill(given.begin(), given.end(), std::uint8_t{0});
+    faceSides(points, decided.sides, given);
     const Stopwatch watch(report.seconds_orient);
     return orientNormals(points, lists, search, given, options.orient, report.normals_flipped, progress);
 }
@@ -75,12 +89,14 @@ bool shape(Points& points, const NeighborLists& lists, const NearestSearch& sear
 struct Known {
     std::vector<std::size_t> first_points; ///< [scans]
     std::vector<std::uint8_t> rims;        ///< flagRims
+    std::vector<float> noise_of_scans;     ///< SurfaceDecisions::noise
 };
 
 /// Levels what is stepped and takes down what only the cloud knows.
-Known learn(Cloud& cloud, const SurfaceOptions& options, SurfaceReport& report) {
+Known learn(Cloud& cloud, const SurfaceDecisions& decided, const SurfaceOptions& options, SurfaceReport& report) {
     Known known;
     for (const Scan& scan : cloud.scans) known.first_points.push_back(scan.first_point);
+    known.noise_of_scans = decided.noise;
     if (options.clean == 0 || cloud.grids.empty()) return known;
     const Stopwatch watch(report.seconds_clean);
     report.steps = levelSteps(cloud);
@@ -110,6 +126,7 @@ CleanReport clean(Points& points, NeighborLists& lists, std::optional<NearestSea
     input.strength = float(options.clean);
     input.scan_of_point = scansOf(points, known.first_points);
     input.scan_count = std::max<std::size_t>(known.first_points.size(), 1);
+    if (known.noise_of_scans.size() == input.scan_count) input.noise_of_scans = known.noise_of_scans;
     CleanReport cleaned = cleanPoints(points, lists, search, input, progress);
     if (cleaned.moved > 0) spreadLines(lists, points, *search, {progress, "cleaning", 1, 1});
     report.noise = cleaned.noise;
@@ -228,14 +245,14 @@ void requireSane(const SurfaceOptions& options) {
 } // namespace surface
 
 Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceReport& report,
-                      const StageProgress& progress) {
+                      const StageProgress& progress, const SurfaceDecisions& decided) {
     using namespace surface;
     report = {};
     requireSane(options);
     const std::vector<std::uint32_t> strays = requireSurface(cloud.positions);
     const Vec3d origin = cloud.origin;
     const bool normal_sides = cloud.normal_sides;
-    const Known known = learn(cloud, options, report);
+    const Known known = learn(cloud, decided, options, report);
     const std::size_t cloud_count = cloud.positions.size(), input_count = cloud_count - strays.size();
 
     Points points = takePointsBut(std::move(cloud), strays);
@@ -243,7 +260,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     std::optional<NearestSearch> search;
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
-    const bool oriented = shape(points, lists, *search, normal_sides, options, report, progress);
+    const bool oriented = shape(points, lists, *search, normal_sides, decided, options, report, progress);
     std::vector<float> sheets = shares(points, lists, report);
     const std::vector<std::uint32_t> before = sheets.empty() ? std::vector<std::uint32_t>() : points.input_index;
     CleanReport cleaned;

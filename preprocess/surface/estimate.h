@@ -24,6 +24,12 @@ struct SurfaceReport {
     std::size_t seen_through = 0; ///< discs that ended where a sensor had looked through them
 };
 
+/// What was decided for a larger cloud that this one is a part of; empty: this cloud decides.
+struct SurfaceDecisions {
+    std::vector<Vec3f> sides; ///< [points of the cloud] unit length, what the normal is to face; zero where not known
+    std::vector<float> noise; ///< [scans] as SurfaceReport::noise
+};
+
 /// Turns the points of cloud (finite, fewer than 2^31) into splats.
 /// The cloud is emptied while it is used, to keep the peak memory low; the result does not depend on the number of
 /// threads. progress hears of the stages "neighbors", "normals", "orientation" and "radii".
@@ -31,6 +37,6 @@ struct SurfaceReport {
 /// kKeep or kSensor lack a normal or a sensor; (kBadUsage) when an option is out of range. The message is the reason
 /// alone: the caller puts the file's name and ": " before it.
 Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceReport& report,
-                      const StageProgress& progress = {});
+                      const StageProgress& progress = {}, const SurfaceDecisions& decided = {});
 
 } // namespace pointrt

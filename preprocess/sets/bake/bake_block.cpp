@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/sets/bake/bake_block.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "format/base/error.h"
+#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/sets/bake/halo.h"
+#include "preprocess/sets/buckets.h"
+#include "preprocess/surface/check.h"
+#include "preprocess/surface/estimate.h"
+#include "preprocess/tiles/splat_file.h"
+#include "preprocess/tiles/take_splats.h"
+
+namespace pointrt {
+
+namespace {
+
+/// The widest halo over the tile's edge: the points in it are then as many as those of three tiles on a surface.
+constexpr double kWidestHalo = 0.5;
+
+/// The tile's points and as wide a halo as they need.
+BoxPoints readWithHalo(const SetPlan& plan, const PlanTile& tile, std::uint32_t number) {
+    const double edge = edgeOf(plan, tile.level), widest = kWidestHalo * edge;
+    const auto neighbors = static_cast<std::size_t>(plan.bake.surface.neighbors);
+    double halo = tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest) : widest;
+    while (true) {
+        BoxPoints points = readPoints(plan, number, halo);
+        const Vec3d low = Vec3d::Constant(-halo), high = Vec3d::Constant(edge + halo);
+        if (halo >= widest || !isHaloTooNarrow(points.cloud.positions, points.core, low, high, halo, neighbors))
+            return points;
+        halo = std::min(2 * halo, widest);
+    }
+}
+
+bool isSurface(const std::vector<Vec3f>& positions) {
+    try {
+        surface::requireSurface(positions);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// Each side that the plan knows to the point nearest to it, of which it is the normal of a coarser sample.
+std::vector<Vec3f> sidesOf(const BoxPoints& points) {
+    if (points.side_positions.empty()) return {};
+    std::vector<Vec3f> sides(points.cloud.positions.size(), Vec3f::Zero());
+    const surface::NearestSearch search(points.cloud.positions);
+    for (std::size_t s = 0; s < points.side_positions.size(); ++s) {
+        std::uint32_t nearest = 0;
+        float squared = 0;
+        if (search.nearest(points.side_positions[s], {&nearest, 1}, {&squared, 1}) == 1)
+            sides[nearest] = points.side_normals[s];
+    }
+    return sides;
+}
+
+SurfaceDecisions decisionsOf(const SetPlan& plan, BoxPoints& points, SurfaceOptions& options) {
+    options.orient = plan.orient;
+    SurfaceDecisions decided{sidesOf(points), plan.noise};
+    if (options.orient != OrientMode::kMst || decided.sides.empty()) return decided;
+    options.orient = OrientMode::kAuto; // which follows the plan's sides, once nothing else is known
+    points.cloud.normal_sides = false;
+    points.cloud.sensor_of_point.clear();
+    return decided;
+}
+
+/// 1 for the splats of the core's points, and those that fill gaps in the core.
+std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::uint8_t>& core,
+                                  const std::vector<PositionCode>& codes) {
+    std::vector<std::uint8_t> own(codes.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const std::uint32_t point = splats.input_index[i];
+        own[i] = point < splats.input_count ? core[point] : static_cast<std::uint8_t>(isInCore(codes[i]));
+    }
+    return own;
+}
+
+/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border.
+void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<std::uint8_t>& own,
+                 std::vector<PositionCode>& codes) {
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+        if (!own[i] || isInCore(codes[i]) || tree.originalAt(tile, codes[i])) continue;
+        for (std::int32_t& each : codes[i]) each = std::clamp(each, 0, kCoreSteps - 1);
+    }
+}
+
+/// The schema that all tiles have, with colours where the set has them.
+TileSplats noSplats(const Cloud& cloud) {
+    TileSplats none;
+    for (const Attribute& each : cloud.attributes)
+        none.attributes.push_back({each.name, each.type, each.components, {}});
+    return none;
+}
+
+} // namespace
+
+TileSet latticeOf(const SetPlan& plan) {
+    TileSet set;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        set.lattice_origin[a] = plan.lattice_origin[axis];
+        set.up[a] = plan.world.up[axis];
+    }
+    set.edge = plan.edge;
+    set.metres = plan.world.metres_per_unit;
+    set.crs = plan.world.crs;
+    set.input_points = plan.points_read;
+    set.settings = plan.settings;
+    set.oriented = plan.orient != OrientMode::kNone;
+    for (const PlanScan& scan : plan.scans) {
+        const Vec3d place = scan.sensor.value_or(Vec3d::Zero());
+        set.sensors.push_back({place.x(), place.y(), place.z(), scan.sensor ? 1.0 : 0.0});
+    }
+    const bool known = std::any_of(plan.scans.begin(), plan.scans.end(), [](auto& scan) { return !!scan.sensor; });
+    if (!known) set.sensors.clear();
+    return set;
+}
+
+TileTree treeOf(const SetPlan& plan) {
+    std::vector<TileKey> originals;
+    for (const PlanTile& tile : plan.tiles) originals.push_back(keyOf(tile));
+    return TileTree(originals);
+}
+
+TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, TileCounts& counts) {
+    const PlanTile& tile = plan.tiles.at(number);
+    BoxPoints points = readWithHalo(plan, tile, number);
+    counts.points += tile.points;
+    if (!isSurface(points.cloud.positions)) return noSplats(points.cloud);
+    const std::vector<Attribute> attributes = std::exchange(points.cloud.attributes, {});
+    SurfaceOptions options = plan.bake.surface;
+    const SurfaceDecisions decided = decisionsOf(plan, points, options);
+    SurfaceReport report;
+    const Splats splats = estimateSplats(std::move(points.cloud), options, report, {}, decided);
+    std::vector<PositionCode> codes = codesOf(latticeOf(plan), keyOf(tile), splats);
+    const std::vector<std::uint8_t> own = flagOwn(splats, points.core, codes);
+    keepInTiles(tree, keyOf(tile), own, codes);
+    for (std::size_t i = 0; i < own.size(); ++i) counts.filled += own[i] && splats.input_index[i] >= splats.input_count;
+    TileSplats taken = takeSplats(splats, attributes, codes, own, edgeOf(plan, tile.level));
+    counts.outliers += report.outliers_removed;
+    counts.splats += taken.positions.size();
+    return taken;
+}
+
+TileCounts bakeBlock(const SetPlan& plan, std::uint32_t block, const StageProgress& progress) {
+    const TileTree tree = treeOf(plan);
+    const std::string folder = splatsFolder(plan);
+    std::filesystem::create_directories(folder);
+    TileCounts counts;
+    const std::uint32_t first = plan.first_tile_of_block.at(block), end = plan.first_tile_of_block.at(block + 1);
+    for (std::uint32_t number = first; number < end; ++number) {
+        const TileKey key = keyOf(plan.tiles[number]);
+        if (!hasSplatFile(folder, key)) writeSplats(folder, key, bakeTile(plan, tree, number, counts));
+        if (progress) progress("tiles", double(number + 1 - first) / double(end - first));
+    }
+    return counts;
+}
+
+} // namespace pointrt

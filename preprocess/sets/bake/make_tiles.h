@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splats of all tiles to the set: coarser levels, tiles, set.json. Each step does what is not done yet, and nothing of
+// it depends on who did the rest.
+#pragma once
+
+#include "preprocess/cloud/stage_progress.h"
+#include "preprocess/sets/plan.h"
+#include "preprocess/tiles/build_tile.h"
+
+namespace pointrt {
+
+/// Splat files of the coarser levels, bottom up. All blocks must have been baked. progress hears of "levels".
+/// Throws Error.
+/// @param tile_splats of a merged tile about so many at the most
+void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, const StageProgress& progress = {});
+
+/// The tiles of a block. mergeLevels must have run. progress hears of "tiles".
+/// @param metadata JSON object for META: TileOptions::metadata
+/// @param threads of all parts of the work that ask; 0: all
+void makeBlockTiles(const SetPlan& plan, std::uint32_t block, const std::string& metadata, std::size_t threads,
+                    const StageProgress& progress = {});
+
+/// All tiles that are not there yet, merged ones too, and set.json. mergeLevels must have run. Throws Error, kBadInput
+/// where no tile has a splat.
+TileSet makeSet(const SetPlan& plan, const std::string& metadata, std::size_t threads,
+                const StageProgress& progress = {});
+
+} // namespace pointrt

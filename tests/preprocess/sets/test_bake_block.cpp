@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Splats of tiles against those of the whole cloud.
+#include "preprocess/sets/bake/bake_block.h"
+
+#include <algorithm>
+
+#include "pointrt/pro.h"
+#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/sets/bake/halo.h"
+#include "preprocess/sets/bake/make_tiles.h"
+#include "preprocess/surface/estimate.h"
+#include "preprocess/tiles/splat_file.h"
+#include "set_fixture.h"
+
+namespace pointrt {
+namespace {
+
+struct PlainSplats {
+    std::vector<Vec3f> positions, normals; ///< relative to the plan's corner
+    std::vector<float> radii;
+};
+
+/// The own splats of all tiles.
+PlainSplats splatsOf(const SetPlan& plan) {
+    PlainSplats all;
+    for (const PlanTile& tile : plan.tiles) {
+        const TileSplats splats = readSplats(splatsFolder(plan), keyOf(tile));
+        for (std::size_t i = 0; i < splats.positions.size(); ++i) {
+            const Vec3d position = positionOf(latticeOf(plan), keyOf(tile), splats.positions[i]);
+            all.positions.push_back((position - plan.lattice_origin).cast<float>());
+            all.normals.push_back(normalOf(splats.normals[i]));
+            all.radii.push_back(splats.radii[i]);
+        }
+    }
+    return all;
+}
+
+SetPlan bakeAll(SetPlan plan) {
+    for (std::uint32_t block = 0; block < plan.blocks(); ++block) bakeBlock(plan, block);
+    return plan;
+}
+
+/// Seams cannot be seen: what a tile makes of its points is what the whole cloud makes of them.
+TEST_F(SetTest, TilesHaveTheSplatsOfTheWhole) {
+    const SetRequest request = requestOf({writeHill("a.csv", 30000)}, 3000);
+    const SetPlan plan = bakeAll(splitInto("A.proset", request));
+    ASSERT_GE(plan.tiles.size(), 8u);
+    const PlainSplats tiles = splatsOf(plan);
+    SurfaceReport report;
+    const Splats whole = estimateSplats(readInputs(request.inputs, {}), request.bake.surface, report);
+    ASSERT_EQ(tiles.positions.size(), whole.positions.size());
+    const surface::NearestSearch search(tiles.positions);
+    std::size_t differ = 0;
+    for (std::size_t i = 0; i < whole.positions.size(); ++i) {
+        const Vec3d position = whole.origin + whole.positions[i].cast<double>() - plan.lattice_origin;
+        std::uint32_t at = 0;
+        float squared = 0;
+        ASSERT_EQ(search.nearest(position.cast<float>(), {&at, 1}, {&squared, 1}), 1u);
+        EXPECT_LT(squared, 1e-6f);                                             // a thousandth, of 0.6 between points
+        const bool same = tiles.normals[at].dot(whole.normals[i]) > 0.9998f && // 1 degree
+                          std::abs(tiles.radii[at] / whole.radii[i] - 1) < 0.01f;
+        differ += !same;
+    }
+    EXPECT_LE(differ, whole.positions.size() / 10000);
+}
+
+TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
+    const SetRequest request = requestOf({writeHill("a.csv", 8000)});
+    SetPlan one = splitInto("A.proset", request), other = splitInto("B.proset", request, 1);
+    const auto tiles = static_cast<std::uint32_t>(one.tiles.size());
+    ASSERT_GE(tiles, 4u);
+    one.first_tile_of_block = {0, tiles};
+    other.first_tile_of_block = {0, 1, tiles / 2, tiles};
+    bakeBlock(one, 0);
+    for (const std::uint32_t block : {2u, 0u, 1u, 2u}) bakeBlock(other, block);
+    EXPECT_EQ(bakeBlock(other, 1).points, 0u) << "what is done is not done again";
+    for (const PlanTile& tile : one.tiles) {
+        const std::string bytes = bytesOf(splatFileOf(splatsFolder(one), keyOf(tile)));
+        EXPECT_FALSE(bytes.empty());
+        EXPECT_EQ(bytes, bytesOf(splatFileOf(splatsFolder(other), keyOf(tile))));
+    }
+}
+
+TEST_F(SetTest, ADamagedSplatFileIsMadeAnew) {
+    SetPlan plan = bakeAll(splitInto("A.proset", requestOf({writeHill("a.csv", 5000)})));
+    const std::string path = splatFileOf(splatsFolder(plan), keyOf(plan.tiles.front()));
+    const std::string whole = bytesOf(path);
+    std::filesystem::resize_file(path, whole.size() / 2);
+    bakeAll(plan);
+    EXPECT_EQ(bytesOf(path), whole);
+}
+
+TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
+    SetPlan plan = bakeAll(splitInto("A.proset", requestOf({writeHill("a.csv", 9000)})));
+    std::uint64_t splats = 0;
+    for (const PlanTile& tile : plan.tiles) splats += readSplatSummary(splatsFolder(plan), keyOf(tile)).head.count;
+    mergeLevels(plan, 1000);
+    for (std::uint32_t block = 0; block < plan.blocks(); ++block) makeBlockTiles(plan, block, "{}", 1);
+    makeSet(plan, R"({"writer":"test"})", 1);
+    const TileSet set = readTileSet(plan.output);
+    EXPECT_EQ(set.splats, splats);
+    EXPECT_EQ(set.tiles.front().level + 1, set.levels.size());
+    for (const SetTile& tile : set.tiles) {
+        std::size_t findings = 1;
+        const std::string path = plan.output + "/" + tile.file;
+        EXPECT_EQ(pro_verify(path.c_str(), nullptr, nullptr, &findings, nullptr), PRO_OK);
+        EXPECT_EQ(findings, 0u) << tile.file;
+    }
+}
+
+/// A grid of points half a unit apart in a box with a halo of 3.
+struct HaloScene {
+    std::vector<Vec3f> positions;
+    std::vector<std::uint8_t> core;
+
+    void add(float x, float y, float z) {
+        positions.emplace_back(x, y, z);
+        const auto in = [](float each) { return each >= 0 && each < 10; };
+        core.push_back(in(x) && in(y) && in(z));
+    }
+    void addPlane(float step) {
+        for (float y = -3; y <= 13; y += step)
+            for (float x = -3; x <= 13; x += step) add(x, y, 5);
+    }
+    bool isTooNarrow() const {
+        return isHaloTooNarrow(positions, core, Vec3d::Constant(-3), Vec3d::Constant(13), 3, 16);
+    }
+};
+
+TEST(Halo, WideEnoughWhereNeighborsAreNearerThanTheRim) {
+    HaloScene scene;
+    scene.addPlane(0.5f); // the 16th neighbour is 1.1 away
+    EXPECT_FALSE(scene.isTooNarrow());
+}
+
+TEST(Halo, TooNarrowWhereTheyAreNot) {
+    HaloScene scene;
+    scene.addPlane(2); // 4.5 away
+    EXPECT_TRUE(scene.isTooNarrow());
+}
+
+TEST(Halo, AStrayAsksForNothing) {
+    HaloScene scene;
+    scene.addPlane(0.5f);
+    scene.add(1, 1, 9.5f);
+    EXPECT_FALSE(scene.isTooNarrow());
+}
+
+TEST(Halo, PointsInTheMiddleNeedNoHalo) {
+    HaloScene scene;
+    for (int i = 0; i < 20; ++i) scene.add(5 + 0.15f * float(i % 5), 5 + 0.15f * float(i / 5), 5); // 4 from the rim
+    EXPECT_FALSE(scene.isTooNarrow());
+}
+
+} // namespace
+} // namespace pointrt
