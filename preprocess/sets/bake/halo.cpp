@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
+
+#include "preprocess/neighbors/neighbors.h"
 
 namespace pointrt {
 
@@ -63,13 +66,23 @@ double rimDistance(const Vec3f& position, const Vec3d& low, const Vec3d& high) {
     return std::min((place - low).minCoeff(), (high - place).minCoeff());
 }
 
-/// Whether at least so many others lie within a distance.
-bool hasWithin(const std::vector<Vec3f>& positions, const Vec3f& center, double distance, std::size_t count) {
-    const auto squared = static_cast<float>(distance * distance);
-    std::size_t found = 0;
-    for (const Vec3f& position : positions)
-        if ((position - center).squaredNorm() < squared && ++found > count) return true; // with itself
-    return false;
+/// Of the points those with fewer than count others nearer than the rim.
+std::vector<Vec3f> thoseThatLack(const std::vector<Vec3f>& positions, const std::vector<std::uint32_t>& asked,
+                                 const Vec3d& low, const Vec3d& high, std::size_t count) {
+    if (asked.empty()) return {};
+    const surface::NearestSearch search(positions);
+    std::vector<std::uint8_t> lacks(asked.size());
+    tbb::parallel_for(std::size_t{0}, asked.size(), [&](std::size_t a) {
+        const Vec3f& position = positions[asked[a]];
+        const double rim = rimDistance(position, low, high);
+        std::vector<std::uint32_t> found(count + 1); // with itself
+        std::vector<float> squared(count + 1);
+        lacks[a] = search.nearest(position, found, squared, static_cast<float>(rim * rim)) < found.size();
+    });
+    std::vector<Vec3f> lacking;
+    for (std::size_t a = 0; a < asked.size(); ++a)
+        if (lacks[a]) lacking.push_back(positions[asked[a]]);
+    return lacking;
 }
 
 } // namespace
@@ -80,17 +93,10 @@ bool isHaloTooNarrow(const std::vector<Vec3f>& positions, const std::vector<std:
     std::vector<std::uint32_t> doubtful;
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (core[i] && counts.around(positions[i]) <= k) doubtful.push_back(i);
-    std::vector<std::uint8_t> lacks(doubtful.size());
-    tbb::parallel_for(std::size_t{0}, doubtful.size(), [&](std::size_t d) {
-        const Vec3f& position = positions[doubtful[d]];
-        lacks[d] = !hasWithin(positions, position, rimDistance(position, low, high), k);
-    });
-    std::vector<Vec3f> lacking;
-    for (std::size_t d = 0; d < doubtful.size(); ++d)
-        if (lacks[d]) lacking.push_back(positions[doubtful[d]]);
-    return std::any_of(lacking.begin(), lacking.end(), [&](const Vec3f& position) {
-        return hasWithin(lacking, position, rimDistance(position, low, high), kTogether);
-    });
+    const std::vector<Vec3f> lacking = thoseThatLack(positions, doubtful, low, high, k);
+    std::vector<std::uint32_t> all(lacking.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return thoseThatLack(lacking, all, low, high, kTogether).size() < lacking.size();
 }
 
 } // namespace pointrt
