@@ -9,10 +9,9 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "format/base/report_file.h"
-#include "format/base/same_file.h"
 #include "format/index/build_index.h"
 #include "preprocess/app/bake_progress.h"
+#include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
 #include "preprocess/octree/carry_attributes.h"
 #include "preprocess/octree/write.h"
@@ -24,22 +23,6 @@ namespace {
 
 std::size_t threadCount(int requested) {
     return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
-}
-
-void requireNoInput(const BakeOptions& options, const std::string& path, const char* option) {
-    for (const std::string& input : options.inputs)
-        if (isSameFile(path, input))
-            throw Error(ExitCode::kBadUsage, path + ": " + option + " would overwrite an input");
-}
-
-/// The report must not land on a scan or on the scene.
-void checkStats(const BakeOptions& options) {
-    const std::string& path = options.stats_path;
-    if (path.empty() || path == "-") return;
-    requireNoInput(options, path, "--stats");
-    if (isSameFile(path, options.output))
-        throw Error(ExitCode::kBadUsage, path + ": --stats and --output are the same file");
-    requireReportWritable(path);
 }
 
 /// Found out before the work, not after it.

@@ -58,7 +58,10 @@ double secondsBetween(std::chrono::steady_clock::time_point a, std::chrono::stea
 } // namespace
 
 BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& left_out)
-    : weights_(weightsWithout(left_out)), verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1),
+    : BakeProgress(verbosity, style, weightsWithout(left_out)) {}
+
+BakeProgress::BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights)
+    : weights_(std::move(weights)), verbosity_(verbosity), terminal_(isatty(STDERR_FILENO) == 1),
       lines_(style == ProgressStyle::kLines), start_(Clock::now()), stage_start_(start_), drawn_(start_) {}
 
 /// Leaves no half-drawn line before an error message.

@@ -27,6 +27,8 @@ class BakeProgress {
 public:
     /// @param left_out stages that this bake does not have
     BakeProgress(Verbosity verbosity, ProgressStyle style, const std::vector<std::string_view>& left_out = {});
+    /// Of another work: its stages in their order.
+    BakeProgress(Verbosity verbosity, ProgressStyle style, std::vector<StageWeight> weights);
     ~BakeProgress();
 
     /// Ends the stage before and starts name. points is what the rate is counted in, 0 if not known yet.

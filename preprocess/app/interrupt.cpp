@@ -12,15 +12,22 @@ namespace {
 
 constexpr int kSignalExitBase = 128; // the shells' convention
 
-volatile std::sig_atomic_t guarded = 0;
+volatile std::sig_atomic_t guarded = 0, work_stays = 0;
+
+template <std::size_t kSize>
+void tell(const char (&line)[kSize]) {
+    constexpr std::size_t kWipe = 4; // of the progress that is drawn on a terminal
+    const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipe;
+    const ssize_t told = write(STDERR_FILENO, line + skipped, kSize - 1 - skipped);
+    static_cast<void>(told); // without a reader there is nobody to tell
+}
 
 extern "C" void onInterrupt(int signal) {
     if (guarded) return;
-    static constexpr char kLine[] = "\r\033[Kpointrt-bake: interrupted, nothing was written\n";
-    constexpr std::size_t kWipe = 4; // of the progress that is drawn on a terminal
-    const std::size_t skipped = isatty(STDERR_FILENO) ? 0 : kWipe;
-    const ssize_t told = write(STDERR_FILENO, kLine + skipped, sizeof kLine - 1 - skipped);
-    static_cast<void>(told); // without a reader there is nobody to tell
+    if (work_stays)
+        tell("\r\033[Kpointrt-bake: interrupted; the same command goes on from here\n");
+    else
+        tell("\r\033[Kpointrt-bake: interrupted, nothing was written\n");
     _exit(kSignalExitBase + signal);
 }
 
@@ -36,6 +43,8 @@ void installInterruptHandlers() {
         if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr); // nohup stays in force
     }
 }
+
+void sayThatWorkStays() { work_stays = 1; }
 
 InterruptGuard::InterruptGuard() { guarded = 1; }
 

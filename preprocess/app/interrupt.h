@@ -8,6 +8,9 @@ namespace pointrt {
 /// on disk before the output is written.
 void installInterruptHandlers();
 
+/// Has an interrupted process say that the same command goes on where it stopped.
+void sayThatWorkStays();
+
 /// While one lives interrupts are ignored: once writing has begun the run is as good as done, and ends with its file.
 class InterruptGuard {
 public:

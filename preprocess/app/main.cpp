@@ -5,7 +5,20 @@
 #include "format/base/process.h"
 #include "format/base/run_tool.h"
 #include "preprocess/app/bake.h"
+#include "preprocess/app/bake_set.h"
 #include "preprocess/app/interrupt.h"
+
+namespace {
+
+template <typename Report>
+void tell(const pointrt::BakeOptions& options, const Report& report) {
+    if (options.verbosity != pointrt::Verbosity::kQuiet)
+        std::fprintf(stderr, "%s: %s\n", pointrt::printable(options.output, std::string::npos).c_str(),
+                     summaryLine(report).c_str());
+    if (!options.stats_path.empty()) writeStats(report, options.stats_path);
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
     using namespace pointrt;
@@ -14,11 +27,10 @@ int main(int argc, char** argv) {
         if (!parseOptions(argc, argv, options)) return static_cast<int>(ExitCode::kDone);
         installInterruptHandlers();
         keepWorkingWithoutReaders();
-        const BakeReport report = bake(options);
-        if (options.verbosity != Verbosity::kQuiet)
-            std::fprintf(stderr, "%s: %s\n", printable(options.output, std::string::npos).c_str(),
-                         summaryLine(report).c_str());
-        if (!options.stats_path.empty()) writeStats(report, options.stats_path);
+        if (options.isTileSet())
+            tell(options, bakeSet(options));
+        else
+            tell(options, bake(options));
         return static_cast<int>(ExitCode::kDone);
     });
 }

@@ -9,6 +9,7 @@
 #include "format/base/command_line.h"
 #include "format/base/error.h"
 #include "preprocess/app/filter_options.h"
+#include "preprocess/app/set_options.h"
 #include "preprocess/input/folders.h"
 #include "preprocess/input/formats/formats.h"
 
@@ -97,7 +98,8 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("-o,--output", options.output,
-                   "The .pro to write; a bake takes long, so one that is there is kept without -f")
+                   "The .pro to write, or a folder NAME.proset of many of them for scans of any size; a bake takes "
+                   "long, so one that is there is kept without -f")
         ->type_name("FILE")
         ->option_text("FILE REQUIRED");
     app.add_flag("-f,--force", options.force, "Overwrite the output");
@@ -208,6 +210,24 @@ void addOctreeOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("H");
 }
 
+void addTileSetOptions(CLI::App& app, BakeOptions& options) {
+    app.option_defaults()->group("Tile sets, -o NAME.proset; steps leave their work in NAME.proset.work");
+    TileSetOptions& tiles = options.tiles;
+    addParsed(app, "--max-memory", "What a bake stays below, as 4G or 800M, from 512M (default 4G)",
+              [&](const std::string& text) { tiles.max_memory = parseBytes("--max-memory", text); })
+        ->type_name("SIZE");
+    app.add_option("--tile-splats", tiles.points_per_tile, "Points a tile, about, 1000 to 100000000 (default 1000000)")
+        ->check(range(std::uint64_t{1000}, std::uint64_t{100'000'000}))
+        ->type_name("N");
+    addParsed(
+        app, "--step",
+        "One step only: plan, split, block:N of each block, levels, tile:N of each block, top; plan says how many "
+        "blocks there are",
+        [&](const std::string& text) { parseSetStep(text, tiles); })
+        ->type_name("STEP");
+    app.add_flag("--keep-work", tiles.keep_work, "Leave NAME.proset.work where it is in the end");
+}
+
 void addReportOptions(CLI::App& app, BakeOptions& options) {
     app.option_defaults()->group("Running and reporting");
     app.add_option("-j,--threads", options.threads, "Threads, 0 to 4096, 0 uses all cores (default 0)")
@@ -226,16 +246,26 @@ void addReportOptions(CLI::App& app, BakeOptions& options) {
 
 void checkOutputName(const BakeOptions& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
-    const std::string suffix = ".pro", &output = options.output;
+    const std::string suffix = ".pro", set_suffix = ".proset", &output = options.output;
     const std::filesystem::path path(output);
     if (output.empty()) {
-        const bool forgotten = options.inputs.size() > 1 && options.inputs.back().ends_with(suffix);
+        const bool forgotten = options.inputs.size() > 1 &&
+                               (options.inputs.back().ends_with(suffix) || options.inputs.back().ends_with(set_suffix));
         usage("no output is given: -o FILE.pro" +
               (forgotten ? ", did you mean -o " + options.inputs.back() + "?" : ""));
     }
     if (output == "-") usage("-o -: a .pro is mapped where it lies, so it must be a file: -o FILE.pro");
-    if (path.extension() != suffix) // which a hidden file called .pro has not
-        usage(output + ": the output's name must end in .pro");
+    if (path.extension() != suffix && path.extension() != set_suffix) // which a hidden file called .pro has not
+        usage(output + ": the output's name must end in .pro or .proset");
+}
+
+void checkTileSetOptions(const CLI::App& app, BakeOptions& options) {
+    const std::string slashed = ".proset/"; // as shells complete the names of folders
+    if (options.output.ends_with(slashed)) options.output.pop_back();
+    if (options.isTileSet()) return;
+    for (const char* name : {"--max-memory", "--tile-splats", "--step", "--keep-work"})
+        if (app.count(name) > 0)
+            throw Error(ExitCode::kBadUsage, std::string(name) + " is for tile sets: -o NAME.proset");
 }
 
 void checkOptions(BakeOptions& options) {
@@ -262,11 +292,13 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     addFilterOptions(app, options);
     addSurfaceOptions(app, options);
     addOctreeOptions(app, options);
+    addTileSetOptions(app, options);
     addReportOptions(app, options);
     addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes); // under the last heading
     if (parseCommandLine(app, argc, argv)) return false;
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");
+    checkTileSetOptions(app, options);
     checkOptions(options);
     options.inputs = filesOf(options.inputs);
     return true;

@@ -14,9 +14,20 @@ namespace pointrt {
 enum class Verbosity { kQuiet, kNormal, kDetailed };
 enum class ProgressStyle { kAuto, kLines }; ///< kLines: for programs, see BakeProgress
 
+/// A part of a tile set's bake, which other processes may do the rest of.
+enum class SetStep { kAll, kPlan, kSplit, kBlock, kLevels, kTile, kTop };
+
+struct TileSetOptions {
+    std::uint64_t max_memory = std::uint64_t{4} << 30; ///< bytes
+    std::uint64_t points_per_tile = 1'000'000;         ///< about
+    SetStep step = SetStep::kAll;
+    std::uint32_t block = 0; ///< of kBlock and kTile
+    bool keep_work = false;  ///< what steps have left stays
+};
+
 struct BakeOptions {
     std::vector<std::string> inputs; ///< files, or "-" for standard input
-    std::string output;              ///< ends in .pro
+    std::string output;              ///< ends in .pro or, for a tile set, in .proset
     bool force = false;              ///< overwrite output
     int threads = 0;                 ///< 0: all
     std::string stats_path;          ///< JSON report; "-" is standard output, "" none
@@ -30,6 +41,9 @@ struct BakeOptions {
     bool index = true;        ///< write the tracing index
     float reflectivity = 0;   ///< of the material, 0 to 1
     Vec3d up = Vec3d::Zero(); ///< unit length; zero: as the inputs say
+    TileSetOptions tiles;     ///< of tile sets
+
+    bool isTileSet() const { return output.ends_with(".proset"); }
 };
 
 /// Parses the command line. Returns false when help or version was printed and nothing is left to do.

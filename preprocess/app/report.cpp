@@ -16,12 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::uint64_t peakRssBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
-}
-
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 Json worldJson(const WorldFrame& world) {
@@ -156,6 +150,12 @@ std::string foundUp(const BakeReport& report) {
 bool isKnown(const WorldFrame& world) { return !world.up.isZero() || world.metres_per_unit != 0 || !world.crs.empty(); }
 
 } // namespace
+
+std::uint64_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
 
 void writeStats(const BakeReport& report, const std::string& path) {
     // names need not be UTF-8

@@ -39,6 +39,9 @@ struct BakeReport {
 /// Writes the report to path ("-" is standard output). Throws Error (kCannotWrite).
 void writeStats(const BakeReport& report, const std::string& path);
 
+/// The most memory that this process has taken so far.
+std::uint64_t peakRssBytes();
+
 /// One line for people of what reading found.
 std::string noteLine(const Note& note);
 

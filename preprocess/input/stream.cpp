@@ -117,13 +117,16 @@ private:
     Source source_;
 };
 
+/// Bytes that all have to be in memory.
+void requireSmall(const Source& source, const Stream& stream, const char* why) {
+    if (source.bytes.size() > stream.options.largest_whole_file)
+        refuse(source, fmt::format("{}, for which its {} MB are too many: a larger --max-memory allows it", why,
+                                   source.bytes.size() / 1'000'000));
+}
+
 /// The file by itself, as a bake of it alone reads it.
 FileReport readWhole(const Source& source, const std::string& path, Stream& stream) {
-    const std::uint64_t most = stream.options.largest_whole_file;
-    if (source.bytes.size() > most)
-        refuse(source, fmt::format("is read as a whole, for which its {} MB are too many: a larger --max-memory allows "
-                                   "it, and points alone, without faces and grids, have no such limit",
-                                   source.bytes.size() / 1'000'000));
+    requireSmall(source, stream, "is read as a whole, as faces, grids and packed points are");
     std::vector<FileReport> reports;
     Cloud points = readInputs({path}, stream.options.read, {}, &reports);
     points.attributes.erase(std::remove_if(points.attributes.begin(), points.attributes.end(),
@@ -148,6 +151,7 @@ FileReport readStreamed(const Source& source, const InputFormat& format, Stream&
 void readFile(const std::string& path, Stream& stream) {
     const auto start = std::chrono::steady_clock::now();
     const Source source = openSource(path);
+    if (!source.mapped) requireSmall(source, stream, "is unpacked as a whole, as .gz files are");
     const InputFormat& format = formatOf(source, stream.options.read.format);
     const bool streams = format.reader.readsInBatches && format.reader.readsInBatches(source);
     FileReport report = streams ? readStreamed(source, format, stream) : readWhole(source, path, stream);

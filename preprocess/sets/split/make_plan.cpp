@@ -21,7 +21,7 @@ constexpr std::size_t kSamplePoints = 400'000;
 
 /// Cells of the counting grid for a given memory: they take 96 bytes at most, so that it is a tenth of the memory.
 std::size_t mostCells(std::uint64_t max_memory) {
-    constexpr std::uint64_t kBytesPerCell = 1024, kFewest = 1 << 16, kMost = 1 << 22;
+    constexpr std::uint64_t kBytesPerCell = 1024, kFewest = 1 << 16, kMost = 1 << 20;
     return std::clamp(max_memory / kBytesPerCell, kFewest, kMost);
 }
 

@@ -148,6 +148,9 @@ bool isFirstPcdLine(std::string_view line, bool first) {
     return first && (word == "VERSION" || word == "FIELDS" || word == "COLUMNS");
 }
 
+/// Compressed bodies are unpacked as a whole.
+bool isUnpacked(const Source& source) { return readPcdHeader(source).data != PcdData::kCompressed; }
+
 bool isPcdStart(std::string_view bytes) { return bytes.starts_with("# .PCD"); }
 
 void readPcd(const Source& source, Sink& sink) {
@@ -171,6 +174,6 @@ void readPcd(const Source& source, Sink& sink) {
 } // namespace
 
 const FormatReader readers::kPcd{
-    .isStart = isPcdStart, .isLine = isFirstPcdLine, .read = readPcd, .readsInBatches = alwaysInBatches};
+    .isStart = isPcdStart, .isLine = isFirstPcdLine, .read = readPcd, .readsInBatches = isUnpacked};
 
 } // namespace pointrt

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/set_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+namespace {
+
+[[noreturn]] void usage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
+
+/// How often 1024 bytes are to be multiplied by themselves; -1 for what is no unit.
+int powerOf(const std::string& unit) {
+    if (unit.empty()) return 0;
+    const auto power = std::string("KMGT").find(static_cast<char>(unit[0] & ~0x20)); // in either case
+    const bool known = unit.size() == 1 || unit.substr(1) == "B" || unit.substr(1) == "iB";
+    return known && power != std::string::npos ? static_cast<int>(power) + 1 : -1;
+}
+
+struct StepName {
+    std::string_view name;
+    SetStep step;
+    bool numbered; ///< of a block
+};
+constexpr StepName kSteps[] = {{"plan", SetStep::kPlan, false},  {"split", SetStep::kSplit, false},
+                               {"block", SetStep::kBlock, true}, {"levels", SetStep::kLevels, false},
+                               {"tile", SetStep::kTile, true},   {"top", SetStep::kTop, false}};
+
+} // namespace
+
+std::uint64_t parseBytes(const std::string& option, const std::string& text) {
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const int power = powerOf(std::string(stop, text.data() + text.size()));
+    const double bytes = std::ldexp(value, 10 * power);
+    constexpr double kMost = 0x1p60;
+    if (error != std::errc() || power < 0 || !(bytes >= 1 && bytes <= kMost))
+        usage(fmt::format("{}: '{}' is no size, as 4G or 800M", option, text));
+    return static_cast<std::uint64_t>(bytes);
+}
+
+void parseSetStep(const std::string& text, TileSetOptions& tiles) {
+    const std::size_t colon = text.find(':');
+    const auto row = std::find_if(std::begin(kSteps), std::end(kSteps),
+                                  [&](const StepName& each) { return each.name == text.substr(0, colon); });
+    if (row == std::end(kSteps))
+        usage("--step: '" + text + "' is none of plan, split, block:N, levels, tile:N and top");
+    tiles.step = row->step;
+    if (!row->numbered && colon != std::string::npos) usage(fmt::format("--step: {} has no number", row->name));
+    if (!row->numbered) return;
+    const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const char* const end = number.data() + number.size();
+    const auto [stop, error] = std::from_chars(number.data(), end, tiles.block);
+    if (error != std::errc() || stop != end)
+        usage(fmt::format("--step: '{}' names no block, as {}:0 does the first", text, row->name));
+}
+
+std::string tileSetSettings(const BakeOptions& options) {
+    nlohmann::ordered_json json;
+    const FilterOptions& filter = options.read.filter;
+    json["tile-splats"] = options.tiles.points_per_tile;
+    json["max-memory"] = options.tiles.max_memory;
+    json["compact"] = !options.index;
+    json["input-format"] = options.read.format;
+    if (options.read.sample_count) json["sample"] = *options.read.sample_count;
+    json["seed"] = options.read.seed;
+    if (filter.bounds) {
+        const auto &low = filter.bounds->min(), &high = filter.bounds->max();
+        json["bounds"] = {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+    }
+    for (std::size_t i = 0; i < filter.keep_classes.size(); ++i)
+        if (filter.keep_classes[i]) json["classes"].push_back(i);
+    json["thin"] = filter.thin_spacing;
+    json["every"] = filter.every;
+    if (options.read.level) json["level"] = *options.read.level;
+    if (options.read.transform) {
+        const Eigen::Matrix4d& matrix = options.read.transform->matrix();
+        for (Eigen::Index i = 0; i < 16; ++i) json["transform"].push_back(matrix(i / 4, i % 4));
+    }
+    json["up"] = {options.up.x(), options.up.y(), options.up.z()};
+    json["attributes"] = options.read.attributes.all ? std::vector<std::string>{"auto"} : options.read.attributes.names;
+    json["normals"] = choiceName(options.surface.normals);
+    json["neighbors"] = options.surface.neighbors;
+    json["orient"] = choiceName(options.surface.orient);
+    json["radius-scale"] = options.surface.radius_scale;
+    json["outliers"] = options.surface.remove_outliers ? "remove" : "keep";
+    json["clean"] = options.surface.clean;
+    json["reflectivity"] = options.reflectivity;
+    json["max-leaf-splats"] = options.octree.max_leaf_splats;
+    json["max-depth"] = options.octree.max_depth;
+    json["prune"] = options.prune;
+    json["probe-rays"] = options.pruning.probe_rays;
+    json["prune-harm"] = options.pruning.harm;
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace); // names need not be UTF-8
+}
+
+} // namespace pointrt

@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# pointrt-bake -o NAME.proset: all at once, in steps, killed and gone on with, refused.
+# shellcheck source=lib.sh
+. "$(dirname "$0")/lib.sh"
+
+# hill COUNT [OFFSET]: COUNT points on a smooth hill of 64 x 64, moved along x.
+hill() {
+    awk -v count="$1" -v offset="${2:-0}" 'BEGIN {
+        for (i = 0; i < count; i++) {
+            x = 64 * ((i * 0.7548776662466927) % 1); y = 64 * ((i * 0.5698402909980532) % 1)
+            printf "%.4f %.4f %.4f\n", offset + x, y, 5 * sin(x / 9) * cos(y / 7)
+        }
+    }'
+}
+
+# bakeHills OUTPUT [OPTION ...]: two hills side by side, in tiles of a thousand points.
+bakeHills() {
+    local output=$1
+    shift
+    [ -e a.xyz ] || hill 8000 >a.xyz
+    [ -e b.xyz ] || hill 8000 64 >b.xyz
+    pointrt-bake -q a.xyz b.xyz -o "$output" --tile-splats 1000 "$@"
+}
+
+# sameSet A B: the same files with the same bytes.
+sameSet() {
+    diff -r "$1" "$2" >/dev/null || fail "$1 and $2 differ: $(diff -rq "$1" "$2" | head -3)"
+}
+
+# number NAME FILE: a whole number of a JSON report.
+number() {
+    sed -n "s/^ *\"$1\": \([0-9]*\),\{0,1\}$/\1/p" "$2" | head -1
+}
+
+case_whole_sets_verify() {
+    bakeHills out/site.proset --stats stats.json
+    expectDone pointrt-info out/site.proset --verify
+    [ "$(number points stats.json)" = 16000 ] || fail "not all points are told of"
+    [ "$(number original_tiles stats.json)" -gt 5 ] || fail "there are few tiles"
+    [ ! -e out/site.proset.work ] || fail "the work was left"
+    grep -q '"done": true' stats.json || fail "the report does not say that it is done"
+}
+
+case_threads_and_steps_do_not_matter() {
+    local step block blocks
+    bakeHills out/whole.proset -j 1
+    for step in plan split; do bakeHills out/steps.proset --step $step --stats stats.json; done
+    blocks=$(number blocks stats.json)
+    [ "$blocks" -gt 1 ] || fail "there is one block only"
+    for block in $(seq $((blocks - 1)) -1 0); do bakeHills out/steps.proset --step "block:$block"; done
+    bakeHills out/steps.proset --step levels
+    for block in $(seq 0 $((blocks - 1))); do bakeHills out/steps.proset --step "tile:$block"; done
+    [ ! -e out/steps.proset ] || fail "the set is there before its end"
+    bakeHills out/steps.proset --step top -j 4
+    sameSet out/whole.proset out/steps.proset
+    bakeHills out/kept.proset --keep-work
+    [ -e out/kept.proset.work/plan.json ] || fail "the work was not kept"
+    sameSet out/whole.proset out/kept.proset
+}
+
+# Killed after more and more hundredths of a second until it gets through.
+case_killed_at_any_moment() {
+    local kills=0 hundredths=1
+    bakeHills out/whole.proset
+    while [ ! -e out/killed.proset ] && [ $kills -lt 60 ]; do
+        run timeout -s KILL "$(printf '0.%02d' $((hundredths % 100)))" pointrt-bake -q a.xyz b.xyz \
+            -o out/killed.proset --tile-splats 1000
+        kills=$((kills + 1)) hundredths=$((hundredths < 95 ? hundredths + 3 : 95))
+    done
+    [ $kills -gt 1 ] || fail "it was never killed"
+    [ -e out/killed.proset ] || bakeHills out/killed.proset
+    sameSet out/whole.proset out/killed.proset
+}
+
+case_a_finished_set_stays() {
+    bakeHills out/site.proset
+    expectError 4 "site.proset: is there already; --force overwrites it" \
+        pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
+    bakeHills out/site.proset/ --force --compact
+    expectDone pointrt-info out/site.proset --verify
+    [ "$(ls out)" = site.proset ] || fail "something was left: $(ls out)"
+    mkdir -p out/other.proset
+    echo precious >out/other.proset/file
+    expectError 4 "other.proset: is there, and is no tile set" \
+        pointrt-bake -q a.xyz -o out/other.proset --tile-splats 1000 --force
+}
+
+case_other_options_and_inputs_are_refused() {
+    bakeHills out/site.proset --step plan
+    expectError 2 "site.proset.work: was begun with 1000 of --tile-splats, not 2000; --force begins anew" \
+        pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 2000
+    expectError 1 "site.proset.work: was begun with 2 input files, not 1" \
+        pointrt-bake -q a.xyz -o out/site.proset --tile-splats 1000
+    expectError 1 "the step split has not been done" \
+        pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:0
+    bakeHills out/site.proset --step split
+    expectError 2 "there is no block 99" \
+        pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:99
+    echo "1 2 3" >>a.xyz
+    rm -r out/site.proset.work
+    bakeHills out/site.proset --step plan
+    echo "1 2 3" >>a.xyz
+    expectError 1 "a.xyz has been written since" \
+        pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000
+    bakeHills out/site.proset --force
+    expectDone pointrt-info out/site.proset --verify
+}
+
+case_usage() {
+    hill 2000 >a.xyz
+    expectError 2 "--step is for tile sets" pointrt-bake -q a.xyz -o out/a.pro --step plan
+    expectError 2 "'sideways' is none of plan, split" pointrt-bake -q a.xyz -o out/a.proset --step sideways
+    expectError 2 "'block' names no block" pointrt-bake -q a.xyz -o out/a.proset --step block
+    expectError 2 "'much' is no size" pointrt-bake -q a.xyz -o out/a.proset --max-memory much
+    expectError 2 "below 512M" pointrt-bake -q a.xyz -o out/a.proset --max-memory 100M
+    expectError 2 "--tile-splats" pointrt-bake -q a.xyz -o out/a.proset --tile-splats 10
+    expectError 2 "reads its inputs twice" pointrt-bake -q - -o out/a.proset
+    expectError 1 "missing.xyz: no such file" pointrt-bake -q missing.xyz -o out/a.proset
+    expectError 1 "plan.json: cannot be read" pointrt-bake -q a.xyz -o out/a.proset --step top
+}
+
+# A tmpfs of 1 MiB in a mount namespace of its own: it goes away with the command.
+case_a_disk_that_is_too_small() {
+    local namespace=(unshare --mount)
+    [ "$(id -u)" = 0 ] || namespace=(unshare --mount --map-root-user)
+    hill 50000 >a.xyz
+    cat >on_small_disk.sh <<'SH'
+mount -t tmpfs -o size=1m none out || exit 77
+pointrt-bake -q a.xyz -o out/a.proset --tile-splats 10000
+SH
+    run "${namespace[@]}" bash on_small_disk.sh
+    [ "$status" != 77 ] && [ "$status" != 1 ] || skip "no file system can be mounted here"
+    [ "$status" = 4 ] || fail "exit status $status where 4 was expected"
+    grep -q "a.proset: needs about .*; the disk has" stderr || fail "the disk is not told of"
+}
+
+runCase "$@"
