@@ -21,10 +21,8 @@ TEST(MergeDisc, CoversWhatLiesSideBySide) {
     const MergedDisc merged = mergeDiscs(discs, allOf(discs), true);
     EXPECT_TRUE(merged.position.isApprox(Vec3f(0.5f, 0.5f, 0)));
     EXPECT_TRUE(merged.normal.isApprox(up));
-    EXPECT_FLOAT_EQ(merged.radius, std::sqrt(0.5f) + 1);
-    // half way between two members' directions the rim is 1.7071 from the middle, 1 + hypot(1.2071, 0.5) - 1 from
-    // theirs
-    EXPECT_NEAR(merged.error, std::hypot(std::sqrt(0.5f) + 1 - 0.5f, 0.5f) - 1, 1e-3);
+    EXPECT_FLOAT_EQ(merged.radius, std::sqrt(0.5f) + 1 / 1.2f);
+    EXPECT_NEAR(merged.error, 1 - 1 / 1.2f, 1e-6); // of their rims, where they reach farthest
 }
 
 TEST(MergeDisc, MeansAreByArea) {
