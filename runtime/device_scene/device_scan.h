@@ -28,6 +28,7 @@ struct DeviceScan {
     Buffer noise;     ///< bytes; of a clean scan a blank texel
     bool noisy = false;
     std::uint64_t device_bytes = 0;
+    std::uint64_t last_used = 0; ///< of a tile: DeviceScene::tile_uses when it was last in a cut
 };
 
 /// Maps and validates path, without anything on the device; of a file with an index its view has no octree. Throws

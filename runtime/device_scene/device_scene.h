@@ -59,6 +59,8 @@ struct DeviceScene {
     Environment sky_sizes;               ///< of that image, without texels
     std::uint64_t splat_count = 0;
     std::uint64_t device_bytes = 0;
+    std::uint64_t tile_cache_bytes = 0; ///< what tiles may take where they come and go; else those in cuts alone stay
+    std::uint64_t tile_uses = 0;        ///< cuts that were put there so far
     Buffer materials, shapes, lights, ggx_albedo, environment_texels, environment_cdf;
 };
 

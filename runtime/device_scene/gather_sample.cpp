@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "runtime/device_scene/render_space.h"
 
@@ -62,20 +63,31 @@ void addSensors(const DeviceScan& file, const Placement& placement, SceneSample&
     }
 }
 
+/// Of each instance of the description; of a set those of its original tiles.
+std::vector<std::uint64_t> splatCounts(const DeviceScene& scene, const std::vector<const DeviceScan*>& scans) {
+    std::vector<std::uint64_t> counts;
+    for (const DeviceScan* scan : scans) counts.push_back(scan->info.splat_count);
+    for (const SceneSet& set : scene.sets) counts[set.number] = set.opened.set.splats;
+    return counts;
+}
+
 } // namespace
 
 SceneSample gatherSample(const DeviceScene& scene) {
     SceneSample sample;
     const std::vector<const DeviceScan*> scans = wholeScans(scene);
-    std::uint64_t splats = 0;
-    for (const DeviceScan* scan : scans) splats += scan->info.splat_count;
+    const std::vector<std::uint64_t> counts = splatCounts(scene, scans);
+    const std::uint64_t splats = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     const std::uint64_t step = std::max<std::uint64_t>(1, splats / kSamples);
     sample.oriented = !scans.empty();
     for (std::size_t i = 0; i < scans.size(); ++i) {
         const DeviceScan& file = *scans[i];
         const Placement& placement = scene.description.instances[i].placement;
         sample.oriented = sample.oriented && (file.info.flags & PRO_FLAG_ORIENTED) != 0;
-        addSplats(file, placement, step, sample);
+        // of a set the root has fewer
+        const double share = static_cast<double>(file.info.splat_count) / static_cast<double>(counts[i]);
+        const auto own_step = static_cast<std::uint64_t>(share * static_cast<double>(step));
+        addSplats(file, placement, std::max<std::uint64_t>(1, own_step), sample);
         addSensors(file, placement, sample);
         sample.zeros.push_back(placement.translation);
     }

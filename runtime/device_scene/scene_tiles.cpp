@@ -14,6 +14,7 @@
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
 #include "runtime/sets/core_reach.h"
+#include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
@@ -109,23 +110,43 @@ private:
     std::unordered_map<std::string, std::uint32_t> files_;
 };
 
-/// Lets go what no instance and no cut names.
-void dropUnused(Device& device, DeviceScene& scene) {
+/// Paths of the files that instances and cuts name.
+std::unordered_set<std::string> usedFiles(const DeviceScene& scene) {
     std::unordered_set<std::string> used;
     for (const InstanceDescription& each : scene.description.instances) used.insert(each.path);
     for (const SceneSet& set : scene.sets)
         for (const std::uint32_t tile : set.opened.cut.tiles) used.insert(tilePath(set.opened, tile));
-    std::erase_if(scene.files, [&](DeviceScan& file) {
-        if (used.count(file.path) != 0) return false;
-        scene.device_bytes -= file.device_bytes;
-        destroyScan(device, file);
-        return true;
-    });
+    return used;
+}
+
+/// Lets go what nothing names any more: those first that were used the longest ago, until the others fit in the cache.
+void dropUnused(Device& device, DeviceScene& scene) {
+    const std::unordered_set<std::string> used = usedFiles(scene);
+    ++scene.tile_uses;
+    std::uint64_t bytes = 0;
+    std::vector<std::uint64_t> unused; ///< when they were used last
+    for (DeviceScan& file : scene.files) {
+        bytes += file.device_bytes;
+        if (used.count(file.path) != 0)
+            file.last_used = scene.tile_uses;
+        else
+            unused.push_back(file.last_used);
+    }
+    std::sort(unused.begin(), unused.end());
+    for (const std::uint64_t oldest : unused) {
+        if (bytes <= scene.tile_cache_bytes) break;
+        const auto file = std::find_if(scene.files.begin(), scene.files.end(),
+                                       [&](const DeviceScan& each) { return each.last_used == oldest; });
+        bytes -= file->device_bytes;
+        scene.device_bytes -= file->device_bytes;
+        destroyScan(device, *file);
+        scene.files.erase(file);
+    }
 }
 
 void tellLost(const std::string& reason) {
-    std::fprintf(stderr, "pointrt-view: %s; what there is of it in a coarser tile is shown\n",
-                 printable(reason).c_str());
+    std::fprintf(stderr, "pointrt-view: %s; what a coarser tile has of it is shown\n",
+                 printable(reason, std::string::npos).c_str());
 }
 
 /// A tile that was opened, or why it was not.
@@ -135,47 +156,63 @@ struct TileFile {
     std::exception_ptr failure;
 };
 
-/// On all cores: it is read from end to end.
-void openTiles(const OpenedSet& set, std::vector<TileFile>& files) {
-    forAll(files.size(), [&](std::size_t i) {
-        TileFile& each = files[i];
-        try {
-            requireTile(set.set, set.set.tiles[each.tile], set.folder);
-            each.scan = mapScan(tilePath(set, each.tile));
-        } catch (...) {
-            each.failure = std::current_exception();
-        }
-    });
-}
-
-/// True where it was there; else it is marked as lost. A root has no other that would stand for it.
-bool takeTile(Device& device, DeviceScene& scene, OpenedSet& set, TileFile& file, bool verbose) {
+void openTile(const OpenedSet& set, TileFile& file) {
     try {
-        if (file.failure) std::rethrow_exception(file.failure);
-        uploadScan(device, file.scan, verbose);
-        scene.files.push_back(std::exchange(file.scan, {}));
-        scene.device_bytes += scene.files.back().device_bytes;
-        return true;
-    } catch (const Error& error) {
-        destroyScan(device, file.scan);
-        if (error.code != ExitCode::kBadInput || file.tile == 0) throw;
-        tellLost(error.what());
-        set.lost[file.tile] = true;
-        return false;
+        requireTile(set.set, set.set.tiles[file.tile], set.folder);
+        file.scan = mapScan(tilePath(set, file.tile));
+    } catch (...) {
+        file.failure = std::current_exception();
     }
 }
 
-/// Loads what of the set's cut is not there yet. False where something of it is lost.
-bool loadCut(Device& device, DeviceScene& scene, OpenedSet& set, bool verbose) {
-    const auto known = filesByPath(scene);
-    std::vector<TileFile> missing;
-    for (const std::uint32_t tile : set.cut.tiles)
-        if (known.count(tilePath(set, tile)) == 0) missing.push_back({tile, {}, {}});
-    openTiles(set, missing);
-    bool whole = true;
-    for (TileFile& file : missing) whole &= takeTile(device, scene, set, file, verbose);
-    return whole;
-}
+/// Loads tiles for a delivery.
+class TileLoader {
+public:
+    TileLoader(Device& device, TileOrder order, TileDelivery& delivery)
+        : device_(device), order_(std::move(order)), delivery_(delivery) {}
+
+    void load() {
+        for (std::size_t i = 0; i < order_.sets.size(); ++i)
+            while (!loadCut(order_.sets[i])) chooseCuts(order_.sets[i], order_.requests[i]);
+        delivery_.sets = std::move(order_.sets);
+    }
+
+private:
+    /// What is not there yet. False where something of it is lost.
+    bool loadCut(OpenedSet& set) {
+        std::vector<TileFile> missing;
+        for (const std::uint32_t tile : set.cut.tiles)
+            if (order_.resident.count(tilePath(set, tile)) == 0) missing.push_back({tile, {}, {}});
+        // they are read from end to end
+        const std::size_t at_once = order_.on_all_cores ? missing.size() : 0;
+        forAll(at_once, [&](std::size_t i) { openTile(set, missing[i]); });
+        for (std::size_t i = at_once; i < missing.size(); ++i) openTile(set, missing[i]);
+        bool whole = true;
+        for (TileFile& file : missing) whole &= take(set, file);
+        return whole;
+    }
+
+    /// True where it was there; else it is marked as lost. A root has no other that would stand for it.
+    bool take(OpenedSet& set, TileFile& file) {
+        try {
+            if (file.failure) std::rethrow_exception(file.failure);
+            uploadScan(device_, file.scan, order_.verbose);
+            delivery_.files.push_back(std::exchange(file.scan, {}));
+            order_.resident.insert(delivery_.files.back().path);
+            return true;
+        } catch (const Error& error) {
+            destroyScan(device_, file.scan);
+            if (error.code != ExitCode::kBadInput || file.tile == 0) throw;
+            delivery_.lost.emplace_back(error.what());
+            set.lost[file.tile] = true;
+            return false;
+        }
+    }
+
+    Device& device_;
+    TileOrder order_;
+    TileDelivery& delivery_;
+};
 
 CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileRequest& request) {
     CutRequest wanted;
@@ -223,23 +260,69 @@ void standInstances(Device& device, DeviceScene& scene) {
             standing.addFile(i, scene.description.instances[i].path);
 }
 
-bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request) {
-    bool others = false;
-    for (SceneSet& set : scene.sets) {
-        const std::vector<std::uint32_t> before = set.opened.cut.tiles;
-        const CutRequest wanted = cutRequest(scene, set, request);
-        chooseCuts(set.opened, wanted);
-        dropUnused(device, scene);
-        while (!loadCut(device, scene, set.opened, request.verbose)) chooseCuts(set.opened, wanted);
-        dropUnused(device, scene);
-        tellCoarse(set, wanted.memory);
-        others |= set.opened.cut.tiles != before;
+TileOrder orderTiles(const DeviceScene& scene, const TileRequest& request) {
+    TileOrder order;
+    order.verbose = request.verbose;
+    for (const SceneSet& set : scene.sets) {
+        order.sets.push_back(set.opened);
+        order.requests.push_back(cutRequest(scene, set, request));
     }
+    for (const DeviceScan& file : scene.files) order.resident.insert(file.path);
+    return order;
+}
+
+std::uint64_t chooseTiles(TileOrder& order, double share) {
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < order.sets.size(); ++i) {
+        OpenedSet& set = order.sets[i];
+        CutRequest request = order.requests[i];
+        request.memory = static_cast<std::uint64_t>(share * static_cast<double>(request.memory));
+        chooseCuts(set, request);
+        for (const std::uint32_t tile : set.cut.tiles)
+            if (order.resident.count(tilePath(set, tile)) == 0) missing += set.set.tiles[tile].bytes;
+    }
+    return missing;
+}
+
+TileDelivery loadTiles(Device& device, TileOrder order) {
+    TileDelivery delivery;
+    const OnError undo([&] { destroyTiles(device, delivery); });
+    TileLoader(device, std::move(order), delivery).load();
+    return delivery;
+}
+
+void destroyTiles(Device& device, TileDelivery& tiles) {
+    for (DeviceScan& file : tiles.files) destroyScan(device, file);
+    tiles = {};
+}
+
+bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles) {
+    for (DeviceScan& file : tiles.files) {
+        scene.device_bytes += file.device_bytes;
+        scene.files.push_back(std::move(file));
+    }
+    bool others = scene.instances.empty();
+    for (std::size_t i = 0; i < scene.sets.size(); ++i) {
+        others |= scene.sets[i].opened.cut.tiles != tiles.sets[i].cut.tiles;
+        scene.sets[i].opened = std::move(tiles.sets[i]);
+    }
+    dropUnused(device, scene);
     if (!others) return false;
     scene.device_bytes -= deviceBytes(scene.paint);
     destroyScenePaint(device, scene.paint);
     standInstances(device, scene);
     return true;
+}
+
+bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request) {
+    TileOrder order = orderTiles(scene, request);
+    chooseTiles(order);
+    TileDelivery tiles = loadTiles(device, std::move(order));
+    for (const std::string& reason : tiles.lost) tellLost(reason);
+    const bool others = standTiles(device, scene, std::move(tiles));
+    for (SceneSet& set : scene.sets)
+        if (request.tells_coarse) tellCoarse(set, request.memory / scene.sets.size());
+    return others;
 }
 
 } // namespace pointrt

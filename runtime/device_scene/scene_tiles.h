@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "runtime/device_scene/device_scene.h"
@@ -16,14 +18,40 @@ struct TileRequest {
     PixelSize size;              ///< of their pictures
     std::uint64_t memory = 0;    ///< bytes that the tiles of all sets may take, in files and on the device
     bool painted = false;        ///< splats are painted: they are held once more
+    bool tells_coarse = true;    ///< where memory makes a cut coarser
     bool verbose = false;
 };
 
-/// Puts the tiles that each set of scene is to be seen with on the device, lets others go, and makes scene.instances
-/// anew; its tables, and tracers of it, have to be made anew then too. False where they are the tiles that there were,
-/// and nothing is done. A tile that cannot be opened is told of on standard error, once, and its parent stands for it
-/// from then on; so is a cut that memory made coarser. Throws Error kBadInput where a root is lost, kCannotRun as
+/// What it takes to choose and load tiles, apart from the scene: for other threads.
+struct TileOrder {
+    std::vector<OpenedSet> sets;              ///< the scene's, in its order
+    std::vector<CutRequest> requests;         ///< for each of them
+    std::unordered_set<std::string> resident; ///< paths of files that are on the device
+    bool on_all_cores = true;                 ///< else on the caller's alone
+    bool verbose = false;
+};
+TileOrder orderTiles(const DeviceScene& scene, const TileRequest& request);
+
+/// Chooses order's cuts anew, with a share of the memory, and returns how many bytes of them are not on the device.
+std::uint64_t chooseTiles(TileOrder& order, double share = 1);
+
+/// Tiles for the sets of a scene, on their way there.
+struct TileDelivery {
+    std::vector<OpenedSet> sets;   ///< the scene's, in its order, with other cuts
+    std::vector<DeviceScan> files; ///< what was not on the device yet
+    std::vector<std::string> lost; ///< of each tile that could not be opened, why
+};
+/// Loads what of order's cuts, which were chosen, is not on the device; where a tile cannot be opened, its parent is
+/// loaded in its place, and stands for it from then on. Throws Error kBadInput where a root is lost, kCannotRun as
 /// loadScan does.
+TileDelivery loadTiles(Device& device, TileOrder order);
+void destroyTiles(Device& device, TileDelivery& tiles);
+
+/// Puts tiles into scene in place of those that stand for its sets, and makes its instances anew; its tables, and
+/// tracers of it, have to be made anew then, too. False where they are the tiles that there were, and nothing is done.
+bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles);
+/// All of that, on this thread. A tile that is lost is told of on standard error, once; so is a cut that memory made
+/// coarser.
 bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request);
 
 /// Makes scene.instances of the files and tiles that are on the device, as its description and its sets' cuts say.

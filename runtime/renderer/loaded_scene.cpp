@@ -63,7 +63,8 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
     TileRequest tiles;
     tiles.cameras = pictureCameras(loaded, request);
     tiles.size = {loaded.settings.width, loaded.settings.height};
-    tiles.memory = tileMemory(device, request.memory);
+    tiles.memory = request.roots_alone ? 0 : tileMemory(device, request.memory);
+    tiles.tells_coarse = !request.roots_alone;
     const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
     tiles.painted = std::any_of(instances.begin(), instances.end(),
                                 [&](const InstanceDescription& each) { return isPainted(each, loaded.settings); });
@@ -142,6 +143,8 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     begin("reading", kFilesShare);
     loaded->settings = request.settings;
     loaded->scene = openScene(worker, request.scene, request.verbose);
+    // tiles come and go, then
+    if (request.roots_alone) loaded->scene.tile_cache_bytes = tileMemory(worker, request.memory);
     begin("materials and lights", kRowsShare);
     furnish(worker, *loaded, request);
     begin("programs", kProgramsShare);

@@ -135,9 +135,16 @@ void orderQueued(const Constants& constants, const Constants& of_camera, Program
 /// Those of instances that are like none before.
 void orderInstances(const DeviceScene& scene, const Constants& constants, Programs& programs,
                     std::vector<Order>& orders) {
-    for (const Instance& instance : scene.instances) {
-        const auto [variant, is_new] = programs.variants.try_emplace(traitsOf(scene, instance));
+    const auto add = [&](const InstanceTraits& traits) {
+        const auto [variant, is_new] = programs.variants.try_emplace(traits);
         if (is_new) orderFor(variant->first, constants, programs, variant->second, orders);
+    };
+    for (const Instance& instance : scene.instances) {
+        InstanceTraits traits = traitsOf(scene, instance);
+        add(traits);
+        // tiles that come are even or not
+        traits.uneven = !traits.uneven;
+        if (instance.tile && scene.tile_cache_bytes > 0) add(traits);
     }
 }
 

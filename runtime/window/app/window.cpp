@@ -63,6 +63,7 @@ void fillHud(Workspace& work, Host& host, const LoadedScene* loaded, const Viewp
     hud.device = host.device().name;
     hud.samples_wanted = work.samples_wanted;
     hud.splats = loaded ? loaded->scene.splat_count : 0;
+    hud.tiles = loaded && !loaded->scene.sets.empty() ? loaded->scene.instances.size() : 0;
     if (!loaded || !live) return;
     const ViewportProgress progress = live->progress();
     hud.device_bytes = loaded->scene.device_bytes + live->deviceBytes();
@@ -137,7 +138,7 @@ std::vector<InputEvent> Window::gatherInput() {
 
 PictureState Window::pictureState() const {
     PictureState state;
-    state.busy = jobs_.any() || image_.wantsFilm() || editor_.waits();
+    state.busy = jobs_.any() || wantsTiles() || image_.wantsFilm() || editor_.waits();
     if (!image_.live() || jobs_.has(JobKind::kRelight)) return state;
     const ViewportProgress progress = image_.live()->progress();
     state.busy |= progress.denoising;
@@ -182,7 +183,8 @@ void Window::doRequests() {
         }
     }
     editor_.note(asked);
-    if (loaded_ && !changesScene(jobs_)) editScene(asked.dragging);
+    // while tiles come the scene is left as it is: they are there in a moment
+    if (loaded_ && !changesScene(jobs_) && !jobs_.has(JobKind::kTiles)) editScene(asked.dragging);
     quit_ |= asked.quit;
     if (asked.cancel_job) jobs_.cancel();
     if (asked.home) flyTo(view_.home);
@@ -230,9 +232,11 @@ bool Window::frame() {
     work_.time_s = tape_.now();
     std::erase_if(work_.notices, [&](const Notice& notice) { return notice.until_s < work_.time_s; });
     work_.hud.frame_ms = meter_.meanFrame_ms();
+    work_.hud.tiles_loading = jobs_.has(JobKind::kTiles);
     fillHud(work_, host_, loaded_.get(), jobs_.has(JobKind::kRelight) ? nullptr : image_.live());
     ui_.draw(work_, seconds);
     doRequests();
+    streamTiles();
     updatePicture();
     ui_.present();
     meter_.end(Clock::now(), shownPicture(image_));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "runtime/device_scene/scene_tiles.h"
 #include "runtime/film/film_signature.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
@@ -15,6 +16,7 @@
 #include "runtime/window/edit/shown_scene.h"
 #include "runtime/window/files/free_name.h"
 #include "runtime/window/jobs/save_job.h"
+#include "runtime/window/jobs/tile_job.h"
 #include "runtime/window/jobs/turntable_job.h"
 #include "runtime/window/ui/panel_ui.h"
 
@@ -26,6 +28,10 @@ using Clock = std::chrono::steady_clock;
 /// As long as nothing happens, the interface is drawn this often.
 constexpr double kUndrawn_s = 0.1;
 constexpr std::size_t kPicks = 2;
+/// Of the memory for tiles what a cut takes: the rest is for those that come while it is shown.
+constexpr double kCutShare = 0.8;
+/// While the camera moves tiles are chosen this often.
+constexpr double kTilesEvery_s = 0.2;
 
 OpenedScene openedScene(const LoadedScene& loaded) {
     return {loaded.described, loaded.scene.description, loaded.settings,         loaded.camera,  loaded.staged_for,
@@ -93,6 +99,8 @@ StartedJob Window::startLoad(const std::string& path, bool first) {
 void Window::showLoaded(std::unique_ptr<LoadedScene> loaded) {
     image_.close();
     loaded_ = std::move(loaded);
+    tiles_for_.reset();
+    told_coarse_ = false;
     const bool says_samples = options_.choices.spp || loaded_->scene.description.render.spp;
     editor_.open(openedScene(*loaded_), says_samples ? loaded_->settings.spp : kCleanSamplesOfLight);
     showColors();
@@ -128,6 +136,52 @@ void Window::editScene(bool dragging) {
                 image_.restart(ViewChange::kScene);
             });
     });
+}
+
+bool Window::wantsTiles() const {
+    return loaded_ && !loaded_->scene.sets.empty() && tiles_for_ != TileView{cameraOf(work_.camera), host_.pixels()};
+}
+
+/// What the camera wants of sets, as soon as nobody else has the scene.
+void Window::streamTiles() {
+    if (!wantsTiles() || tape_.now() - tiles_asked_s_ < kTilesEvery_s) return;
+    const TileView view{cameraOf(work_.camera), host_.pixels()};
+    TileRequest request;
+    request.cameras = {view.camera};
+    request.size = view.size;
+    request.memory = static_cast<std::uint64_t>(kCutShare * static_cast<double>(loaded_->scene.tile_cache_bytes));
+    const std::vector<InstanceDescription>& instances = loaded_->scene.description.instances;
+    request.painted = std::any_of(instances.begin(), instances.end(),
+                                  [&](const InstanceDescription& each) { return isPainted(each, loaded_->settings); });
+    jobs_.start(JobKind::kTiles, [&] {
+        tiles_asked_s_ = tape_.now();
+        return startedJob<TileJob>(
+            std::make_unique<TileJob>(host_.device(), orderTiles(loaded_->scene, request)),
+            [this, view](TileJob& job) { showTiles(job, view); },
+            [this, view](const Job& job) {
+                if (job.state() == JobState::kFailed) tiles_for_ = view; // once is enough
+            });
+    });
+}
+
+/// In place of those before.
+void Window::showTiles(TileJob& job, const TileView& view) {
+    DeviceScene& scene = loaded_->scene;
+    work_.hud.tiles_wanted = job.wanted();
+    TileDelivery tiles = job.take();
+    for (const std::string& reason : tiles.lost) tell(reason + "; what a coarser tile has of it is shown", true);
+    if (job.isLast()) tiles_for_ = view;
+    const auto fits = [](const OpenedSet& set) { return set.cut.fits; };
+    if (job.isLast() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) && !std::exchange(told_coarse_, true))
+        tell("coarser than the picture would show: --memory gives more", false);
+    const auto before = static_cast<double>(scene.instances.size());
+    if (!standTiles(host_.device(), scene, std::move(tiles))) return;
+    uploadSceneTables(host_.device(), scene, loaded_->settings);
+    addPrograms(host_.device(), scene, loaded_->settings, loaded_->tracer.programs);
+    rebind(host_.device(), loaded_->tracer);
+    image_.restart(ViewChange::kScene);
+    // each tile is asked for each ray
+    image_.expect(static_cast<double>(scene.instances.size()) / before);
 }
 
 void Window::updatePicture() {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,19 @@
 #include "runtime/window/jobs/file_opener.h"
 #include "runtime/window/jobs/job_queue.h"
 #include "runtime/window/jobs/load_job.h"
+#include "runtime/window/jobs/tile_job.h"
 #include "runtime/window/live/frame_times.h"
 #include "runtime/window/live/image_controller.h"
 #include "runtime/window/view/view_driver.h"
 
 namespace pointrt {
+
+/// What tiles are chosen for.
+struct TileView {
+    Camera camera;
+    PixelSize size;
+    bool operator==(const TileView&) const = default;
+};
 
 class Window {
 public:
@@ -50,6 +59,9 @@ private:
     void showLoaded(std::unique_ptr<LoadedScene> loaded);
     void showColors();
     void editScene(bool dragging);
+    bool wantsTiles() const;
+    void streamTiles();
+    void showTiles(TileJob& job, const TileView& view);
     void updatePicture();
     void refineUndrawn();
     void saveFilm();
@@ -72,6 +84,9 @@ private:
     FrameMeter meter_;
     SceneEditor editor_;
     std::unique_ptr<LoadedScene> loaded_;
+    std::optional<TileView> tiles_for_; ///< that the tiles on the device are all there for
+    double tiles_asked_s_ = 0;          ///< when tiles were asked for last, on the window's clock
+    bool told_coarse_ = false;
     ImageController image_;
     JobQueue jobs_; ///< after what they work on: they end first
     FileOpener opener_;

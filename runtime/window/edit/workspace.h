@@ -38,6 +38,8 @@ struct HudFigures {
     std::uint32_t picture_width = 0, picture_height = 0; ///< what is traced now, pixels
     double frame_ms = 0;                                 ///< a recent mean
     double mrays_per_second = 0;
+    std::size_t tiles = 0, tiles_wanted = 0; ///< of sets: on the device, and for the camera as it is
+    bool tiles_loading = false;
 };
 
 /// Work that takes long: loading, baking, rendering to a file.

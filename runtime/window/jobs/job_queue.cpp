@@ -59,8 +59,8 @@ std::optional<JobFigures> JobQueue::figures(JobKind kind) const {
 }
 
 const JobQueue::Slot* JobQueue::shown() const {
-    for (const Slot& each : slots_)
-        if (each.running) return &each;
+    for (std::size_t kind = 0; kind < static_cast<std::size_t>(JobKind::kTiles); ++kind)
+        if (slots_[kind].running) return &slots_[kind];
     return nullptr;
 }
 

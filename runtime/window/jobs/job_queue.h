@@ -16,7 +16,8 @@
 namespace pointrt {
 
 /// One of a kind at a time. The first one of these that is under way is the one that users see, and cancel.
-enum class JobKind : std::uint8_t { kLoad, kRelight, kBake, kTurntable, kSave, kCount };
+/// But for tiles, which come all the time.
+enum class JobKind : std::uint8_t { kLoad, kRelight, kBake, kTurntable, kSave, kTiles, kCount };
 constexpr std::size_t kJobKinds = static_cast<std::size_t>(JobKind::kCount);
 
 /// What becomes of work that is wanted while other work is under way.
@@ -31,11 +32,12 @@ enum class Meeting : std::uint8_t {
 constexpr std::array<std::array<Meeting, kJobKinds>, kJobKinds> kMeetings = [] {
     using enum Meeting;
     return std::array<std::array<Meeting, kJobKinds>, kJobKinds>{{
-        /* load      */ {kReplaces, kAfter, kBeside, kBeside, kBeside},
-        /* relight   */ {kAfter, kAfter, kBeside, kBeside, kBeside},
-        /* bake      */ {kBeside, kBeside, kAfter, kBeside, kBeside},
-        /* turntable */ {kBeside, kBeside, kBeside, kAfter, kBeside},
-        /* save      */ {kBeside, kBeside, kBeside, kBeside, kAfter},
+        /* load      */ {kReplaces, kAfter, kBeside, kBeside, kBeside, kAfter},
+        /* relight   */ {kAfter, kAfter, kBeside, kBeside, kBeside, kAfter},
+        /* bake      */ {kBeside, kBeside, kAfter, kBeside, kBeside, kBeside},
+        /* turntable */ {kBeside, kBeside, kBeside, kAfter, kBeside, kBeside},
+        /* save      */ {kBeside, kBeside, kBeside, kBeside, kAfter, kBeside},
+        /* tiles     */ {kAfter, kAfter, kBeside, kBeside, kBeside, kAfter},
     }};
 }();
 /// One of each kind, and no two kinds that disagree on going on beside each other. False where a kind has no row.

@@ -45,6 +45,10 @@ public:
     void restart(ViewChange change) {
         if (restart_ != ViewChange::kAll) restart_ = change;
     }
+    /// ViewportRenderer::expect.
+    void expect(double times) {
+        if (live_) live_->expect(times);
+    }
     /// Makes the picture one of request; its look counts as taken note of. After open, and while nobody else uses the
     /// tracer. Then finds what was picked, where that can be done by now.
     std::optional<PickResult> update(const ImageRequest& request);

@@ -18,6 +18,9 @@ public:
     /// So many pixels took that long, for a sample each.
     void learn(std::uint64_t pixels, double seconds);
 
+    /// From here on a pixel takes so many times as long: the scene has become another one.
+    void expect(double times) { seconds_per_pixel_ *= times; }
+
     /// Seconds for a sample of so many pixels.
     double secondsFor(std::uint64_t pixels) const { return static_cast<double>(pixels) * seconds_per_pixel_; }
 

@@ -64,6 +64,11 @@ public:
     void setLook(const Look& look, bool denoise);
     /// Starts over: the scene has changed, and the tracer with it.
     void restart(bool moving);
+    /// A pixel of the scene is to take so many times as long, now that that is another one.
+    void expect(double times) {
+        moving_pace_.expect(times);
+        fine_pace_.expect(times);
+    }
     /// How many samples it goes on to.
     void setSamples(std::uint32_t spp);
 

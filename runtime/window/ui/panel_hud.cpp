@@ -41,6 +41,9 @@ void drawFigures(const Workspace& w) {
     const HudFigures& hud = w.hud;
     drawDevice(hud);
     if (hud.splats > 0) ImGui::Text("%s splats", countText(hud.splats).c_str());
+    if (hud.tiles > 0)
+        ImGui::Text("%s of %s tiles%s", countText(hud.tiles).c_str(), countText(hud.tiles_wanted).c_str(),
+                    hud.tiles_loading ? ", loading" : "");
     ImGui::Text("%u x %u pixels", hud.picture_width, hud.picture_height);
     drawSamples(w);
     ImGui::Text("%.3g ms   %.3g Mrays/s   %s", hud.frame_ms, hud.mrays_per_second, bytesText(hud.device_bytes).c_str());

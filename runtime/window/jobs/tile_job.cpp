@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/jobs/tile_job.h"
+
+#include <utility>
+
+namespace pointrt {
+namespace {
+
+/// A step's files: a fifth of a second from memory, two from a slow disk.
+constexpr std::uint64_t kStepBytes = 64 << 20;
+/// Levels have four times as many splats as the next coarser one: so a step is about a level.
+constexpr double kStepShare = 0.25;
+constexpr double kLeastShare = kStepShare * kStepShare * kStepShare;
+
+std::size_t tilesOf(const std::vector<OpenedSet>& sets) {
+    std::size_t tiles = 0;
+    for (const OpenedSet& set : sets) tiles += set.cut.tiles.size();
+    return tiles;
+}
+
+} // namespace
+
+bool chooseStep(TileOrder& order) {
+    double share = 1;
+    for (; share >= kLeastShare; share *= kStepShare) {
+        const std::uint64_t missing = chooseTiles(order, share);
+        if (missing == 0 && share < 1) {
+            share /= kStepShare;
+            chooseTiles(order, share);
+            return share >= 1;
+        }
+        if (missing <= kStepBytes) return share >= 1;
+    }
+    return false;
+}
+
+TileJob::TileJob(Device& device, TileOrder order)
+    : device_(device), worker_(device),
+      job_("Loading tiles", [this, order = std::move(order)](JobControl&) { work(order); }) {}
+
+TileJob::~TileJob() { destroyTiles(device_, tiles_); }
+
+void TileJob::work(TileOrder order) {
+    chooseTiles(order);
+    wanted_ = tilesOf(order.sets);
+    last_ = chooseStep(order);
+    order.on_all_cores = false; // the window has work for the others
+    tiles_ = loadTiles(worker_.get(), std::move(order));
+}
+
+TileDelivery TileJob::take() { return std::exchange(tiles_, {}); }
+
+} // namespace pointrt

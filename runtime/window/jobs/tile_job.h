@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tiles for what the window shows, loaded behind it.
+#pragma once
+
+#include "runtime/device_scene/scene_tiles.h"
+#include "runtime/window/jobs/job.h"
+#include "runtime/window/jobs/load_job.h"
+
+namespace pointrt {
+
+/// Loads a step towards the tiles that order asks for: coarse ones first, so that something is seen of all of them
+/// soon. To be started where no other thread uses device, which must outlive it.
+class TileJob {
+public:
+    TileJob(Device& device, TileOrder order);
+    ~TileJob();
+    TileJob(const TileJob&) = delete;
+    TileJob& operator=(const TileJob&) = delete;
+
+    Job& job() { return job_; }
+    /// What it has loaded, once; when it is done.
+    TileDelivery take();
+    /// True where that is all that was asked for; else another step follows.
+    bool isLast() const { return last_; }
+    /// Tiles of all that was asked for.
+    std::size_t wanted() const { return wanted_; }
+
+private:
+    void work(TileOrder order);
+
+    Device& device_;
+    JobDevice worker_;
+    TileDelivery tiles_; ///< the thread's until the job has ended
+    bool last_ = false;
+    std::size_t wanted_ = 0;
+    Job job_; ///< last: ends before the others go
+};
+
+/// Chooses the cuts of the next step: the finest of a few, each with a quarter of the memory of the one before, that
+/// take no more than some 64 MiB of files, and where those are there already the next finer one. True where that is the
+/// finest.
+bool chooseStep(TileOrder& order);
+
+} // namespace pointrt
