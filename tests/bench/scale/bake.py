@@ -63,6 +63,8 @@ def bake(options, points, output):
     defaults += [] if "--clean" in options.bake else ["--clean", "off"]
     stats = output.with_suffix(".stats.json")
     command = [options.bin / "pointrt-bake", "-q", points, "-o", output, "--force", "--stats", stats]
+    for folder in (output, work):
+        shutil.rmtree(folder, ignore_errors=True)  # a bake that was stopped would go on, in less time
     disk = DiskPeak(output, work)
     disk.start()
     began = time.monotonic()
