@@ -176,6 +176,8 @@ void checkRepeats(Tile& tile, const ProFile& file) {
         const Offset offset = offsetOfSlot(slot);
         const auto cell = cellBeside(tile.tile.cell, offset);
         const auto owner = cell ? findTile(tile.set, tile.tile.level, *cell) : std::nullopt;
+        if (owner && tile.tile.isOriginal() && !tile.set.tiles[*owner].isOriginal())
+            continue; // what it repeats from there are original splats of finer levels, coded anew
         if (owner) {
             compareWith(tile, tile.set.tiles[*owner], offset, slots[slot]);
         } else if (!slots[slot].empty() && !(cell && isInOriginalTile(tile.set, tile.tile.level, *cell))) {

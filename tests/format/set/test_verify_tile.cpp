@@ -77,8 +77,25 @@ TEST_F(VerifyTile, TakesSplatsFromWhereACoarserTileStands) {
     fine.back().code[0] = 2 * test::kCoreSteps + 10;
     test::writeTile(set, set.tiles[6], fine, folder.path);
     EXPECT_EQ(findings(), "");
-    set.tiles[2].error = 0.25; // not original any more
+    set.tiles[2].error = 0.25; // not original any more, by what set.json says
     EXPECT_EQ(findings(), "tiles/0-1-1-0.pro 0 1 of its splats are where no tile is\n");
+}
+
+/// An original tile shows original splats of its neighbours, so nothing of a merged one beside it.
+TEST_F(VerifyTile, AsksForNoMergedSplatsInOriginalTiles) {
+    set.levels.push_back(set.levels[1]);
+    set.bounds_max = {1016, 2016, 316};
+    set.tiles.push_back({.level = 2, .file = tileFileName(2, {}), .error = 0.5});
+    set.tiles.push_back({.level = 1, .cell = {1, 0, 0}, .file = tileFileName(1, {1, 0, 0})});
+    arrangeTiles(set);
+    std::vector<test::LatticeSplat> merged = test::sheet(8, 1, test::sheetRadius(16)), original = merged;
+    test::writeTile(set, set.tiles[0], merged, folder.path);
+    for (test::LatticeSplat& each : original) each.code[0] += test::kCoreSteps;
+    test::writeTile(set, set.tiles[2], original, folder.path); // without the merged ones
+    EXPECT_EQ(findings(), "tiles/1-0-0-0.pro 0 lacks 8 splats of tiles/1-1-0-0.pro that cross its core\n");
+    merged.insert(merged.end(), original.begin(), original.end());
+    test::writeTile(set, set.tiles[1], merged, folder.path);
+    EXPECT_EQ(findings(), "");
 }
 
 TEST_F(VerifyTile, CountsWhatTheCoreHolds) {
