@@ -9,6 +9,7 @@ command=("${POINTRT_BAKE:-pointrt-bake}" "$@" -o "$set" -q)
 
 "${command[@]}" --step split # and the plan, which says how many blocks there are
 last=$(($(sed 's/.*"first_tile_of_block":\[\([0-9,]*\)\].*/\1/' "$set.work/plan.json" | tr -dc , | wc -c) - 1))
+# shellcheck disable=SC2054 # now,fail=1 is one word
 each=(parallel -j "$jobs" --halt now,fail=1 --retries 3 --joblog "$set.work/parallel.log" --quote "${command[@]}")
 seq 0 "$last" | "${each[@]}" --step block:{}
 "${command[@]}" --step levels

@@ -18,14 +18,17 @@ command+=("$@")
 submit() {
     local name=$1 step=$2
     shift 2
-    sbatch --parsable --job-name="$name" --output="$set.work/slurm-%x-%a.log" "$@" --wrap \
-        "exec srun --ntasks=1 $(printf '%q ' "${command[@]}")-j \${SLURM_CPUS_PER_TASK:-0} --step $step"
+    sbatch --parsable --job-name="$name" --output="$set.work/slurm-%x.log" --kill-on-invalid-dep=yes "$@" --wrap \
+        "exec srun --ntasks=1 $(printf '%q ' "${command[@]}")-j \${SLURM_CPUS_PER_TASK:-1} --step $step"
 }
 
 mkdir -p "$set.work"
 submit plan split --wait >/dev/null # the plan is made on the way, and says how many blocks there are
 last=$(($(sed 's/.*"first_tile_of_block":\[\([0-9,]*\)\].*/\1/' "$set.work/plan.json" | tr -dc , | wc -c) - 1))
-block=$(submit block 'block:$SLURM_ARRAY_TASK_ID' --array="0-$last")
+of_blocks=(--array="0-$last" --output="$set.work/slurm-%x-%a.log")
+# shellcheck disable=SC2016 # the jobs themselves know their numbers
+block=$(submit block 'block:$SLURM_ARRAY_TASK_ID' "${of_blocks[@]}")
 levels=$(submit levels levels --dependency="afterok:$block")
-tile=$(submit tile 'tile:$SLURM_ARRAY_TASK_ID' --array="0-$last" --dependency="afterok:$levels")
+# shellcheck disable=SC2016
+tile=$(submit tile 'tile:$SLURM_ARRAY_TASK_ID' "${of_blocks[@]}" --dependency="afterok:$levels")
 submit top top --dependency="afterok:$tile"
