@@ -40,6 +40,18 @@ case_whole_sets_verify() {
     [ "$(number original_tiles stats.json)" -gt 5 ] || fail "there are few tiles"
     [ ! -e out/site.proset.work ] || fail "the work was left"
     grep -q '"done": true' stats.json || fail "the report does not say that it is done"
+    # a dense corner: tiles of several levels side by side
+    hill 12000 | awk '{ print $1 / 6, $2 / 6, $3 }' >corner.xyz
+    expectDone pointrt-bake -q a.xyz corner.xyz -o out/corner.proset --tile-splats 1000
+    expectDone pointrt-info out/corner.proset --verify
+}
+
+case_an_interrupted_bake_says_that_it_goes_on() {
+    hill 60000 >a.xyz
+    run timeout -s INT 1 pointrt-bake -q a.xyz -o out/a.proset --tile-splats 1000
+    [ "$status" = 124 ] || fail "exit status $status: it was not interrupted"
+    grep -q "interrupted; the same command goes on from here" stderr || fail "it does not say that it goes on"
+    [ -e out/a.proset.work ] || fail "what was done is gone"
 }
 
 case_threads_and_steps_do_not_matter() {
@@ -133,6 +145,25 @@ SH
     [ "$status" != 77 ] && [ "$status" != 1 ] || skip "no file system can be mounted here"
     [ "$status" = 4 ] || fail "exit status $status where 4 was expected"
     grep -q "a.proset: needs about .*; the disk has" stderr || fail "the disk is not told of"
+}
+
+# The same bytes by other roads.
+engine=$suite_dir/../../preprocess/engine
+
+case_gnu_parallel() {
+    parallel --version 2>/dev/null | grep -q '^GNU' || skip "GNU parallel is not installed"
+    bakeHills out/whole.proset
+    expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000
+    sameSet out/whole.proset out/shared.proset
+}
+
+case_snakemake() {
+    command -v snakemake >/dev/null || skip "Snakemake is not installed"
+    bakeHills out/whole.proset --max-memory 1024M
+    expectDone snakemake -s "$engine/Snakefile" -j 2 -q --config set=out/shared.proset scans="a.xyz b.xyz" \
+        options="--tile-splats 1000" memory_mb=1024
+    sameSet out/whole.proset out/shared.proset
+    expectDone snakemake -s "$engine/Snakefile" -j 2 -q --config set=out/shared.proset scans="a.xyz b.xyz"
 }
 
 runCase "$@"

@@ -42,17 +42,17 @@ void requirePossible(const SetRequest& request) {
 }
 
 /// Splats wait for their tiles with position, normal, radius, noise, colour and attributes. A tile has some 24 bytes a
-/// splat and 82 of index (README), and attributes; coarser levels are a third more, and what tiles repeat of each other
-/// a tenth.
+/// splat (README) and attributes, and in sets of airborne lidar 56 of index, of which it was 82 in single files;
+/// coarser levels and what tiles repeat of each other were a seventh of the original splats there.
 SpaceNeeded spaceNeeded(const SetPlan& plan) {
-    constexpr std::uint64_t kWaiting = 40, kTile = 24, kIndex = 82;
-    constexpr double kLevels = 4.0 / 3, kRepeats = 1.1;
+    constexpr std::uint64_t kWaiting = 40, kTile = 24, kIndex = 60;
+    constexpr double kLevelsAndRepeats = 1.2;
     std::uint64_t attributes = 0;
     for (const PlanAttribute& each : plan.schema.attributes) attributes += each.bytesEach();
     SpaceNeeded needed;
     needed.temporary = plan.points * (BucketLayout(plan.schema).record_bytes + kWaiting + attributes);
     const std::uint64_t each = kTile + attributes + (plan.bake.index ? kIndex : 0);
-    needed.final = static_cast<std::uint64_t>(kLevels * kRepeats * static_cast<double>(plan.points * each));
+    needed.final = static_cast<std::uint64_t>(kLevelsAndRepeats * static_cast<double>(plan.points * each));
     return needed;
 }
 
