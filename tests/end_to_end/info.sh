@@ -60,4 +60,70 @@ case_export_overwrites_only_with_force() {
     expectDone pointrt-info out/scene.pro --export out/splats.ply --force
 }
 
+bakeSet() {
+    sphere 4000 >sphere.xyz
+    pointrt-bake -q sphere.xyz -o out/site.proset --tile-splats 1000
+}
+
+# breakSet COMMAND ...: the command in a copy of the set, which is broken.proset then.
+breakSet() {
+    rm -rf broken.proset
+    cp -r out/site.proset broken.proset
+    (cd broken.proset && "$@")
+}
+
+swapTiles() {
+    local tiles=(tiles/0-*.pro)
+    mv "${tiles[0]}" x && mv "${tiles[1]}" "${tiles[0]}" && mv x "${tiles[1]}"
+}
+
+case_sets_are_told_of_and_exported() {
+    local splats
+    bakeSet
+    expectDone pointrt-info out/site.proset
+    grep -q "tile set version 1" stdout || fail "it is not told of as a set"
+    expectDone pointrt-info out/site.proset --json
+    cp stdout set.json
+    splats=$(jsonValue set.json splats)
+    expectDone pointrt-info out/site.proset --export out/splats.ply
+    head -c 2000 out/splats.ply >header.txt
+    grep -aq "^element vertex $splats\$" header.txt || fail "not $splats vertices"
+    expectDone pointrt-bake -q out/splats.ply -o out/again.pro --stats again.json
+    [ "$(jsonValue again.json input_points)" = "$splats" ] || fail "the export does not read back"
+}
+
+case_broken_tiles_of_sets_are_found() {
+    bakeSet
+    breakSet swapTiles
+    run pointrt-info broken.proset --verify
+    [ "$status" = 1 ] || fail "exit status $status of swapped tiles"
+    [ "$(grep -c "0-.*\.pro: finding: is not the tile that set.json names (" stdout)" = 2 ] || fail "$(cat stdout)"
+    breakSet sh -c 'truncate -s 5000 tiles/1-*.pro'
+    run pointrt-info broken.proset --verify
+    [ "$status" = 1 ] || fail "exit status $status of truncated tiles"
+    grep -q "1-.*\.pro: finding: is not the tile that set.json names (5000 bytes, not" stdout || fail "$(cat stdout)"
+    breakSet sh -c 'rm tiles/0-*'
+    expectError 1 "No such file" pointrt-info broken.proset --export lost.ply
+    [ ! -e lost.ply ] || fail "a part was exported"
+    # the root, which stands in for what is lost
+    breakSet rm "$(grep -o 'tiles/[^"]*\.pro' out/site.proset/set.json | sed -n 1p)"
+    expectError 1 "broken.proset/tiles/" pointrt-view broken.proset -o lost.png
+}
+
+case_broken_set_files_are_one_line() {
+    local line="broken.proset/set.json: line "
+    bakeSet
+    breakSet truncate -s 700 set.json
+    expectError 1 "$line" pointrt-info broken.proset
+    expectError 1 "$line" pointrt-info broken.proset --verify
+    expectError 1 "$line" pointrt-info broken.proset --export lost.ply
+    expectError 1 "$line" pointrt-view broken.proset -o lost.png
+    breakSet truncate -s 1G set.json
+    expectError 1 "broken.proset/set.json: has 1073741824 bytes, more than any set" pointrt-info broken.proset
+    breakSet sh -c 'head -c 5000000 /dev/zero | tr "\\0" "[" >set.json'
+    expectError 1 "broken.proset/set.json: " pointrt-view broken.proset -o lost.png
+    breakSet rm set.json
+    expectError 1 "broken.proset/set.json: No such file" pointrt-info broken.proset
+}
+
 runCase "$@"
