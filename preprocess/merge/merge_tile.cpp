@@ -119,7 +119,8 @@ public:
         for (Attribute& each : splats_.attributes) each.values.resize(count * each.bytesEach());
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { fill(k); });
         splats_.spacing = spacingOf(splats_.positions, edge_ / kCoreSteps);
-        splats_.error = std::max(commonError(discs_) * edge_, splats_.spacing / 4);
+        const double step = edge_ / kCoreSteps; // of which half was lost by coding alone
+        splats_.error = std::max({commonError(discs_) * edge_, splats_.spacing / 4, step});
         return std::move(splats_);
     }
 

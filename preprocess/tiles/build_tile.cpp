@@ -34,6 +34,7 @@ GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey
                         splatFileOf(folder, source) + ": has other attributes than its neighbours");
         gatherSplats(tile, edge, source, file.splats(), gathered);
         if (source != tile) continue;
+        if (file.splats().positions.empty()) return {}; // what cleaning moved here has no parent either
         gathered.splats.error = file.head().error;
         gathered.splats.spacing = file.head().spacing;
     }

@@ -79,11 +79,14 @@ std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::u
     return own;
 }
 
-/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border.
+/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border; all of it
+/// where the core were left without any, as then no tile would stand here either.
 void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<std::uint8_t>& own,
                  std::vector<PositionCode>& codes) {
+    bool holds_one = false;
+    for (std::size_t i = 0; i < codes.size(); ++i) holds_one |= own[i] && isInCore(codes[i]);
     for (std::size_t i = 0; i < codes.size(); ++i) {
-        if (!own[i] || isInCore(codes[i]) || tree.originalAt(tile, codes[i])) continue;
+        if (!own[i] || isInCore(codes[i]) || (holds_one && tree.originalAt(tile, codes[i]))) continue;
         for (std::int32_t& each : codes[i]) each = std::clamp(each, 0, kCoreSteps - 1);
     }
 }

@@ -3,7 +3,9 @@
 #include "preprocess/sets/bake/bake_block.h"
 
 #include <algorithm>
+#include <set>
 
+#include "format/set/verify_tile.h"
 #include "pointrt/pro.h"
 #include "preprocess/neighbors/neighbors.h"
 #include "preprocess/sets/bake/halo.h"
@@ -90,10 +92,17 @@ TEST_F(SetTest, ADamagedSplatFileIsMadeAnew) {
     EXPECT_EQ(bytesOf(path), whole);
 }
 
+/// Where points lie dense there are tiles of finer levels beside those of coarser ones.
 TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
-    SetPlan plan = bakeAll(splitInto("A.proset", requestOf({writeHill("a.csv", 9000)})));
+    const std::vector<std::string> inputs{writeHill("a.csv", 9000), writeHill("b.csv", 20000, 30, 20)};
+    SetPlan plan = bakeAll(splitInto("A.proset", requestOf(inputs)));
     std::uint64_t splats = 0;
-    for (const PlanTile& tile : plan.tiles) splats += readSplatSummary(splatsFolder(plan), keyOf(tile)).head.count;
+    std::set<std::uint32_t> levels;
+    for (const PlanTile& tile : plan.tiles) {
+        splats += readSplatSummary(splatsFolder(plan), keyOf(tile)).head.count;
+        levels.insert(tile.level);
+    }
+    EXPECT_GE(levels.size(), 2u);
     mergeLevels(plan, 1000);
     for (std::uint32_t block = 0; block < plan.blocks(); ++block) makeBlockTiles(plan, block, "{}", 1);
     makeSet(plan, R"({"writer":"test"})", 1);
@@ -106,6 +115,31 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
         EXPECT_EQ(pro_verify(path.c_str(), nullptr, nullptr, &findings, nullptr), PRO_OK);
         EXPECT_EQ(findings, 0u) << tile.file;
     }
+    for (std::size_t i = 0; i < set.tiles.size(); ++i)
+        for (const TileFinding& finding : verifyTile(set, plan.output, i)) ADD_FAILURE() << finding.text;
+}
+
+/// A flat field with noise of half a spacing: cleaning moves points, some of them across borders of tiles.
+TEST_F(SetTest, WhatCleaningMovesToANeighborIsThere) {
+    std::string text = "x,y,z\n";
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        const double x = 100 * unitShare(mixBits(3 * i)), y = 100 * unitShare(mixBits(3 * i + 1));
+        double noise = -1.5;
+        for (std::uint64_t k = 0; k < 3; ++k) noise += unitShare(mixBits((3 * i + 2) << 2 | k));
+        text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, y, 0.3 * x + 0.4 * y + 0.7 * noise);
+    }
+    SetPlan plan = bakeAll(splitInto("A.proset", requestOf({folder.write("field.csv", text)}, 2500)));
+    std::uint64_t splats = 0, moved_out = 0;
+    for (const PlanTile& tile : plan.tiles) {
+        const TileSplats own = readSplats(splatsFolder(plan), keyOf(tile));
+        splats += own.positions.size();
+        moved_out += std::uint64_t(std::count_if(own.positions.begin(), own.positions.end(),
+                                                 [](const PositionCode& code) { return !isInCore(code); }));
+    }
+    EXPECT_GT(moved_out, 10u);
+    mergeLevels(plan, 2500);
+    makeSet(plan, "{}", 1);
+    EXPECT_EQ(readTileSet(plan.output).splats, splats);
 }
 
 /// A grid of points half a unit apart in a box with a halo of 3.

@@ -134,21 +134,27 @@ TEST(TileSetMaking, CoresHoldEverySplatOnce) {
     const Splats splats = scene();
     const CloudSet made = makeScene(0.5, "union.proset");
     const double step = 0.5 / kCoreSteps;
-    std::map<std::array<std::int64_t, 3>, int> places;
+    std::map<std::array<std::int64_t, 3>, std::size_t> places;
     const auto placeOf = [&](const Vec3d& position) {
         std::array<std::int64_t, 3> place;
         for (int axis = 0; axis < 3; ++axis)
             place[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(position[axis] / step));
         return place;
     };
-    for (const Vec3f& position : splats.positions) ++places[placeOf(splats.origin + position.cast<double>())];
+    for (std::size_t i = 0; i < splats.positions.size(); ++i)
+        places[placeOf(splats.origin + splats.positions[i].cast<double>())] = i;
     std::size_t own = 0;
     for (const StoredTile& tile : loadAll(made)) {
         if (!tile.row.isOriginal()) continue;
         for (const StoredSplat& splat : tile.own) {
             const auto found = places.find(placeOf({splat.position[0], splat.position[1], splat.position[2]}));
-            ASSERT_NE(found, places.end());
-            EXPECT_EQ(found->second--, 1);
+            ASSERT_NE(found, places.end()) << "not there, or there twice";
+            const std::size_t i = found->second;
+            EXPECT_GE(splat.radius, 0.99999 * splats.radii[i]); // codes are rounded up
+            EXPECT_LE(splat.radius, 1.02 * splats.radii[i]);
+            EXPECT_GT(normalOf(splat.normal_word).dot(splats.normals[i]), 0.99999f);
+            EXPECT_EQ(splat.color_word & 0xFFFFFF, 200u | 100u << 8 | 50u << 16);
+            places.erase(found);
         }
         own += tile.own.size();
     }
