@@ -19,18 +19,21 @@ constexpr int kPictures = 10;
 /// What two tiles of the same splats may make of one hit: cells round their discs, and surfaces lie between them.
 constexpr double kSameShare = 0.02; // of a radius
 
-/// Eight tiles of a sphere around the point where they meet, and the root with the same splats.
-struct SphereSet {
-    SphereSet() {
-        const Splats splats = sphereSplats(20000, Vec3f(0, 0, 0), 1);
-        radius = static_cast<double>(splats.radii[0]);
+/// Eight tiles of something around the point where they meet, and the root with the same splats.
+struct CutInEight {
+    explicit CutInEight(const Splats& splats) : radius(static_cast<double>(splats.radii[0])) {
         set = writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
     }
-    ~SphereSet() { std::filesystem::remove_all(folder); }
+    ~CutInEight() { std::filesystem::remove_all(folder); }
+    CutInEight(const CutInEight&) = delete;
+    CutInEight& operator=(const CutInEight&) = delete;
     std::string whole() const { return tilePath(folder, set.tiles[0]); }
-    std::string folder = temporaryPath("sphere.proset");
-    double radius = 0;
+    std::string folder = temporaryPath("eight.proset");
+    double radius;
     TileSet set;
+};
+struct SphereSet : CutInEight {
+    SphereSet() : CutInEight(sphereSplats(20000, Vec3f(0, 0, 0), 1)) {}
 };
 
 /// Of two films the pixels where one sees a surface and the other does not, or elsewhere.
@@ -59,7 +62,7 @@ RenderSettings lookFrom(int picture, double distance) {
     return settings;
 }
 
-Difference differenceFrom(const SphereSet& sphere, double distance) {
+Difference differenceFrom(const CutInEight& sphere, double distance) {
     Difference difference;
     for (int picture = 0; picture < kPictures; ++picture) {
         const RenderSettings settings = lookFrom(picture, distance);
@@ -89,6 +92,25 @@ TEST(TileSets, NoRayFindsAWayBetweenTiles) {
     EXPECT_LE(difference.elsewhere, difference.rays / 100'000);
 }
 
+/// Where a disc lies there is no other behind it that would fill a gap: of a square grid whose discs just meet in the
+/// middle of four, few overlap.
+TEST(TileSets, DiscsAreNotCutAtBorders) {
+    const CutInEight plane(
+        squareSplats(200, Vec3f(0, 0, 0), Vec3f(0.9f, 0.1f, 0.2f), Vec3f(-0.05f, 0.9f, 0.3f), 0.75f));
+    Difference difference;
+    for (int picture = 0; picture < kPictures; ++picture) {
+        RenderSettings settings = lookFrom(picture, 0.5);
+        settings.camera.target = Vec3{}; // where the tiles meet, and nothing but plane around it
+        settings.camera.fov_deg = 20;
+        difference.add(renderFile(plane.whole(), settings).film, renderFile(plane.folder, settings).film,
+                       kSameShare * plane.radius);
+    }
+    std::printf("%zu rays, %zu hits, %zu holes, %zu elsewhere\n", difference.rays, difference.hits, difference.holes,
+                difference.elsewhere);
+    EXPECT_GT(difference.hits, difference.rays / 2);
+    EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
+}
+
 double meanDifference(const Film& a, const Film& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.rgba.size(); ++i) sum += std::abs(double{a.rgba[i]} - double{b.rgba[i]});
@@ -100,7 +122,7 @@ TEST(TileSets, LightIsThatOfOneFile) {
     const SphereSet sphere;
     for (const Room room : {Room::kMatte, Room::kMirror})
         for (const Integrator integrator : {Integrator::kPhong, Integrator::kWhitted, Integrator::kPath}) {
-            RenderSettings settings = square(96);
+            RenderSettings settings = square(64);
             settings.room = room;
             settings.integrator = integrator;
             settings.spp = 4;
