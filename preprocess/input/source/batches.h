@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
@@ -21,6 +22,8 @@ struct PointBatch {
     const Cloud& cloud;
     const std::vector<Vec3d>& positions; ///< input coordinates
     std::size_t scan = 0;                ///< its number
+    /// Names of attributes whose types are but the reader's, so far: Columns::loose.
+    const std::vector<std::string>& loose;
 };
 
 /// Where a Sink's points go.

@@ -257,11 +257,11 @@ void changeType(Attribute& attribute, Scalar type) {
     attribute.type = type;
 }
 
-void ValueSurvey::add(const Attribute& attribute) {
+void ValueSurvey::add(const Attribute& attribute, bool loose) {
     values += countOf(attribute);
     any = any || !isZero(attribute.values.data(), attribute.values.size());
     for (const Scalar type : kNarrowTypes)
-        if ((held_by & bitOf(type)) != 0 && !holdsAllAs(type, attribute)) held_by &= ~bitOf(type);
+        if (loose && (held_by & bitOf(type)) != 0 && !holdsAllAs(type, attribute)) held_by &= ~bitOf(type);
 }
 
 Scalar ValueSurvey::smallestType(Scalar type, bool all_have) const {

@@ -81,7 +81,8 @@ struct ValueSurvey {
     bool any = false;            ///< some value is not 0
     std::uint64_t values = 0;    ///< of so many points
 
-    void add(const Attribute& attribute);
+    /// @param loose whether its type may become another one, which takes time to know
+    void add(const Attribute& attribute, bool loose);
     /// The type that narrowAttributes chooses where all points have a value, and where some have not.
     Scalar smallestType(Scalar type, bool all_have) const;
 };

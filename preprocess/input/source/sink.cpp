@@ -245,7 +245,7 @@ void handOn(Sink& sink) {
     settleBatchColors(sink);
     fillMissing(sink.cloud, sink.columns);
     for (const Vec3d& position : batches.positions) batches.scan_box.extend(position);
-    batches.take({sink.cloud, batches.positions, sink.scans.size()});
+    batches.take({sink.cloud, batches.positions, sink.scans.size(), sink.columns.loose});
     batches.handed_on += batches.positions.size();
     batches.empty(sink.cloud);
 }

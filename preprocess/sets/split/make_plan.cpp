@@ -32,6 +32,10 @@ std::uint64_t mostTilePoints(std::uint64_t max_memory) {
     return std::max<std::uint64_t>(1000, (max_memory - std::min(max_memory, kProgram)) / kBytesPerPoint);
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 /// What the first reading takes down.
 struct Survey {
     CountGrid counts;
@@ -47,7 +51,8 @@ struct Survey {
         const Cloud& cloud = batch.cloud;
         for (const Vec3d& position : batch.positions) bounds.extend(position);
         values.resize(std::max(values.size(), cloud.attributes.size()));
-        for (std::size_t i = 0; i < cloud.attributes.size(); ++i) values[i].add(cloud.attributes[i]);
+        for (std::size_t i = 0; i < cloud.attributes.size(); ++i)
+            values[i].add(cloud.attributes[i], contains(batch.loose, cloud.attributes[i].name));
         for (const Vec3f& normal : cloud.normals) normals_given += !normal.isZero(0);
         radii |= std::any_of(cloud.radii.begin(), cloud.radii.end(), [](float radius) { return radius > 0; });
         counts.add(batch.positions, [&](std::size_t i) {
@@ -59,10 +64,6 @@ struct Survey {
         normals = normals_given > 0;
     }
 };
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 Scalar scanNumberType(std::size_t bytes) { return bytes == 1 ? Scalar::kU8 : bytes == 2 ? Scalar::kU16 : Scalar::kU32; }
 
