@@ -79,14 +79,17 @@ std::vector<std::uint8_t> flagOwn(const Splats& splats, const std::vector<std::u
     return own;
 }
 
-/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border; all of it
+/// What cleaning moved to where no tile stands, which nobody would trace, goes back to the core's border; so does what
+/// it moved into a tile of a coarser level, which merged tiles of that level would not find in its file, and all of it
 /// where the core were left without any, as then no tile would stand here either.
 void keepInTiles(const TileTree& tree, const TileKey& tile, const std::vector<std::uint8_t>& own,
                  std::vector<PositionCode>& codes) {
     bool holds_one = false;
     for (std::size_t i = 0; i < codes.size(); ++i) holds_one |= own[i] && isInCore(codes[i]);
     for (std::size_t i = 0; i < codes.size(); ++i) {
-        if (!own[i] || isInCore(codes[i]) || (holds_one && tree.originalAt(tile, codes[i]))) continue;
+        if (!own[i] || isInCore(codes[i])) continue;
+        const auto there = tree.originalAt(tile, codes[i]);
+        if (holds_one && there && there->level <= tile.level) continue;
         for (std::int32_t& each : codes[i]) each = std::clamp(each, 0, kCoreSteps - 1);
     }
 }

@@ -122,8 +122,9 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
 /// A flat field with noise of half a spacing: cleaning moves points, some of them across borders of tiles.
 TEST_F(SetTest, WhatCleaningMovesToANeighborIsThere) {
     std::string text = "x,y,z\n";
-    for (std::uint64_t i = 0; i < 20000; ++i) {
-        const double x = 100 * unitShare(mixBits(3 * i)), y = 100 * unitShare(mixBits(3 * i + 1));
+    for (std::uint64_t i = 0; i < 35000; ++i) { // from 20000 on in a corner, where tiles are finer
+        const double size = i < 20000 ? 100 : 40;
+        const double x = size * unitShare(mixBits(3 * i)), y = size * unitShare(mixBits(3 * i + 1));
         double noise = -1.5;
         for (std::uint64_t k = 0; k < 3; ++k) noise += unitShare(mixBits((3 * i + 2) << 2 | k));
         text += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, y, 0.3 * x + 0.4 * y + 0.7 * noise);
@@ -139,7 +140,10 @@ TEST_F(SetTest, WhatCleaningMovesToANeighborIsThere) {
     EXPECT_GT(moved_out, 10u);
     mergeLevels(plan, 2500);
     makeSet(plan, "{}", 1);
-    EXPECT_EQ(readTileSet(plan.output).splats, splats);
+    const TileSet set = readTileSet(plan.output);
+    EXPECT_EQ(set.splats, splats);
+    for (std::size_t i = 0; i < set.tiles.size(); ++i)
+        for (const TileFinding& finding : verifyTile(set, plan.output, i)) ADD_FAILURE() << finding.text;
 }
 
 /// A grid of points half a unit apart in a box with a halo of 3.
