@@ -155,11 +155,13 @@ void compareWith(Tile& tile, const SetTile& owner, const Offset& offset, const s
         return; // which is a finding of the neighbour's
     }
     std::vector<bool> owned(repeats.size());
+    // cleaning moves points across borders: then it is the merged tile's own splats that stand for them
+    const bool alike = tile.tile.isOriginal() == owner.isOriginal();
     std::size_t missing = 0;
     forEachNear(*file, offset, [&](const Words& words, const auto& splat) {
         const auto [first, last] = std::equal_range(repeats.begin(), repeats.end(), words);
         for (auto each = first; each != last; ++each) owned[static_cast<std::size_t>(each - repeats.begin())] = true;
-        if (first == last && surelyCrossesCore(splat())) ++missing;
+        if (alike && first == last && surelyCrossesCore(splat())) ++missing;
     });
     const auto strange = std::count(owned.begin(), owned.end(), false);
     if (strange > 0)

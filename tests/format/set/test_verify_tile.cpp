@@ -92,7 +92,7 @@ TEST_F(VerifyTile, AsksForNoMergedSplatsInOriginalTiles) {
     test::writeTile(set, set.tiles[0], merged, folder.path);
     for (test::LatticeSplat& each : original) each.code[0] += test::kCoreSteps;
     test::writeTile(set, set.tiles[2], original, folder.path); // without the merged ones
-    EXPECT_EQ(findings(), "tiles/1-0-0-0.pro 0 lacks 8 splats of tiles/1-1-0-0.pro that cross its core\n");
+    EXPECT_EQ(findings(), "") << "splats that a merged tile lacks may be merged in its own";
     merged.insert(merged.end(), original.begin(), original.end());
     test::writeTile(set, set.tiles[1], merged, folder.path);
     EXPECT_EQ(findings(), "");
