@@ -28,8 +28,7 @@ constexpr const char* kExamples = "  pointrt-info scan.pro\n"
                                   "  pointrt-info scan.pro --verify && echo good\n"
                                   "  pointrt-info scan.pro --json | jq .splats\n"
                                   "  pointrt-info scan.pro --export splats.ply\n"
-                                  "  pointrt-info scan.pro --export points.laz\n"
-                                  "  pointrt-info site.proset --verify\n";
+                                  "  pointrt-info scan.pro --export points.laz\n";
 constexpr const char* kNotes =
     "Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
