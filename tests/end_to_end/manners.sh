@@ -56,7 +56,7 @@ case_slips() {
     expectUsage "unexpected argument more.pro" pointrt-info scan.pro more.pro
     expectUsage "-o: an empty argument is given" pointrt-bake scan.xyz -o ""
     expectUsage "-o=out/a.pro: a blank, not an =, goes between -o and its value" pointrt-bake scan.xyz -o=out/a.pro
-    expectUsage "out/.pro: the output's name must end in .pro" pointrt-bake scan.xyz -o out/.pro
+    expectUsage "out/.pro: the output's name must end in .pro or .proset" pointrt-bake scan.xyz -o out/.pro
     expectUsage "--seed: -1 is below 0" pointrt-bake scan.xyz -o out/a.pro --seed -1
     expectUsage "unexpected argument more.pro" pointrt-info scan.pro -- more.pro
     expectError 1 "help: No such file" env -u DISPLAY -u WAYLAND_DISPLAY pointrt-view help
