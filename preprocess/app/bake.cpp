@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
@@ -20,10 +19,6 @@
 namespace pointrt {
 
 namespace {
-
-std::size_t threadCount(int requested) {
-    return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
-}
 
 /// Found out before the work, not after it.
 void checkOutput(const BakeOptions& options) {
@@ -56,7 +51,7 @@ Splats estimateNamed(Cloud&& cloud, const BakeOptions& options, BakeReport& repo
 
 TracingIndex buildIndexNamed(const ProSections& sections, const BakeOptions& options, const OctreeProgress& progress) {
     try {
-        return buildTracingIndex(sections.info, sections.view, {threadCount(options.threads), progress});
+        return buildTracingIndex(sections.info, sections.view, {threadCount(options), progress});
     } catch (const Error& error) {
         throw Error(error.code, sourceName(options) + ": " + error.what() +
                                     "; --compact writes the file without it, for other viewers than pointrt-view");
@@ -127,7 +122,7 @@ BakeReport bake(const BakeOptions& options) {
     requireNoInput(options, options.output, "--output");
     checkOutput(options);
     checkStats(options);
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options));
     BakeProgress progress(options.verbosity, options.progress, stagesLeftOut(options));
     const auto show = [&](double share) { progress.update(share); };
     const auto show_read = [&](const ReadStatus& status) {

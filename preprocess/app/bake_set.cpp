@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "format/base/error.h"
 #include "format/set/tile_set.h"
@@ -32,10 +31,6 @@ namespace fs = std::filesystem;
 /// Of a set's bake in percent, as measured on lidar.
 const std::vector<StageWeight> kSetWeights{{"plan", 4},   {"split", 6}, {"block", 55},
                                            {"levels", 5}, {"tile", 22}, {"top", 8}};
-
-std::size_t threadCount(int requested) {
-    return requested > 0 ? static_cast<std::size_t>(requested) : std::max(1u, std::thread::hardware_concurrency());
-}
 
 SetRequest requestOf(const BakeOptions& options) {
     SetRequest request;
@@ -98,14 +93,9 @@ public:
             requireSplit();
             requireBlock();
         }
-        if (does(SetStep::kBlock))
-            forBlocks("block",
-                      [&](std::uint32_t block, const StageProgress& show) { bakeBlock(report_.plan, block, show); });
+        if (does(SetStep::kBlock)) blocks();
         if (does(SetStep::kLevels)) levels();
-        if (does(SetStep::kTile))
-            forBlocks("tile", [&](std::uint32_t block, const StageProgress& show) {
-                makeBlockTiles(making(), block, metadata(), threadCount(options_.threads), show);
-            });
+        if (does(SetStep::kTile)) tiles();
         if (does(SetStep::kTop)) finish();
         progress_.finish();
         takeTimes();
@@ -200,26 +190,37 @@ private:
         add("split", plan.points, bytes);
     }
 
-    std::uint64_t pointsOf(std::uint32_t block) const {
+    /// The block asked for, or all.
+    BlockRange blocksAsked() const {
+        if (options_.tiles.step == SetStep::kAll) return {0, report_.plan.blocks()};
+        return {options_.tiles.block, options_.tiles.block + 1};
+    }
+
+    std::uint64_t pointsOf(BlockRange blocks) const {
         const SetPlan& plan = report_.plan;
         std::uint64_t points = 0;
-        for (std::uint32_t i = plan.first_tile_of_block[block]; i < plan.first_tile_of_block[block + 1]; ++i)
+        for (std::uint32_t i = plan.first_tile_of_block[blocks.first]; i < plan.first_tile_of_block[blocks.end]; ++i)
             points += plan.tiles[i].points;
         return points;
     }
 
-    /// The block asked for, or all, one after the other.
-    template <typename Work>
-    void forBlocks(const std::string& step, const Work& work) {
-        const bool all = options_.tiles.step == SetStep::kAll;
-        const std::uint32_t first = all ? 0 : options_.tiles.block, count = all ? report_.plan.blocks() : 1;
-        std::uint64_t points = 0;
-        for (std::uint32_t block = first; block < first + count; ++block) points += pointsOf(block);
-        progress_.begin(step, points);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            work(first + i, [&](const char*, double share) { progress_.update((i + share) / count); });
-            add(step, pointsOf(first + i), 0);
-        }
+    void blocks() {
+        const auto [first, end] = blocksAsked();
+        const std::uint64_t points = pointsOf({first, end});
+        progress_.begin("block", points);
+        for (std::uint32_t block = first; block < end; ++block)
+            bakeBlock(report_.plan, block,
+                      [&](const char*, double share) { progress_.update((block - first + share) / (end - first)); });
+        add("block", points, 0);
+    }
+
+    void tiles() {
+        const BlockRange blocks = blocksAsked();
+        const std::uint64_t points = pointsOf(blocks);
+        progress_.begin("tile", points);
+        makeBlockTiles(making(), blocks, metadata(), threadCount(options_),
+                       [&](const char*, double share) { progress_.update(share); });
+        add("tile", points, 0);
     }
 
     void levels() {
@@ -231,7 +232,7 @@ private:
 
     void finish() {
         progress_.begin("top", report_.plan.points);
-        const TileSet set = makeSet(making(), metadata(), threadCount(options_.threads),
+        const TileSet set = makeSet(making(), metadata(), threadCount(options_),
                                     [&](const char*, double share) { progress_.update(share); });
         report_.splats = set.splats;
         report_.tiles = set.tiles.size();
@@ -262,10 +263,10 @@ private:
     }
 
     void add(const std::string& step, std::uint64_t points, std::uint64_t bytes) {
-        auto& steps = report_.steps;
-        if (steps.empty() || steps.back().step != step) steps.push_back({step});
-        steps.back().points += points;
-        steps.back().bytes += bytes;
+        SetStepReport& taken = report_.steps.emplace_back();
+        taken.step = step;
+        taken.points = points;
+        taken.bytes = bytes;
     }
 
     void takeTimes() {
@@ -287,7 +288,7 @@ private:
 SetReport bakeSet(const BakeOptions& options) {
     requirePossible(requestOf(options));
     checkStats(options);
-    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options.threads));
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, threadCount(options));
     return SetBake(options).run();
 }
 

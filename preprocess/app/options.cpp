@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <thread>
 
 #include "format/base/command_line.h"
 #include "format/base/error.h"
@@ -279,6 +280,11 @@ void checkOptions(BakeOptions& options) {
 }
 
 } // namespace
+
+std::size_t threadCount(const BakeOptions& options) {
+    return options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                               : std::max(1u, std::thread::hardware_concurrency());
+}
 
 std::string choiceName(NormalSource source) { return nameIn(kNormalSources, source); }
 std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }

@@ -46,6 +46,9 @@ struct BakeOptions {
     bool isTileSet() const { return output.ends_with(".proset"); }
 };
 
+/// Of all parts of the work that ask.
+std::size_t threadCount(const BakeOptions& options);
+
 /// Parses the command line. Returns false when help or version was printed and nothing is left to do.
 /// Throws Error (kBadUsage) naming the option at fault.
 bool parseOptions(int argc, char** argv, BakeOptions& options);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preprocess/cloud/curve_key.h"
 #include "preprocess/cloud/morton.h"
 
 namespace pointrt {
@@ -68,16 +69,6 @@ void fillFrame(const Splats& splats, pro_info& frame) {
     frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
 }
 
-struct Keyed {
-    std::uint64_t morton;
-    std::uint32_t index;
-    bool fills;
-    bool operator<(const Keyed& other) const {
-        if (morton != other.morton) return morton < other.morton;
-        return fills != other.fills ? other.fills : index < other.index;
-    }
-};
-
 /// Position in the cube at the middle of its step, which float holds exactly: rounding in double, and only once.
 Vec3f cubePosition(const Vec3f& position, const Vec3d& shift, double scale) {
     const Vec3d steps = ((position.cast<double>() + shift) * (PRO_POSITION_STEPS / scale)).array().floor();
@@ -90,15 +81,11 @@ std::uint64_t mortonOf(const Vec3f& cube_position) {
     return mortonCode(code(cube_position.x()), code(cube_position.y()), code(cube_position.z()));
 }
 
-bool fillsGap(const Splats& splats, std::size_t i) {
-    return !splats.filled_from.empty() && splats.input_index[i] >= splats.input_count;
-}
-
 /// What the file says of how the packed splats were sampled; keys: their numbers in splats.
-void packSampling(const Splats& splats, const std::vector<Keyed>& keys, PackedSplats& packed) {
+void packSampling(const Splats& splats, const std::vector<CurveKey>& keys, PackedSplats& packed) {
     packed.input_count = splats.input_count;
     packed.filled_from = splats.filled_from;
-    for (const Keyed& key : keys) packed.filled += key.fills;
+    for (const CurveKey& key : keys) packed.filled += key.fills;
     packed.noise.resize(splats.noise.empty() ? 0 : keys.size());
     tbb::parallel_for(std::size_t{0}, packed.noise.size(), [&](std::size_t k) {
         packed.noise[k] = noiseCode(splats.noise[keys[k].index], packed.discs[k].radius, packed.frame.scale);
@@ -137,14 +124,14 @@ PackedSplats quantizeSplats(Splats&& splats) {
     const pro_info& frame = packed.frame;
     const Vec3d shift = splats.origin - Vec3d(frame.origin[0], frame.origin[1], frame.origin[2]);
 
-    std::vector<Keyed> keys(splats.positions.size());
+    std::vector<CurveKey> keys(splats.positions.size());
     tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
         keys[i] = {mortonOf(cubePosition(splats.positions[i], shift, frame.scale)), static_cast<std::uint32_t>(i),
                    fillsGap(splats, i)};
     });
     tbb::parallel_sort(keys);
     const auto last =
-        std::unique(keys.begin(), keys.end(), [](const Keyed& a, const Keyed& b) { return a.morton == b.morton; });
+        std::unique(keys.begin(), keys.end(), [](const CurveKey& a, const CurveKey& b) { return a.code == b.code; });
     packed.merged = static_cast<std::size_t>(keys.end() - last);
     keys.erase(last, keys.end());
 
@@ -167,7 +154,7 @@ PackedSplats quantizeSplats(Splats&& splats) {
                               {color[0], color[1], color[2]},
                               0};
         packSplat(plain, k, packed);
-        packed.morton[k] = keys[k].morton;
+        packed.morton[k] = keys[k].code;
         packed.input_index[k] = splats.input_index[i];
         if (has_colors) packed.colors[k] = color;
     });

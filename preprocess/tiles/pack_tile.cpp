@@ -6,29 +6,22 @@
 
 #include <algorithm>
 
+#include "preprocess/cloud/curve_key.h"
 #include "preprocess/cloud/morton.h"
 
 namespace pointrt {
 
 namespace {
 
-struct Keyed {
-    std::uint64_t morton;
-    std::uint32_t index;
-    bool operator<(const Keyed& other) const {
-        return morton != other.morton ? morton < other.morton : index < other.index;
-    }
-};
-
 std::uint64_t mortonOf(const PositionCode& code) {
     const auto up = [](std::int32_t each) { return static_cast<std::uint64_t>(each + kRimSteps); };
     return mortonCode(up(code[0]), up(code[1]), up(code[2]));
 }
 
-std::vector<Keyed> sortAlongCurve(const std::vector<PositionCode>& positions) {
-    std::vector<Keyed> keys(positions.size());
+std::vector<CurveKey> sortAlongCurve(const std::vector<PositionCode>& positions) {
+    std::vector<CurveKey> keys(positions.size());
     tbb::parallel_for(std::size_t{0}, keys.size(), [&](std::size_t i) {
-        keys[i] = {mortonOf(positions[i]), static_cast<std::uint32_t>(i)};
+        keys[i] = {mortonOf(positions[i]), static_cast<std::uint32_t>(i), false};
     });
     tbb::parallel_sort(keys);
     return keys;
@@ -80,7 +73,7 @@ void packOne(const TileSplats& splats, std::uint32_t i, std::size_t k, PackedSpl
 PackedSplats packTile(const TileSet& set, const TileKey& tile, const LevelCoding& coding, const TileSplats& splats) {
     PackedSplats packed;
     packed.frame = frameOf(set, tile, coding, splats);
-    const std::vector<Keyed> keys = sortAlongCurve(splats.positions);
+    const std::vector<CurveKey> keys = sortAlongCurve(splats.positions);
     const std::size_t count = keys.size();
     packed.words.resize(count);
     packed.discs.resize(count);
@@ -90,7 +83,7 @@ PackedSplats packTile(const TileSet& set, const TileKey& tile, const LevelCoding
     packed.noise.resize(splats.noise.empty() ? 0 : count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         packOne(splats, keys[k].index, k, packed);
-        packed.morton[k] = keys[k].morton;
+        packed.morton[k] = keys[k].code;
         packed.input_index[k] = keys[k].index;
     });
     dropCleanNoise(packed);

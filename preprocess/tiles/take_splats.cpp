@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "preprocess/cloud/curve_key.h"
 #include "preprocess/cloud/gather.h"
 #include "preprocess/cloud/morton.h"
 #include "preprocess/tiles/level_coding.h"
@@ -13,16 +14,6 @@
 namespace pointrt {
 
 namespace {
-
-struct Keyed {
-    std::uint64_t curve;
-    std::uint32_t index;
-    bool fills;
-    bool operator<(const Keyed& other) const {
-        if (curve != other.curve) return curve < other.curve;
-        return fills != other.fills ? other.fills : index < other.index;
-    }
-};
 
 /// What lies beyond the cube, where no tile's neighbour looks, stands at its border.
 std::uint64_t curveCode(const PositionCode& code) {
@@ -32,18 +23,14 @@ std::uint64_t curveCode(const PositionCode& code) {
     return mortonCode(up(code[0]), up(code[1]), up(code[2]));
 }
 
-bool fillsGap(const Splats& splats, std::size_t i) {
-    return !splats.filled_from.empty() && splats.input_index[i] >= splats.input_count;
-}
-
 std::vector<std::uint32_t> orderOf(const Splats& splats, const std::vector<PositionCode>& codes,
                                    const std::vector<std::uint8_t>& kept) {
-    std::vector<Keyed> keys;
+    std::vector<CurveKey> keys;
     for (std::size_t i = 0; i < codes.size(); ++i)
         if (kept[i]) keys.push_back({curveCode(codes[i]), static_cast<std::uint32_t>(i), fillsGap(splats, i)});
     tbb::parallel_sort(keys);
     std::vector<std::uint32_t> order;
-    for (const Keyed& key : keys)
+    for (const CurveKey& key : keys)
         if (order.empty() || codes[order.back()] != codes[key.index]) order.push_back(key.index);
     return order;
 }

@@ -49,10 +49,11 @@ void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, const StageProg
     }
 }
 
-void makeBlockTiles(const SetPlan& plan, std::uint32_t block, const std::string& metadata, std::size_t threads,
+void makeBlockTiles(const SetPlan& plan, BlockRange blocks, const std::string& metadata, std::size_t threads,
                     const StageProgress& progress) {
     const TileMaker maker(plan, metadata, threads);
-    const std::uint32_t first = plan.first_tile_of_block.at(block), end = plan.first_tile_of_block.at(block + 1);
+    const std::uint32_t first = plan.first_tile_of_block.at(blocks.first),
+                        end = plan.first_tile_of_block.at(blocks.end);
     for (std::uint32_t number = first; number < end; ++number) {
         maker.make(keyOf(plan.tiles[number]));
         if (progress) progress("tiles", double(number + 1 - first) / double(end - first));

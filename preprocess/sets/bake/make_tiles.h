@@ -14,10 +14,15 @@ namespace pointrt {
 /// @param tile_splats of a merged tile about so many at the most
 void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, const StageProgress& progress = {});
 
-/// The tiles of a block. mergeLevels must have run. progress hears of "tiles".
+struct BlockRange {
+    std::uint32_t first = 0, end = 0;
+};
+
+/// The tiles of some blocks, for which what is known of the whole set is read once. mergeLevels must have run. progress
+/// hears of "tiles".
 /// @param metadata JSON object for META: TileOptions::metadata
 /// @param threads of all parts of the work that ask; 0: all
-void makeBlockTiles(const SetPlan& plan, std::uint32_t block, const std::string& metadata, std::size_t threads,
+void makeBlockTiles(const SetPlan& plan, BlockRange blocks, const std::string& metadata, std::size_t threads,
                     const StageProgress& progress = {});
 
 /// All tiles that are not there yet, merged ones too, and set.json. mergeLevels must have run. Throws Error, kBadInput

@@ -104,7 +104,7 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
     }
     EXPECT_GE(levels.size(), 2u);
     mergeLevels(plan, 1000);
-    for (std::uint32_t block = 0; block < plan.blocks(); ++block) makeBlockTiles(plan, block, "{}", 1);
+    for (std::uint32_t block = 0; block < plan.blocks(); ++block) makeBlockTiles(plan, {block, block + 1}, "{}", 1);
     makeSet(plan, R"({"writer":"test"})", 1);
     const TileSet set = readTileSet(plan.output);
     EXPECT_EQ(set.splats, splats);
