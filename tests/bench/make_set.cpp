@@ -8,7 +8,7 @@
 #include "preprocess/surface/estimate.h"
 #include "preprocess/upright/find_up.h"
 #include "tests/bench/compare_options.h"
-#include "tests/support/cloud_set.h"
+#include "tests/support/sets/cloud_set.h"
 
 namespace pointrt::test {
 

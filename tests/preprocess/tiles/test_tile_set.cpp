@@ -14,7 +14,7 @@
 #include "pointrt/pro.h"
 #include "preprocess/merge/merge_tile.h"
 #include "preprocess/tiles/finish_set.h"
-#include "tests/support/cloud_set.h"
+#include "tests/support/sets/cloud_set.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/cloud_set.h"
+#include "tests/support/sets/cloud_set.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/hand_cut_set.h"
+#include "tests/support/sets/hand_cut_set.h"
 
 #include <algorithm>
 #include <cmath>
