@@ -11,6 +11,7 @@
 
 #include "format/base/error.h"
 #include "runtime/gpu/device_choice.h"
+#include "runtime/gpu/program_store.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -194,6 +195,7 @@ Device createDevice(const DeviceRequest& request) {
     describe(chooseCandidate(enumerateCandidates(device.instance, needs), request.selector), device);
     device.page_bits = std::min(device.page_bits, request.page_bits_most);
     createLogicalDevice(device, request);
+    device.programs = std::make_shared<ProgramStore>();
     if (device.verbose)
         std::fprintf(stderr, "device: %s, subgroups of %u, %s\n", device.name.c_str(), device.subgroup_size,
                      device.external_memory_host ? "can import host memory" : "cannot import host memory");
@@ -203,6 +205,7 @@ Device createDevice(const DeviceRequest& request) {
 void destroyDevice(Device& device) {
     if (device.handle) {
         vkDeviceWaitIdle(device.handle);
+        if (device.programs) device.programs->clear(device);
         destroyPoolAndFence(device);
         vkDestroyDevice(device.handle, nullptr);
     }

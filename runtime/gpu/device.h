@@ -13,6 +13,8 @@
 
 namespace pointrt {
 
+class ProgramStore;
+
 struct DeviceRequest {
     std::string selector; ///< "" for the best one, an index of the list, or a part of a name in any case
     bool verbose = false;
@@ -47,6 +49,7 @@ struct Device {
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, of pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;
+    std::shared_ptr<ProgramStore> programs; ///< what createProgram built, shared with workers
     bool verbose = false;
 };
 

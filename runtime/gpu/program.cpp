@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/gpu/program.h"
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -9,6 +12,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "runtime/gpu/program_store.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -69,11 +73,22 @@ void createLayouts(Device& device, Program& program) {
 }
 
 /// What the shader declares has its value in constants.
-void requireConstants(const Program& program, std::span<const SpecConstant> constants) {
-    for (const gpu::SpecId id : program.shader.constants)
+void requireConstants(const std::string& name, const ShaderInterface& shader, std::span<const SpecConstant> constants) {
+    for (const gpu::SpecId id : shader.constants)
         if (std::none_of(constants.begin(), constants.end(), [&](const SpecConstant& each) { return each.id == id; }))
-            throw std::logic_error(program.name + ": specialization constant " +
+            throw std::logic_error(name + ": specialization constant " +
                                    std::to_string(static_cast<std::uint32_t>(id)) + " has no value");
+}
+
+/// Of values that the shader does not declare nothing depends.
+ProgramKey keyOf(const char* name, std::span<const std::uint32_t> spirv, const ShaderInterface& shader,
+                 std::span<const SpecConstant> constants) {
+    ProgramKey key{name, spirv.size_bytes(), XXH3_64bits(spirv.data(), spirv.size_bytes()), {}};
+    for (const SpecConstant& each : constants)
+        if (std::find(shader.constants.begin(), shader.constants.end(), each.id) != shader.constants.end())
+            key.constants.emplace_back(static_cast<std::uint32_t>(each.id), each.value);
+    std::sort(key.constants.begin(), key.constants.end());
+    return key;
 }
 
 /// Where each value lies in the list.
@@ -88,7 +103,6 @@ std::vector<VkSpecializationMapEntry> specializationMap(std::span<const SpecCons
 
 void createPipeline(Device& device, Program& program, std::span<const std::uint32_t> spirv,
                     std::span<const SpecConstant> constants) {
-    requireConstants(program, constants);
     VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     module_info.codeSize = spirv.size_bytes();
     module_info.pCode = spirv.data();
@@ -108,6 +122,20 @@ void createPipeline(Device& device, Program& program, std::span<const std::uint3
         vkCreateComputePipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &program.pipeline);
     vkDestroyShaderModule(device.handle, info.stage.module, nullptr);
     check(result, what.c_str());
+}
+
+Program buildProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
+                     const ShaderInterface& shader, std::span<const SpecConstant> constants) {
+    const auto start = std::chrono::steady_clock::now();
+    Program program;
+    program.name = name;
+    program.shader = shader;
+    const OnError undo([&] { freeProgram(device, program); });
+    createLayouts(device, program);
+    createPipeline(device, program, spirv, constants);
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    if (device.verbose) std::fprintf(stderr, "pipeline %s: %.0f ms\n", name, elapsed.count());
+    return program;
 }
 
 bool isTexelBuffer(VkDescriptorType type) {
@@ -204,19 +232,18 @@ Program createProgram(Device& device, const char* name, std::span<const std::uin
 
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::span<const SpecConstant> constants) {
-    const auto start = std::chrono::steady_clock::now();
-    Program program;
-    program.name = name;
-    program.shader = reflectShader(spirv);
-    const OnError undo([&] { destroyProgram(device, program); });
-    createLayouts(device, program);
-    createPipeline(device, program, spirv, constants);
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    if (device.verbose) std::fprintf(stderr, "pipeline %s: %.0f ms\n", name, elapsed.count());
-    return program;
+    const ShaderInterface shader = reflectShader(spirv);
+    requireConstants(name, shader, constants);
+    return device.programs->take(device, keyOf(name, spirv, shader, constants),
+                                 [&] { return buildProgram(device, name, spirv, shader, constants); });
 }
 
 void destroyProgram(Device& device, Program& program) {
+    if (program.pipeline) device.programs->giveBack(device, program);
+    program = {};
+}
+
+void freeProgram(Device& device, Program& program) {
     if (program.pipeline) vkDestroyPipeline(device.handle, program.pipeline, nullptr);
     if (program.layout) vkDestroyPipelineLayout(device.handle, program.layout, nullptr);
     for (VkDescriptorSetLayout layout : program.set_layouts)

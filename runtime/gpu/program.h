@@ -14,7 +14,7 @@
 
 namespace pointrt {
 
-/// A compute pipeline and what its shader declares. Free it with destroyProgram.
+/// A compute pipeline and what its shader declares, from its device's store. Give it back with destroyProgram.
 struct Program {
     std::string name; ///< for messages
     VkPipeline pipeline = VK_NULL_HANDLE;
@@ -37,13 +37,15 @@ struct BufferBinding {
     std::uint32_t count = 1;
 };
 
-/// Builds the pipeline. constants have a value for each specialization constant that the shader declares, and may have
-/// more: programs of a family take what they know from one list. Throws std::logic_error where a value is missing,
-/// Error kCannotRun where the driver refuses.
+/// Builds the pipeline, or takes the one that the device's store has of the same code and values. constants have a
+/// value for each specialization constant that the shader declares, and may have more: programs of a family take what
+/// they know from one list. Throws std::logic_error where a value is missing, Error kCannotRun where the driver
+/// refuses.
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::initializer_list<SpecConstant> constants = {});
 Program createProgram(Device& device, const char* name, std::span<const std::uint32_t> spirv,
                       std::span<const SpecConstant> constants);
+/// Gives the program back to the store, which keeps some that nobody uses (program_store.h).
 void destroyProgram(Device& device, Program& program);
 
 /// A pool for up to max_sets descriptor sets; they are freed with the pool.
