@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/splat_scenes.h"
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <random>
+
+#include "tests/support/temporary_folder.h"
 
 namespace pointrt::test {
 
@@ -104,7 +103,8 @@ Built writeScene(const std::string& path, Splats splats, const BuildOptions& opt
 }
 
 std::string temporaryPath(const std::string& name) {
-    return (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "-" + name)).string();
+    static const TemporaryFolder folder; // of this process, which takes it away as it ends
+    return folder.file(name);
 }
 
 } // namespace pointrt::test

@@ -43,7 +43,7 @@ MaterialRow matteRow(float r, float g, float b, float reflectivity = 0);
 Built writeScene(const std::string& path, Splats splats, const BuildOptions& options,
                  const std::vector<std::uint8_t>& material = {});
 
-/// A path in the test's temporary folder.
+/// A path in this test process's own folder, which goes away with it.
 std::string temporaryPath(const std::string& name);
 
 } // namespace pointrt::test
