@@ -86,6 +86,7 @@ public:
             add(set.number, files_.at(tilePath(set.opened, tile)));
             Instance& instance = scene_.instances.back();
             instance.tile = tile;
+            instance.params.grid_origin.w = tile + 1;
             placeCore(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
             scene_.splat_count += tiles.tiles[tile].splats;
         }

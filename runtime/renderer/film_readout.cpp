@@ -117,9 +117,22 @@ struct HitWord {
     static void store(const PixelHit& pixel, std::uint32_t* word) { *word = pixel.words[kWord]; }
 };
 
+std::uint32_t ownerOf(const PixelHit& pixel) { return pixel.words[HIT_OWNER] & HIT_OWNER_MASK; }
+
+struct OwnerId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) { *id = ownerOf(pixel); }
+};
+
+struct TileId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) {
+        const std::uint32_t tile = pixel.words[HIT_OWNER] >> HIT_TILE_SHIFT;
+        if (tile > 0) *id = tile - 1;
+    }
+};
+
 struct SplatId {
     static void store(const PixelHit& pixel, std::uint32_t* id) {
-        if (pixel.words[HIT_OWNER] != OWNER_SHAPES) *id = pixel.words[HIT_SPLAT];
+        if (ownerOf(pixel) != OWNER_SHAPES) *id = pixel.words[HIT_SPLAT];
     }
 };
 

@@ -20,7 +20,9 @@ std::optional<Pick> pickPixel(Device& device, BandTracer& tracer, const RenderSe
     if (hit[0].w < 0) return std::nullopt;
     Pick pick;
     pick.splat = std::bit_cast<std::uint32_t>(hit[1].x);
-    pick.owner = std::bit_cast<std::uint32_t>(hit[1].y);
+    const auto owner = std::bit_cast<std::uint32_t>(hit[1].y), tile = owner >> HIT_TILE_SHIFT;
+    pick.owner = owner & HIT_OWNER_MASK;
+    if (tile > 0) pick.tile = tile - 1;
     pick.distance = hit[0].w * tracer.scene->space.scale;
     pick.position =
         centerRayOrigin(settings, camera, x, y) + pick.distance * centerRayDirection(settings, camera, x, y);

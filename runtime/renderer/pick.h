@@ -13,6 +13,7 @@ namespace pointrt {
 /// Of the ray through a pixel's centre.
 struct Pick {
     std::uint32_t splat = 0, owner = 0; ///< owner: an instance's number, or OWNER_SHAPES
+    std::optional<std::uint32_t> tile;  ///< of the owner's set, where it is one
     double distance = 0;                ///< along the ray, input units
     Vec3 position, normal;              ///< input frame
 };

@@ -6,8 +6,10 @@
 
 // Of a first hit's words (params.h), by number.
 #define HIT_SPLAT 0u // or shape
-#define HIT_OWNER 1u
+#define HIT_OWNER 1u // in its low bits; above: 1 + the tile's number in its set, 0 of what is in none
 #define HIT_MATERIAL 2u
+#define HIT_TILE_SHIFT 8u
+#define HIT_OWNER_MASK 0xFFu
 
 // clang-format off
 // X(array, Value, channels, group, nothing, source, view)
@@ -30,6 +32,7 @@
 // caustic      light that was bundled or bent on its way to a matte surface
 // albedo       0 to 1: reflectance of the first hit
 // splat_id     number in its .pro; none on shapes
+// tile_id      number in its set of the tile whose .pro that is; none on what is in no set
 // instance_id  number in the scene; OWNER_SHAPES on shapes
 // material_id  row of the scene's table of materials
 // samples      paths traced through the pixel
@@ -51,7 +54,8 @@
     X(albedo, float, COLOR("albedo"), kAlways, 0, Mean<LAYER_ALBEDO>, \
       SHOWN(1u, ALBEDO, "Colours only", kShare, showAlbedo)) \
     X(splat_id, std::uint32_t, CHANNELS("id.splat"), kFirstHits, NO_INDEX, SplatId, NOT_SHOWN) \
-    X(instance_id, std::uint32_t, CHANNELS("id.instance"), kFirstHits, NO_INDEX, HitWord<HIT_OWNER>, NOT_SHOWN) \
+    X(tile_id, std::uint32_t, CHANNELS("id.tile"), kFirstHits, NO_INDEX, TileId, NOT_SHOWN) \
+    X(instance_id, std::uint32_t, CHANNELS("id.instance"), kFirstHits, NO_INDEX, OwnerId, NOT_SHOWN) \
     X(material_id, std::uint32_t, CHANNELS("id.material"), kFirstHits, NO_INDEX, HitWord<HIT_MATERIAL>, \
       SHOWN(8u, MATERIAL, "Materials", kNumber, showMaterial)) \
     X(samples, float, CHANNELS("samples"), kAlways, 0, Samples, NOT_SHOWN) \

@@ -143,8 +143,8 @@ struct SurfaceInteraction {
     float t;      // along the ray; negative: nothing is hit
     uint owner;
     uint primitive; // splat, or shape
-    uint unused_0;
-    uint unused_1;
+    uint tile;      // 1 + number of the splat's tile in its set, 0: it is of no set
+    uint unused;
 };
 #define SURFACE_VECTORS 4
 #define SURFACE_MATERIAL_MASK 0xFFFFFFu
@@ -189,8 +189,8 @@ struct ShadowRay {
 #define LAYER_ALBEDO 3u
 #define FILM_LAYERS 4u
 
-// first_hits, of a pixel: normal and t (negative: nothing is hit); as bits, splat or shape, owner and material; how
-// much of it hangs on the view, 0 to 1.
+// first_hits, of a pixel: normal and t (negative: nothing is hit); as bits, splat or shape, owner with a tile above
+// it (HIT_TILE_SHIFT) and material; how much of it hangs on the view, 0 to 1.
 #define FIRST_HIT_VECTORS 2u
 
 struct PushParams {

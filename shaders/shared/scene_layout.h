@@ -47,7 +47,8 @@ struct InstanceParams {
     vec4 row_z;
     vec4 splat;        // x: radius_max, y: radius_step, z: blend_slab, w: cube units in a render unit
     vec4 grid_scale;   // x: entry grid cells in a cube unit, y: one position step in cells
-    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner
+    uvec4 grid_origin; // xyz: lowest cell, in cells from the cube's corner; w: of a tile 1 + its number in its set,
+                       // else 0
     uvec4 grid_size;   // xyz: cells
     uvec4 grid_words;  // x: in a layer, y: number of the last, z: of the last one of a brick
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/surface/surface_interaction.glsl"
+#include "shaders/shared/film_parts.h"
 
 // How much of what is seen hangs on where it is seen from: 0 to 1.
 float viewDependence(Material row) {
@@ -19,6 +20,6 @@ void main() {
     bool hit = point.t >= 0.0;
     uint at = FIRST_HIT_VECTORS * (params.film_first + bandPixel(index));
     first_hits[at] = hit ? vec4(point.normal, point.t) : vec4(0.0, 0.0, 0.0, -1.0);
-    uvec3 ids = hit ? uvec3(point.primitive, point.owner, materialOf(point)) : uvec3(NO_INDEX);
+    uvec3 ids = hit ? uvec3(point.primitive, point.owner | point.tile << HIT_TILE_SHIFT, materialOf(point)) : uvec3(NO_INDEX);
     first_hits[at + 1u] = vec4(uintBitsToFloat(ids), hit ? viewDependence(loadMaterial(ids.z)) : 0.0);
 }

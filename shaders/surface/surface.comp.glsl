@@ -45,5 +45,5 @@ void main() {
     float radius = kNoisy ? ownRadius(surface.radius, surface.noise, reach) : surface.radius;
     surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
                                          renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
-                                         hit.w, surface.splat, 0u, 0u);
+                                         hit.w, surface.splat, instance.grid_origin.w, 0u);
 }

@@ -35,7 +35,7 @@ SurfaceInteraction splatInteraction(uint index) {
     uvec4 position = loadSurfaceTexel(index, 0), normal = loadSurfaceTexel(index, 1),
           albedo = loadSurfaceTexel(index, 2), ids = loadSurfaceTexel(index, 3);
     return SurfaceInteraction(asVector(position), asFloat(position.w), asVector(normal), normal.w, asVector(albedo),
-                              asFloat(albedo.w), ids.x, ids.y, 0u, 0u);
+                              asFloat(albedo.w), ids.x, ids.y, ids.z, 0u);
 }
 
 SurfaceInteraction findInteraction(uint index, PathState path, uvec4 hit) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <vector>
 
 #include "format/base/error.h"
 #include "format/set/open_tile.h"
@@ -109,6 +110,37 @@ TEST(TileSets, DiscsAreNotCutAtBorders) {
                 difference.elsewhere);
     EXPECT_GT(difference.hits, difference.rays / 2);
     EXPECT_LE(difference.holes + difference.elsewhere, difference.rays / 100'000);
+}
+
+/// What is hit lies in its tile's core, or within two radii of it, where its disc reaches out of that.
+TEST(TileSets, FirstHitsNameTheirTiles) {
+    const SphereSet sphere;
+    std::vector<std::size_t> hits(sphere.set.tiles.size());
+    std::size_t away = 0, nameless = 0;
+    for (int picture = 0; picture < kPictures; ++picture) {
+        const Film film = renderFile(sphere.folder, lookFrom(picture, 3)).film;
+        for (std::size_t i = 0; i < film.depth.size(); ++i) {
+            const bool hit = std::isfinite(film.depth[i]), named = film.tile_id[i] < hits.size();
+            nameless += hit != named;
+            if (!hit || !named) continue;
+            const SetTile& tile = sphere.set.tiles[film.tile_id[i]];
+            const TileBox core = coreOf(sphere.set, tile);
+            ++hits[film.tile_id[i]];
+            bool inside = film.splat_id[i] < tile.stored;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double at = film.position[3 * i + axis], slack = 2 * sphere.radius;
+                inside &= at > core.low[axis] - slack && at < core.high[axis] + slack;
+            }
+            away += !inside;
+        }
+    }
+    EXPECT_EQ(nameless, 0u);
+    // with rays that graze a disc at a core's border its rounding is far along the ray
+    EXPECT_LE(away, std::size_t{kPictures} * kSide * kSide / 100'000);
+    EXPECT_EQ(hits[0], 0u); // the root, which its children stand for
+    for (std::size_t tile = 1; tile < hits.size(); ++tile) EXPECT_GT(hits[tile], 10'000u) << tile;
+    const Film whole = renderFile(sphere.whole(), lookFrom(0, 3)).film;
+    for (const std::uint32_t tile : whole.tile_id) ASSERT_EQ(tile, NO_INDEX);
 }
 
 double meanDifference(const Film& a, const Film& b) {

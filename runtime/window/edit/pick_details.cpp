@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 
 #include "runtime/coloring/point_classes.h"
 #include "runtime/device_scene/color_choice.h"
@@ -49,35 +48,23 @@ pro_splat splatOf(const DeviceScan& file, std::uint32_t number) {
     return splat;
 }
 
-/// The place in scene.instances of what was picked at a point of its own coordinates. Tiles of a set have one number:
-/// it is the one whose splat of that number is nearest.
-std::size_t pickedInstance(const DeviceScene& scene, const Pick& pick, Vec3 input) {
-    std::size_t place = 0;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Instance& each : scene.instances) {
-        const DeviceScan& file = scene.files[each.file];
-        if (each.number != pick.owner || pick.splat >= file.info.splat_count) continue;
-        const pro_splat splat = splatOf(file, pick.splat);
-        const Vec3 origin{file.info.origin[0], file.info.origin[1], file.info.origin[2]};
-        const Vec3 center{splat.position[0], splat.position[1], splat.position[2]};
-        const double distance = length(origin + file.info.scale * center - input);
-        if (distance < nearest) place = each.place;
-        nearest = std::min(nearest, distance);
-    }
-    return place;
+/// What was picked, a moment ago: it is there. Tiles of a set have one number.
+const Instance& pickedInstance(const DeviceScene& scene, const Pick& pick) {
+    return *std::find_if(scene.instances.begin(), scene.instances.end(),
+                         [&](const Instance& each) { return each.number == pick.owner && each.tile == pick.tile; });
 }
 
 void describeSplat(const DeviceScene& scene, const Pick& pick, PickedPoint& point) {
     const Placement& placement = scene.description.instances.at(pick.owner).placement;
     const Vec3 input = unrotated(placement, pick.position - placement.translation) * (1 / placement.scale);
-    const std::size_t place = pickedInstance(scene, pick, input);
-    const DeviceScan& file = scene.files.at(scene.instances.at(place).file);
+    const Instance& instance = pickedInstance(scene, pick);
+    const DeviceScan& file = scene.files.at(instance.file);
     const pro_splat splat = splatOf(file, pick.splat);
     point.owner = std::filesystem::path(file.path).filename().string();
     point.position = input;
     point.normal = unrotated(placement, pick.normal);
     point.radius = double{splat.radius} * file.info.scale;
-    point.number = numberText(scene, pick, place);
+    point.number = numberText(scene, pick, instance.place);
     if (file.info.flags & PRO_FLAG_COLOR) point.color = {splat.color[0], splat.color[1], splat.color[2]};
 }
 

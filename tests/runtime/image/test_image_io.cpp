@@ -140,6 +140,7 @@ TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
     }
     for (std::uint32_t i = 0; i < pixels; ++i) {
         film.splat_id.push_back(i % 5 == 0 ? 0xFFFFFFFFu : 0xFFFF0000u + i); // no float holds all of them
+        film.tile_id.push_back(3 * i);
         film.instance_id.push_back(i);
         film.material_id.push_back(pixels - i);
         film.samples.push_back(static_cast<float>(i + 1));
@@ -147,12 +148,12 @@ TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
     }
     writeExr(path("a.exr"), film, std::vector<ExrText>{{"pointrt.note", "two words"}});
     const ExrImage image = parseExr(path("a.exr"));
-    EXPECT_EQ(image.names,
-              (std::vector<std::string>{
-                  "A",           "B",         "G",          "N.X",        "N.Y",        "N.Z",      "P.X",
-                  "P.Y",         "P.Z",       "R",          "Z",          "albedo.B",   "albedo.G", "albedo.R",
-                  "caustic.B",   "caustic.G", "caustic.R",  "direct.B",   "direct.G",   "direct.R", "id.instance",
-                  "id.material", "id.splat",  "indirect.B", "indirect.G", "indirect.R", "samples",  "variance"}));
+    EXPECT_EQ(image.names, (std::vector<std::string>{"A",           "B",           "G",        "N.X",      "N.Y",
+                                                     "N.Z",         "P.X",         "P.Y",      "P.Z",      "R",
+                                                     "Z",           "albedo.B",    "albedo.G", "albedo.R", "caustic.B",
+                                                     "caustic.G",   "caustic.R",   "direct.B", "direct.G", "direct.R",
+                                                     "id.instance", "id.material", "id.splat", "id.tile",  "indirect.B",
+                                                     "indirect.G",  "indirect.R",  "samples",  "variance"}));
     const char* colours[] = {"R", "G", "B"};
     for (std::size_t c = 0; c < 3; ++c) {
         expectChannel(image, (std::string("direct.") + colours[c]).c_str(), film.direct, c, 3);
@@ -162,6 +163,7 @@ TEST_F(ImageIo, ExrNamesWhatTheFilmHas) {
         expectChannel(image, colours[c], film.rgba, c, 4);
     }
     EXPECT_EQ(image.words.at("id.splat"), film.splat_id);
+    EXPECT_EQ(image.words.at("id.tile"), film.tile_id);
     EXPECT_EQ(image.words.at("id.instance"), film.instance_id);
     EXPECT_EQ(image.words.at("id.material"), film.material_id);
     EXPECT_EQ(image.channels.at("samples"), film.samples);
