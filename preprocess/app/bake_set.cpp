@@ -209,9 +209,14 @@ private:
         const std::uint64_t points = pointsOf({first, end});
         progress_.begin("block", points);
         for (std::uint32_t block = first; block < end; ++block)
-            bakeBlock(report_.plan, block,
-                      [&](const char*, double share) { progress_.update((block - first + share) / (end - first)); });
+            report_.points_lacking_neighbors += bakeBlock(report_.plan, block, [&](const char*, double share) {
+                                                    progress_.update((block - first + share) / (end - first));
+                                                }).lacking;
         add("block", points, 0);
+        if (report_.points_lacking_neighbors > 0)
+            progress_.note(fmt::format("{} points lie so far apart that not all of their neighbors in other tiles were "
+                                       "read: normals there may differ from those of one file",
+                                       report_.points_lacking_neighbors));
     }
 
     void tiles() {

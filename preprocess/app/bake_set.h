@@ -22,7 +22,8 @@ struct SetReport {
     std::vector<SetStepReport> steps;    ///< those of this process
     std::uint64_t splats = 0, tiles = 0; ///< of the set, where it is done; all levels' tiles
     std::uint64_t bytes = 0;
-    bool done = false; ///< the set stands under its name
+    std::uint64_t points_lacking_neighbors = 0; ///< TileCounts::lacking, of the blocks this process did
+    bool done = false;                          ///< the set stands under its name
     double seconds_total = 0;
 };
 

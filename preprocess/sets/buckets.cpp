@@ -51,6 +51,12 @@ Bucket openBucket(const SetPlan& plan, const PlanTile& tile, const BucketLayout&
     return bucket;
 }
 
+Vec3d positionAt(const char* record, const Bucket& bucket) {
+    Vec3f local;
+    std::memcpy(local.data(), record, sizeof local);
+    return bucket.corner + local.cast<double>();
+}
+
 /// A record that is wanted.
 struct Pick {
     const char* record;
@@ -83,12 +89,6 @@ struct Picking {
             if (!box || box->contains(positionAt(record, bucket)))
                 picks.push_back({record, number, scanAt(record, layout, scan_bytes)});
         }
-    }
-
-    static Vec3d positionAt(const char* record, const Bucket& bucket) {
-        Vec3f local;
-        std::memcpy(local.data(), record, sizeof local);
-        return bucket.corner + local.cast<double>();
     }
 
     /// Scans are runs of points.
@@ -202,10 +202,32 @@ Cloud readBucket(const SetPlan& plan, std::uint32_t tile) {
     return picking.cloud();
 }
 
-BoxPoints readPoints(const SetPlan& plan, std::uint32_t tile, double halo) {
-    const PlanBox core = coreOf(plan, plan.tiles[tile]);
+PlanBox boxAround(const SetPlan& plan, const PlanTile& tile, double halo) {
+    const PlanBox core = coreOf(plan, tile);
     const Vec3d room = Vec3d::Constant(halo);
-    return readBox(plan, tile, PlanBox(core.min() - room, core.max() + room), core.min());
+    return PlanBox(core.min() - room, core.max() + room);
+}
+
+std::uint64_t countPoints(const SetPlan& plan, std::uint32_t tile, double halo, std::uint64_t most) {
+    const BucketLayout layout(plan.schema);
+    const PlanBox box = boxAround(plan, plan.tiles[tile], halo);
+    std::uint64_t count = 0;
+    for (const std::uint32_t each : tilesIn(plan, box)) {
+        if (count > most) break;
+        if (box.contains(coreOf(plan, plan.tiles[each]))) {
+            count += plan.tiles[each].points;
+            continue;
+        }
+        const Bucket bucket = openBucket(plan, plan.tiles[each], layout, false);
+        for (std::uint64_t i = 0; i < bucket.count; ++i)
+            count += box.contains(positionAt(bucket.records + i * layout.record_bytes, bucket));
+    }
+    return count;
+}
+
+BoxPoints readPoints(const SetPlan& plan, std::uint32_t tile, double halo) {
+    const PlanTile& of = plan.tiles[tile];
+    return readBox(plan, tile, boxAround(plan, of, halo), coreOf(plan, of).min());
 }
 
 BoxPoints readPoints(const SetPlan& plan, const PlanBox& box) { return readBox(plan, kNoTile, box, box.min()); }

@@ -23,6 +23,12 @@ struct BoxPoints {
 /// The points of a tile's core alone. Throws Error (kBadInput) naming a bucket that is missing, cut short or damaged.
 Cloud readBucket(const SetPlan& plan, std::uint32_t tile);
 
+/// A tile's core and what lies up to halo away from it, on each axis.
+PlanBox boxAround(const SetPlan& plan, const PlanTile& tile, double halo);
+
+/// How many points readPoints would return, or some number above most where they are more. Throws as readBucket.
+std::uint64_t countPoints(const SetPlan& plan, std::uint32_t tile, double halo, std::uint64_t most);
+
 /// The points of a tile's core and those up to halo away from it, on each axis; same for any order of jobs.
 /// Throws as readBucket.
 BoxPoints readPoints(const SetPlan& plan, std::uint32_t tile, double halo);

@@ -3,11 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pointrt {
 
 double edgeOf(const SetPlan& plan, std::uint32_t level) { return std::ldexp(plan.edge, static_cast<int>(level)); }
+
+std::uint64_t mostPointsAtOnce(std::uint64_t max_memory) {
+    constexpr std::uint64_t kBytesPerPoint = 250, kProgram = 256 << 20;
+    return std::max<std::uint64_t>(2000, (max_memory - std::min(max_memory, kProgram)) / kBytesPerPoint);
+}
 
 PlanBox coreOf(const SetPlan& plan, const PlanTile& tile) {
     const double edge = edgeOf(plan, tile.level);

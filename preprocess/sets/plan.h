@@ -122,6 +122,10 @@ struct SetPlan {
 /// Edge of the cores of a level, input units.
 double edgeOf(const SetPlan& plan, std::uint32_t level);
 
+/// Points whose splats can be estimated at once: that takes some 250 bytes of each, and the program 256 MiB.
+/// @param max_memory bytes that the whole process is to stay below
+std::uint64_t mostPointsAtOnce(std::uint64_t max_memory);
+
 /// A tile's core.
 PlanBox coreOf(const SetPlan& plan, const PlanTile& tile);
 

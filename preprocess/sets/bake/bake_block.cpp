@@ -18,20 +18,32 @@ namespace pointrt {
 
 namespace {
 
-/// The widest halo over the tile's edge: the points in it are then as many as those of three tiles on a surface.
-constexpr double kWidestHalo = 0.5;
+/// A halo that would bring in more points than so many of the plan's largest tiles have is not read: what lies that
+/// unevenly would make one tile take as long as a block.
+constexpr std::uint64_t kMostTiles = 8;
+
+std::uint64_t mostHaloPoints(const SetPlan& plan) {
+    std::uint64_t largest = 0;
+    for (const PlanTile& tile : plan.tiles) largest = std::max(largest, tile.points);
+    return std::min(kMostTiles * largest, mostPointsAtOnce(plan.bake.max_memory));
+}
 
 /// The tile's points and as wide a halo as they need.
-BoxPoints readWithHalo(const SetPlan& plan, const PlanTile& tile, std::uint32_t number) {
-    const double edge = edgeOf(plan, tile.level), widest = kWidestHalo * edge;
+BoxPoints readWithHalo(const SetPlan& plan, std::uint32_t number, TileCounts& counts) {
+    const PlanTile& tile = plan.tiles[number];
+    const double widest_first = edgeOf(plan, tile.level) / 2; // no more points than those of three tiles, on a surface
     const auto neighbors = static_cast<std::size_t>(plan.bake.surface.neighbors);
-    double halo = tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest) : widest;
+    const std::uint64_t most = mostHaloPoints(plan);
+    double width = tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest_first) : widest_first;
     while (true) {
-        BoxPoints points = readPoints(plan, number, halo);
-        const Vec3d low = Vec3d::Constant(-halo), high = Vec3d::Constant(edge + halo);
-        if (halo >= widest || !isHaloTooNarrow(points.cloud.positions, points.core, low, high, halo, neighbors))
+        BoxPoints points = readPoints(plan, number, width);
+        const std::size_t lacking =
+            countLacking(points.cloud.positions, points.core, haloOf(plan, tile, width), neighbors);
+        if (lacking == 0 || countPoints(plan, number, 2 * width, most) > most) {
+            counts.lacking += lacking;
             return points;
-        halo = std::min(2 * halo, widest);
+        }
+        width *= 2;
     }
 }
 
@@ -134,7 +146,7 @@ TileTree treeOf(const SetPlan& plan) {
 
 TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, TileCounts& counts) {
     const PlanTile& tile = plan.tiles.at(number);
-    BoxPoints points = readWithHalo(plan, tile, number);
+    BoxPoints points = readWithHalo(plan, number, counts);
     counts.points += tile.points;
     if (!isSurface(points.cloud.positions)) return noSplats(points.cloud);
     const std::vector<Attribute> attributes = std::exchange(points.cloud.attributes, {});

@@ -22,6 +22,7 @@ struct TileCounts {
     std::uint64_t points = 0, splats = 0;
     std::uint64_t outliers = 0; ///< with those of halos
     std::uint64_t filled = 0;   ///< splats that fill gaps between points
+    std::uint64_t lacking = 0;  ///< points whose neighbours may lie outside of what was read around their tile
 };
 
 /// Estimates the surface around a tile's points by the code that single files use, from these and a halo of others, and

@@ -14,11 +14,23 @@ namespace pointrt {
 /// and half as much is left for where points lie less evenly.
 constexpr double kHaloSpacings = 16;
 
-/// Whether the halo is too narrow: a point of the core has fewer than k neighbours nearer than the halo's rim, and is
-/// not alone in that. A single point or a few, far from all others, are strays whatever lies behind the rim.
+/// The points around a tile's core that have been read.
+struct Halo {
+    double width = 0; ///< input units
+    /// Its rim, relative to the core's corner. Infinitely far on sides behind which the plan has no points.
+    Vec3d low, high;
+
+    /// Whether there are points of the plan outside.
+    bool leavesPointsOut() const { return low.array().isFinite().any() || high.array().isFinite().any(); }
+};
+
+Halo haloOf(const SetPlan& plan, const PlanTile& tile, double width);
+
+/// How many points of the core lack neighbours, as their k-th one is more than half as far away as the halo's rim: then
+/// its own neighbours, which have a say as well, may lie behind it. A single point or a few, far from all others, are
+/// strays whatever lies there, and do not count.
 /// @param core [points]
-/// @param low, high the halo's box, in the cloud's own coordinates
-bool isHaloTooNarrow(const std::vector<Vec3f>& positions, const std::vector<std::uint8_t>& core, const Vec3d& low,
-                     const Vec3d& high, double halo, std::size_t k);
+std::size_t countLacking(const std::vector<Vec3f>& positions, const std::vector<std::uint8_t>& core, const Halo& halo,
+                         std::size_t k);
 
 } // namespace pointrt

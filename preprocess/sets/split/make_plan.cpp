@@ -25,13 +25,6 @@ std::size_t mostCells(std::uint64_t max_memory) {
     return std::clamp(max_memory / kBytesPerCell, kFewest, kMost);
 }
 
-/// Points that a tile may have for a given memory: its bake takes some 250 bytes of each, those of its surroundings
-/// included, which are as many again at worst; and the program's own 256 MiB.
-std::uint64_t mostTilePoints(std::uint64_t max_memory) {
-    constexpr std::uint64_t kBytesPerPoint = 500, kProgram = 256 << 20;
-    return std::max<std::uint64_t>(1000, (max_memory - std::min(max_memory, kProgram)) / kBytesPerPoint);
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -248,7 +241,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     }
     TileChoice choice;
     choice.points_per_tile = request.points_per_tile;
-    choice.most_points = mostTilePoints(request.bake.max_memory);
+    choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // and as many again around them
     choice.leaves_out_strays = request.bake.surface.remove_outliers;
     named(request, [&] {
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);
