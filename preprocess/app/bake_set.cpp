@@ -46,6 +46,7 @@ SetRequest requestOf(const BakeOptions& options) {
     request.bake.index = options.index;
     request.bake.reflectivity = options.reflectivity;
     request.bake.max_memory = options.tiles.max_memory;
+    request.bake.drop_work = options.tiles.step == SetStep::kAll && !options.tiles.keep_work;
     request.settings = tileSetSettings(options);
     return request;
 }
@@ -197,22 +198,22 @@ private:
     }
 
     std::uint64_t pointsOf(BlockRange blocks) const {
-        const SetPlan& plan = report_.plan;
+        const TileRange tiles = tilesOf(report_.plan, blocks);
         std::uint64_t points = 0;
-        for (std::uint32_t i = plan.first_tile_of_block[blocks.first]; i < plan.first_tile_of_block[blocks.end]; ++i)
-            points += plan.tiles[i].points;
+        for (std::uint32_t i = tiles.first; i < tiles.end; ++i) points += report_.plan.tiles[i].points;
         return points;
     }
 
     void blocks() {
-        const auto [first, end] = blocksAsked();
-        const std::uint64_t points = pointsOf({first, end});
+        if (fs::exists(blocksMark(report_.plan))) return;
+        const BlockRange asked = blocksAsked();
+        const std::uint64_t points = pointsOf(asked);
         progress_.begin("block", points);
-        for (std::uint32_t block = first; block < end; ++block)
-            report_.points_lacking_neighbors += bakeBlock(report_.plan, block, [&](const char*, double share) {
-                                                    progress_.update((block - first + share) / (end - first));
-                                                }).lacking;
+        const TileCounts counts = bakeBlocks(report_.plan, asked, threadCount(options_),
+                                             [&](const char*, double share) { progress_.update(share); });
+        report_.points_lacking_neighbors = counts.lacking;
         add("block", points, 0);
+        dropBuckets();
         if (report_.points_lacking_neighbors > 0)
             progress_.note(fmt::format("{} points lie so far apart that not all of their neighbors in other tiles were "
                                        "read: normals there may differ from those of one file",
@@ -228,10 +229,19 @@ private:
         add("tile", points, 0);
     }
 
+    void dropBuckets() const {
+        if (!request_.bake.drop_work) return;
+        writeMark(blocksMark(report_.plan));
+        std::error_code failure; // what cannot be taken away is in nobody's way
+        fs::remove_all(bucketsFolder(report_.plan), failure);
+    }
+
     void levels() {
+        if (fs::exists(levelsMark(report_.plan))) return;
         progress_.begin("levels", report_.plan.points);
-        mergeLevels(report_.plan, options_.tiles.points_per_tile,
+        mergeLevels(report_.plan, options_.tiles.points_per_tile, threadCount(options_),
                     [&](const char*, double share) { progress_.update(share); });
+        if (request_.bake.drop_work) writeMark(levelsMark(report_.plan));
         add("levels", report_.plan.points, 0);
     }
 

@@ -52,7 +52,7 @@ Json toJson(const SetReport& report) {
     json["splats"] = report.splats;
     json["bytes"] = report.bytes;
     json["done"] = report.done;
-    json["space"] = {{"temporary", space.temporary}, {"final", space.final}};
+    json["space"] = {{"temporary", space.temporary}, {"final", space.final}, {"peak", space.peak}};
     json["up"] = vectorJson(plan.world.up);
     json["up_from"] = plan.up_from;
     json["up_reason"] = plan.up_reason;

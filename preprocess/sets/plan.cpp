@@ -25,6 +25,10 @@ std::string nameOf(const PlanTile& tile) {
     return fmt::format("{}-{}-{}-{}", tile.level, tile.cell[0], tile.cell[1], tile.cell[2]);
 }
 
+TileRange tilesOf(const SetPlan& plan, BlockRange blocks) {
+    return {plan.first_tile_of_block.at(blocks.first), plan.first_tile_of_block.at(blocks.end)};
+}
+
 std::vector<std::uint32_t> tilesIn(const SetPlan& plan, const PlanBox& box) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < plan.tiles.size(); ++i) {
@@ -38,11 +42,17 @@ std::vector<std::uint32_t> tilesIn(const SetPlan& plan, const PlanBox& box) {
 
 std::string planFile(const std::string& work) { return work + "/plan.json"; }
 
+std::string bucketsFolder(const SetPlan& plan) { return plan.work + "/buckets"; }
+
 std::string bucketFile(const SetPlan& plan, const PlanTile& tile) {
-    return plan.work + "/buckets/" + nameOf(tile) + ".points";
+    return bucketsFolder(plan) + "/" + nameOf(tile) + ".points";
 }
 
 std::string splitMark(const SetPlan& plan) { return plan.work + "/split.json"; }
+
+std::string blocksMark(const SetPlan& plan) { return plan.work + "/blocks.json"; }
+
+std::string levelsMark(const SetPlan& plan) { return plan.work + "/levels.json"; }
 
 std::string splatsFolder(const SetPlan& plan) { return plan.work + "/splats"; }
 

@@ -80,6 +80,14 @@ struct SetBakeOptions {
     bool index = true;
     float reflectivity = 0;
     std::uint64_t max_memory = std::uint64_t{4} << 30; ///< bytes that the whole process is to stay below
+    /// Take away what is needed no more: buckets once all blocks are baked, splats once all tiles that they reach into
+    /// are made. Of many processes none knows what the others still read.
+    bool drop_work = false;
+};
+
+/// Some of a plan's blocks.
+struct BlockRange {
+    std::uint32_t first = 0, end = 0;
 };
 
 struct SetPlan {
@@ -132,19 +140,32 @@ PlanBox coreOf(const SetPlan& plan, const PlanTile& tile);
 /// "L-X-Y-Z", which files of the tile are called.
 std::string nameOf(const PlanTile& tile);
 
+/// Numbers in plan.tiles of the tiles of some blocks.
+struct TileRange {
+    std::uint32_t first = 0, end = 0;
+};
+TileRange tilesOf(const SetPlan& plan, BlockRange blocks);
+
 /// Numbers in plan.tiles of the tiles whose cores a box reaches into, ascending.
 std::vector<std::uint32_t> tilesIn(const SetPlan& plan, const PlanBox& box);
 
 /// The folders and files of a bake, below its work folder.
-std::string planFile(const std::string& work);                     ///< plan.json
+std::string planFile(const std::string& work); ///< plan.json
+std::string bucketsFolder(const SetPlan& plan);
 std::string bucketFile(const SetPlan& plan, const PlanTile& tile); ///< buckets/L-X-Y-Z.points
 std::string splitMark(const SetPlan& plan);                        ///< there once all buckets are whole
-std::string splatsFolder(const SetPlan& plan);                     ///< splats, of splat files
+/// There once the step is done to its end, by a process that then drops what it was made from.
+std::string blocksMark(const SetPlan& plan);
+std::string levelsMark(const SetPlan& plan);
+std::string splatsFolder(const SetPlan& plan); ///< splats, of splat files
 /// set: the set while it is made, with its folder tiles. Once set.json stands in it, it is renamed to plan.output.
 std::string finishedFolder(const SetPlan& plan);
 
 /// Writes plan.json, whole or not at all. Same plan, same bytes. Throws Error (kCannotWrite).
 void writePlan(const SetPlan& plan);
+
+/// Makes a file of no more than its name. Throws Error (kCannotWrite).
+void writeMark(const std::string& path);
 
 /// Takes down the noise of the plan's scans beside it. Throws Error (kCannotWrite).
 void writeNoise(const SetPlan& plan, const std::vector<float>& noise);

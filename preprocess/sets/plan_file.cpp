@@ -266,6 +266,8 @@ void writePlan(const SetPlan& plan) {
     writeWhole(planFile(plan.work), text + "\n");
 }
 
+void writeMark(const std::string& path) { writeWhole(path, "{}\n"); }
+
 void writeNoise(const SetPlan& plan, const std::vector<float>& noise) {
     writeWhole(noiseFile(plan.work), Json(noise).dump() + "\n");
 }

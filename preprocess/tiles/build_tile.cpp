@@ -19,14 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The tile's own file and its neighbours' in one order for the whole set, so that splats of one position keep theirs.
 GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder) {
-    std::vector<TileKey> sources = tree.neighborsOf(tile);
-    sources.push_back(tile);
-    std::sort(sources.begin(), sources.end());
     GatheredSplats gathered;
+    if (readSplatSummary(folder, tile).head.count == 0)
+        return gathered; // what cleaning moved here has no parent either
     const double edge = edgeOf(set, tile.level);
-    for (const TileKey& source : sources) {
+    for (const TileKey& source : sourcesOf(tree, tile)) {
         const SplatFile file(folder, source);
         if (gathered.splats.attributes.empty()) gathered.splats.attributes = file.schema();
         if (gathered.splats.attributes.size() != file.schema().size())
@@ -34,7 +32,6 @@ GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey
                         splatFileOf(folder, source) + ": has other attributes than its neighbours");
         gatherSplats(tile, edge, source, file.splats(), gathered);
         if (source != tile) continue;
-        if (file.splats().positions.empty()) return {}; // what cleaning moved here has no parent either
         gathered.splats.error = file.head().error;
         gathered.splats.spacing = file.head().spacing;
     }
@@ -90,6 +87,13 @@ std::string pathOf(const SetFolders& folders, const TileKey& tile) {
 }
 
 } // namespace
+
+std::vector<TileKey> sourcesOf(const TileTree& tree, const TileKey& tile) {
+    std::vector<TileKey> sources = tree.neighborsOf(tile);
+    sources.push_back(tile);
+    std::sort(sources.begin(), sources.end());
+    return sources;
+}
 
 std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const TileKey& tile,
                                  const std::vector<LevelCoding>& codings, const SetFolders& folders,

@@ -28,6 +28,10 @@ struct SetFolders {
     std::string splats; ///< of the splat files
 };
 
+/// The tiles whose splat files a tile is made from: its own and its neighbours'. In one order for the whole set, so
+/// that splats of one position keep theirs.
+std::vector<TileKey> sourcesOf(const TileTree& tree, const TileKey& tile);
+
 /// Gathers the tile's splats from its file and its neighbours', builds its octree and index, writes it in place of what
 /// is there, and returns its row of set.json; nothing where no splat's centre lies in its core.
 /// The bytes depend on the splats and the options alone. Throws Error: kBadInput for files missing or damaged,

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "format/base/atomic_file.h"
@@ -252,6 +253,14 @@ SplatFileSummary readSplatSummary(const std::string& folder, const TileKey& tile
     for (const AttributeRecord& each : records)
         summary.attributes.push_back({each.name, each.type, each.components, each.low, each.high});
     return summary;
+}
+
+void dropArrays(const std::string& folder, const TileKey& tile) {
+    const std::string path = splatFileOf(folder, tile);
+    const std::size_t records = readSplatSummary(folder, tile).attributes.size() * sizeof(AttributeRecord);
+    std::error_code failure;
+    std::filesystem::resize_file(path, padded(sizeof(SplatFileHead)) + padded(records), failure);
+    if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
 }
 
 } // namespace pointrt

@@ -58,6 +58,10 @@ private:
     SplatsView view_;
 };
 
+/// Gives back the disk that a file's arrays take; its summary can still be read. Throws Error (kBadInput,
+/// kCannotWrite).
+void dropArrays(const std::string& folder, const TileKey& tile);
+
 /// All of it in memory. Throws Error (kBadInput).
 TileSplats readSplats(const std::string& folder, const TileKey& tile);
 

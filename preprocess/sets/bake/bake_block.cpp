@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "format/base/error.h"
@@ -28,21 +29,28 @@ std::uint64_t mostHaloPoints(const SetPlan& plan) {
     return std::min(kMostTiles * largest, mostPointsAtOnce(plan.bake.max_memory));
 }
 
+/// What has been read of a tile and around it.
+struct TilePoints {
+    PointRoom::Share share;
+    BoxPoints box;
+    std::size_t lacking = 0; ///< TileCounts::lacking
+};
+
 /// The tile's points and as wide a halo as they need.
-BoxPoints readWithHalo(const SetPlan& plan, std::uint32_t number, TileCounts& counts) {
+TilePoints readWithHalo(const SetPlan& plan, std::uint32_t number, PointRoom& room) {
     const PlanTile& tile = plan.tiles[number];
     const double widest_first = edgeOf(plan, tile.level) / 2; // no more points than those of three tiles, on a surface
     const auto neighbors = static_cast<std::size_t>(plan.bake.surface.neighbors);
     const std::uint64_t most = mostHaloPoints(plan);
     double width = tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest_first) : widest_first;
+    std::uint64_t count = countPoints(plan, number, width, most);
     while (true) {
-        BoxPoints points = readPoints(plan, number, width);
-        const std::size_t lacking =
-            countLacking(points.cloud.positions, points.core, haloOf(plan, tile, width), neighbors);
-        if (lacking == 0 || countPoints(plan, number, 2 * width, most) > most) {
-            counts.lacking += lacking;
-            return points;
-        }
+        TilePoints points{room.take(count), readPoints(plan, number, width)};
+        const Cloud& cloud = points.box.cloud;
+        points.lacking = countLacking(cloud.positions, points.box.core, haloOf(plan, tile, width), neighbors);
+        if (points.lacking == 0) return points;
+        count = countPoints(plan, number, 2 * width, most);
+        if (count > most) return points;
         width *= 2;
     }
 }
@@ -144,10 +152,13 @@ TileTree treeOf(const SetPlan& plan) {
     return TileTree(originals);
 }
 
-TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, TileCounts& counts) {
+TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, PointRoom& room,
+                    TileCounts& counts) {
     const PlanTile& tile = plan.tiles.at(number);
-    BoxPoints points = readWithHalo(plan, number, counts);
+    TilePoints read = readWithHalo(plan, number, room);
+    BoxPoints& points = read.box;
     counts.points += tile.points;
+    counts.lacking += read.lacking;
     if (!isSurface(points.cloud.positions)) return noSplats(points.cloud);
     const std::vector<Attribute> attributes = std::exchange(points.cloud.attributes, {});
     SurfaceOptions options = plan.bake.surface;
@@ -164,18 +175,19 @@ TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t num
     return taken;
 }
 
-TileCounts bakeBlock(const SetPlan& plan, std::uint32_t block, const StageProgress& progress) {
+TileCounts bakeBlocks(const SetPlan& plan, BlockRange blocks, std::size_t threads, const StageProgress& progress) {
     const TileTree tree = treeOf(plan);
     const std::string folder = splatsFolder(plan);
     std::filesystem::create_directories(folder);
-    TileCounts counts;
-    const std::uint32_t first = plan.first_tile_of_block.at(block), end = plan.first_tile_of_block.at(block + 1);
-    for (std::uint32_t number = first; number < end; ++number) {
+    const TileRange range = tilesOf(plan, blocks);
+    std::vector<TileCounts> counts(range.end - range.first);
+    PointRoom room(mostPointsAtOnce(plan.bake.max_memory));
+    forTiles(counts.size(), threads, "tiles", progress, [&](std::size_t k) {
+        const auto number = static_cast<std::uint32_t>(range.first + k);
         const TileKey key = keyOf(plan.tiles[number]);
-        if (!hasSplatFile(folder, key)) writeSplats(folder, key, bakeTile(plan, tree, number, counts));
-        if (progress) progress("tiles", double(number + 1 - first) / double(end - first));
-    }
-    return counts;
+        if (!hasSplatFile(folder, key)) writeSplats(folder, key, bakeTile(plan, tree, number, room, counts[k]));
+    });
+    return std::accumulate(counts.begin(), counts.end(), TileCounts{});
 }
 
 } // namespace pointrt

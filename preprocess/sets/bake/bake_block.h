@@ -5,6 +5,7 @@
 #include <string>
 
 #include "preprocess/cloud/stage_progress.h"
+#include "preprocess/sets/bake/lanes.h"
 #include "preprocess/sets/plan.h"
 #include "preprocess/tiles/tile_splats.h"
 #include "preprocess/tiles/tile_tree.h"
@@ -23,6 +24,11 @@ struct TileCounts {
     std::uint64_t outliers = 0; ///< with those of halos
     std::uint64_t filled = 0;   ///< splats that fill gaps between points
     std::uint64_t lacking = 0;  ///< points whose neighbours may lie outside of what was read around their tile
+
+    TileCounts operator+(const TileCounts& other) const {
+        return {points + other.points, splats + other.splats, outliers + other.outliers, filled + other.filled,
+                lacking + other.lacking};
+    }
 };
 
 /// Estimates the surface around a tile's points by the code that single files use, from these and a halo of others, and
@@ -30,9 +36,12 @@ struct TileCounts {
 /// core. A tile whose points make no surface has none. The result depends on the plan and the buckets alone. Throws
 /// Error (kBadInput).
 /// @param number of the tile in the plan
-TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, TileCounts& counts);
+/// @param room of which it takes as many points as it reads
+TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t number, PointRoom& room,
+                    TileCounts& counts);
 
-/// bakeTile and a splat file for each tile of a block that has none yet. progress hears of the stage "tiles".
-TileCounts bakeBlock(const SetPlan& plan, std::uint32_t block, const StageProgress& progress = {});
+/// bakeTile and a splat file for each tile of the blocks that has none yet. progress hears of the stage "tiles".
+/// @param threads that all of it may use
+TileCounts bakeBlocks(const SetPlan& plan, BlockRange blocks, std::size_t threads, const StageProgress& progress = {});
 
 } // namespace pointrt

@@ -17,8 +17,8 @@ namespace pointrt {
 namespace {
 
 /// How many times as far as its k-th neighbour a point's rim must be. Neighbours of neighbours have a say, so once is
-/// too little: of 24,120 points in tiles of 4,000 whose density varies by a hundred, 16 got a normal or radius other
-/// than in the whole cloud with 1, and 3 with 2 (SetTest.TilesOfFewPointsSeeAsFarAsTheyNeed).
+/// too little: of 24,120 points in tiles of 4,000, a corner of them a hundred times as dense as the rest, 3 got a
+/// normal or radius other than in the whole cloud with 1, and none with 2 (SetTest.TilesOfFewPointsSeeAsFarAsTheyNeed).
 constexpr double kTimesAsNear = 2;
 
 /// With so many others that have too few neighbours as well, nearer than its rim, a point is of a surface and no stray:

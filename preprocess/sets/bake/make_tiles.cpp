@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/sets/bake/make_tiles.h"
 
+#include <cmath>
 #include <filesystem>
+#include <memory>
 
 #include "format/base/error.h"
 #include "preprocess/merge/merge_tile.h"
 #include "preprocess/sets/bake/bake_block.h"
+#include "preprocess/sets/bake/lanes.h"
+#include "preprocess/sets/bake/splat_readers.h"
 #include "preprocess/tiles/finish_set.h"
+#include "preprocess/tiles/splat_file.h"
 
 namespace pointrt {
 
 namespace {
+
+std::uint64_t splatsIn(const std::string& folder, const std::vector<TileKey>& tiles) {
+    std::uint64_t splats = 0;
+    for (const TileKey& tile : tiles) splats += readSplatSummary(folder, tile).head.count;
+    return splats;
+}
 
 /// What building tiles needs to know of the whole set.
 struct TileMaker {
@@ -19,54 +30,73 @@ struct TileMaker {
     SetFolders folders;
     std::vector<LevelCoding> codings;
     TileOptions options;
+    mutable PointRoom room;
+    std::unique_ptr<SplatReaders> readers; ///< where splats are dropped
 
     TileMaker(const SetPlan& plan, const std::string& metadata, std::size_t threads)
         : set(latticeOf(plan)), tree(treeOf(plan)), folders{plan.output, splatsFolder(plan)},
-          codings(readLevelCodings(tree, set.edge, folders.splats)) {
+          codings(readLevelCodings(tree, set.edge, folders.splats)), room(mostPointsAtOnce(plan.bake.max_memory)) {
         options = {plan.bake.octree, plan.bake.prune,        plan.bake.pruning, plan.bake.index,
                    threads,          plan.bake.reflectivity, metadata};
         std::filesystem::create_directories(folders.set + "/tiles");
+        if (plan.bake.drop_work)
+            readers = std::make_unique<SplatReaders>(
+                tree, folders.splats, [&](const TileKey& tile) { return findTileRow(folders, tile).has_value(); });
     }
 
     std::optional<SetTile> make(const TileKey& tile) const {
         if (auto row = findTileRow(folders, tile)) return row;
-        return buildTile(set, tree, tile, codings, folders, options);
+        const PointRoom::Share share = room.take(2 * splatsIn(folders.splats, {tile})); // as many come from around it
+        auto row = buildTile(set, tree, tile, codings, folders, options);
+        if (readers) readers->tileIsMade(tile);
+        return row;
     }
 };
 
+/// The merged tiles of a level.
+std::vector<TileKey> mergedTiles(const TileTree& tree, std::uint32_t level) {
+    std::vector<TileKey> merged;
+    for (const TileKey& tile : tree.tiles())
+        if (tile.level == level && !tree.isOriginal(tile)) merged.push_back(tile);
+    return merged;
+}
+
 } // namespace
 
-void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, const StageProgress& progress) {
+void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t threads, const StageProgress& progress) {
     const TileTree tree = treeOf(plan);
     const TileSet set = latticeOf(plan);
     const std::string folder = splatsFolder(plan);
-    const std::vector<TileKey>& tiles = tree.tiles(); // parents first
-    std::size_t done = 0;
-    for (auto tile = tiles.rbegin(); tile != tiles.rend(); ++tile) {
-        if (!tree.isOriginal(*tile) && !hasSplatFile(folder, *tile))
-            mergeTile(folder, *tile, tree.childrenOf(*tile), edgeOf(set, tile->level), tile_splats, set.oriented);
-        if (progress) progress("levels", double(++done) / double(tiles.size()));
+    PointRoom room(mostPointsAtOnce(plan.bake.max_memory));
+    for (std::uint32_t level = 1; level <= tree.root().level; ++level) { // children first
+        const std::vector<TileKey> merged = mergedTiles(tree, level);
+        forTiles(merged.size(), threads, "levels", {}, [&](std::size_t k) {
+            if (hasSplatFile(folder, merged[k])) return;
+            const std::vector<TileKey> children = tree.childrenOf(merged[k]);
+            const PointRoom::Share share = room.take(splatsIn(folder, children));
+            mergeTile(folder, merged[k], children, edgeOf(set, level), tile_splats, set.oriented);
+        });
+        // three quarters of the splats that are left go from level to level
+        if (progress) progress("levels", 1 - std::pow(0.25, level));
     }
 }
 
 void makeBlockTiles(const SetPlan& plan, BlockRange blocks, const std::string& metadata, std::size_t threads,
                     const StageProgress& progress) {
     const TileMaker maker(plan, metadata, threads);
-    const std::uint32_t first = plan.first_tile_of_block.at(blocks.first),
-                        end = plan.first_tile_of_block.at(blocks.end);
-    for (std::uint32_t number = first; number < end; ++number) {
-        maker.make(keyOf(plan.tiles[number]));
-        if (progress) progress("tiles", double(number + 1 - first) / double(end - first));
-    }
+    const TileRange range = tilesOf(plan, blocks);
+    forTiles(range.end - range.first, threads, "tiles", progress,
+             [&](std::size_t k) { maker.make(keyOf(plan.tiles[range.first + k])); });
 }
 
 TileSet makeSet(const SetPlan& plan, const std::string& metadata, std::size_t threads, const StageProgress& progress) {
     TileMaker maker(plan, metadata, threads);
+    const std::vector<TileKey>& tiles = maker.tree.tiles();
+    std::vector<std::optional<SetTile>> made(tiles.size());
+    forTiles(tiles.size(), threads, "tiles", progress, [&](std::size_t k) { made[k] = maker.make(tiles[k]); });
     std::vector<SetTile> rows;
-    for (const TileKey& tile : maker.tree.tiles()) {
-        if (const auto row = maker.make(tile)) rows.push_back(*row);
-        if (progress) progress("tiles", double(rows.size()) / double(maker.tree.tiles().size()));
-    }
+    for (const std::optional<SetTile>& row : made)
+        if (row) rows.push_back(*row);
     if (rows.empty()) throw Error(ExitCode::kBadInput, plan.output + ": no tile has a splat");
     finishSet(maker.set, maker.tree, maker.codings, std::move(rows), maker.folders);
     return maker.set;

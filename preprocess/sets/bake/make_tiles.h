@@ -12,16 +12,14 @@ namespace pointrt {
 /// Splat files of the coarser levels, bottom up. All blocks must have been baked. progress hears of "levels".
 /// Throws Error.
 /// @param tile_splats of a merged tile about so many at the most
-void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, const StageProgress& progress = {});
-
-struct BlockRange {
-    std::uint32_t first = 0, end = 0;
-};
+/// @param threads that all of it may use
+void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t threads,
+                 const StageProgress& progress = {});
 
 /// The tiles of some blocks, for which what is known of the whole set is read once. mergeLevels must have run. progress
 /// hears of "tiles".
 /// @param metadata JSON object for META: TileOptions::metadata
-/// @param threads of all parts of the work that ask; 0: all
+/// @param threads that all of it may use
 void makeBlockTiles(const SetPlan& plan, BlockRange blocks, const std::string& metadata, std::size_t threads,
                     const StageProgress& progress = {});
 

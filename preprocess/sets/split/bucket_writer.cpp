@@ -100,7 +100,7 @@ BucketWriter::BucketWriter(const SetPlan& plan, std::uint64_t most_buffered)
         corners_.push_back(coreOf(plan, tile).min());
     }
     std::error_code failure;
-    const std::string folder = plan.work + "/buckets";
+    const std::string folder = bucketsFolder(plan);
     std::filesystem::create_directories(folder, failure);
     if (failure) throw Error(ExitCode::kCannotWrite, folder + ": " + failure.message());
 }
@@ -251,7 +251,7 @@ bool BucketWriter::goOn(const std::vector<std::uint64_t>& bytes) {
 }
 
 void BucketWriter::beginAnew() {
-    const std::string folder = plan_.work + "/buckets";
+    const std::string folder = bucketsFolder(plan_);
     std::error_code failure;
     std::filesystem::remove_all(folder, failure);
     std::filesystem::create_directories(folder, failure);

@@ -39,6 +39,7 @@ StreamOptions streamOptionsOf(const SetRequest& request);
 /// Bytes that a set takes, about, as measured.
 struct SpaceNeeded {
     std::uint64_t temporary = 0, final = 0;
+    std::uint64_t peak = 0; ///< at once
 };
 SpaceNeeded spaceNeeded(const SetPlan& plan);
 std::string spaceLine(const SetPlan& plan); ///< for people

@@ -53,20 +53,26 @@ SpaceNeeded spaceNeeded(const SetPlan& plan) {
     needed.temporary = plan.points * (BucketLayout(plan.schema).record_bytes + kWaiting + attributes);
     const std::uint64_t each = kTile + attributes + (plan.bake.index ? kIndex : 0);
     needed.final = static_cast<std::uint64_t>(kLevelsAndRepeats * static_cast<double>(plan.points * each));
+    // Splats go as tiles come, but those of coarser tiles, a third of the original ones, and those at the border of
+    // what is made.
+    constexpr std::uint64_t kWaitingToTheEnd = kWaiting / 2;
+    needed.peak = needed.temporary + needed.final;
+    if (plan.bake.drop_work)
+        needed.peak = std::max(needed.temporary + plan.points * kWaitingToTheEnd, // of levels, before tiles
+                               needed.final + plan.points * kWaitingToTheEnd);
     return needed;
 }
 
 std::string spaceLine(const SetPlan& plan) {
     const SpaceNeeded needed = spaceNeeded(plan);
-    return fmt::format("about {} while it is made and {} in the end", gigabytes(needed.temporary),
-                       gigabytes(needed.final));
+    return fmt::format("about {} of disk at most and {} in the end", gigabytes(needed.peak), gigabytes(needed.final));
 }
 
 void requireSpace(const SetPlan& plan) {
     const SpaceNeeded needed = spaceNeeded(plan);
     std::error_code failure;
     const std::filesystem::space_info space = std::filesystem::space(folderOf(plan.output), failure);
-    if (failure || space.available >= needed.temporary + needed.final) return;
+    if (failure || space.available >= needed.peak) return;
     throw Error(ExitCode::kCannotWrite, fmt::format("{}: needs {}; the disk has {} left", plan.output, spaceLine(plan),
                                                     gigabytes(space.available)));
 }

@@ -3,7 +3,9 @@
 #include "preprocess/sets/bake/bake_block.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "format/set/verify_tile.h"
@@ -39,7 +41,7 @@ PlainSplats splatsOf(const SetPlan& plan) {
 }
 
 SetPlan bakeAll(SetPlan plan) {
-    for (std::uint32_t block = 0; block < plan.blocks(); ++block) bakeBlock(plan, block);
+    bakeBlocks(plan, {0, plan.blocks()}, 2);
     return plan;
 }
 
@@ -82,10 +84,8 @@ TEST_F(SetTest, TilesOfFewPointsSeeAsFarAsTheyNeed) {
     SetRequest request = requestOf({folder.write("uneven.csv", text)}, 4000);
     request.bake.surface.clean = 0;
     const SetPlan plan = splitInto("A.proset", request);
-    TileCounts counts;
-    for (std::uint32_t block = 0; block < plan.blocks(); ++block) counts.lacking += bakeBlock(plan, block).lacking;
-    EXPECT_EQ(counts.lacking, 0u);
-    EXPECT_LE(countOtherThanWhole(request, plan), 3u);
+    EXPECT_EQ(bakeBlocks(plan, {0, plan.blocks()}, 2).lacking, 0u);
+    EXPECT_EQ(countOtherThanWhole(request, plan), 0u);
 }
 
 TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
@@ -95,9 +95,9 @@ TEST_F(SetTest, BlocksInAnyOrderAndTwiceGiveTheSameBytes) {
     ASSERT_GE(tiles, 4u);
     one.first_tile_of_block = {0, tiles};
     other.first_tile_of_block = {0, 1, tiles / 2, tiles};
-    bakeBlock(one, 0);
-    for (const std::uint32_t block : {2u, 0u, 1u, 2u}) bakeBlock(other, block);
-    EXPECT_EQ(bakeBlock(other, 1).points, 0u) << "what is done is not done again";
+    bakeBlocks(one, {0, 1}, 1);
+    for (const std::uint32_t block : {2u, 0u, 1u, 2u}) bakeBlocks(other, {block, block + 1}, 4);
+    EXPECT_EQ(bakeBlocks(other, {1, 2}, 4).points, 0u) << "what is done is not done again";
     for (const PlanTile& tile : one.tiles) {
         const std::string bytes = bytesOf(splatFileOf(splatsFolder(one), keyOf(tile)));
         EXPECT_FALSE(bytes.empty());
@@ -125,7 +125,7 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
         levels.insert(tile.level);
     }
     EXPECT_GE(levels.size(), 2u);
-    mergeLevels(plan, 1000);
+    mergeLevels(plan, 1000, 2);
     for (std::uint32_t block = 0; block < plan.blocks(); ++block) makeBlockTiles(plan, {block, block + 1}, "{}", 1);
     makeSet(plan, R"({"writer":"test"})", 1);
     const TileSet set = readTileSet(plan.output);
@@ -139,6 +139,42 @@ TEST_F(SetTest, TheWholeSetIsValidAndHoldsEverySplatOnce) {
     }
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         for (const TileFinding& finding : verifyTile(set, plan.output, i)) ADD_FAILURE() << finding.text;
+}
+
+/// Files of a folder and all below it, by their names in it.
+std::map<std::string, std::string> filesBelow(const std::string& at) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(at))
+        if (entry.is_regular_file()) files[entry.path().lexically_relative(at)] = bytesOf(entry.path());
+    return files;
+}
+
+std::uint64_t bytesBelow(const std::string& at) {
+    std::uint64_t bytes = 0;
+    for (const auto& [name, content] : filesBelow(at)) bytes += content.size();
+    return bytes;
+}
+
+TEST_F(SetTest, SplatsGoAsTheirTilesComeAndTheTilesAreTheSame) {
+    const SetRequest request = requestOf({writeHill("a.csv", 12000), writeHill("b.csv", 12000, 30, 20)});
+    SetPlan keeping = bakeAll(splitInto("A.proset", request)), dropping = bakeAll(splitInto("B.proset", request));
+    dropping.bake.drop_work = true;
+    mergeLevels(keeping, 1000, 2);
+    mergeLevels(dropping, 1000, 2);
+    const std::string splats = splatsFolder(dropping);
+    const std::uint64_t before = bytesBelow(splats);
+    makeSet(keeping, "{}", 2);
+    EXPECT_EQ(bytesBelow(splatsFolder(keeping)), before);
+
+    ASSERT_GE(dropping.blocks(), 2u);
+    makeBlockTiles(dropping, {0, 1}, "{}", 2); // and killed
+    const std::uint64_t between = bytesBelow(splats);
+    EXPECT_LT(between, before);
+    makeSet(dropping, "{}", 2);
+    EXPECT_LT(bytesBelow(splats), between / 4) << "heads are left";
+    EXPECT_EQ(filesBelow(dropping.output), filesBelow(keeping.output));
+    makeSet(dropping, "{}", 2);
+    EXPECT_EQ(filesBelow(dropping.output), filesBelow(keeping.output)) << "of tiles that are there, nothing is read";
 }
 
 /// A flat field with noise of half a spacing: cleaning moves points, some of them across borders of tiles.
@@ -160,8 +196,8 @@ TEST_F(SetTest, WhatCleaningMovesToANeighborIsThere) {
                                                  [](const PositionCode& code) { return !isInCore(code); }));
     }
     EXPECT_GT(moved_out, 10u);
-    mergeLevels(plan, 2500);
-    makeSet(plan, "{}", 1);
+    mergeLevels(plan, 2500, 2);
+    makeSet(plan, "{}", 2);
     const TileSet set = readTileSet(plan.output);
     EXPECT_EQ(set.splats, splats);
     for (std::size_t i = 0; i < set.tiles.size(); ++i)

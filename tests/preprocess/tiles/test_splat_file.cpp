@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -50,6 +51,20 @@ TEST(SplatFile, ReadsWhatWasWritten) {
     EXPECT_EQ(read.attributes[1].values, written.attributes[1].values);
     EXPECT_EQ(read.error, 0.75);
     EXPECT_EQ(read.spacing, 1.5);
+}
+
+TEST(SplatFile, DroppedArraysLeaveTheSummary) {
+    const std::string folder = folderWithFile();
+    const SplatFileSummary before = readSplatSummary(folder, kTile);
+    for (int time = 0; time < 2; ++time) {
+        dropArrays(folder, kTile);
+        const SplatFileSummary after = readSplatSummary(folder, kTile);
+        EXPECT_EQ(std::memcmp(&after.head, &before.head, sizeof after.head), 0);
+        ASSERT_EQ(after.attributes.size(), 2u);
+        EXPECT_EQ(after.attributes[1].name, "heat");
+        EXPECT_FALSE(hasSplatFile(folder, kTile));
+        EXPECT_THROW(readSplats(folder, kTile), Error);
+    }
 }
 
 TEST(SplatFile, SummaryHasTheRanges) {
