@@ -15,6 +15,7 @@
 #include "format/set/open_tile.h"
 #include "runtime/sets/core_reach.h"
 #include "runtime/util/on_error.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
@@ -219,6 +220,7 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
     CutRequest wanted;
     const Placement& placement = scene.description.instances[set.number].placement;
     for (const Camera& camera : request.cameras) wanted.views.push_back(cutView(placement, camera, request.size));
+    wanted.detail = request.detail;
     wanted.memory = request.memory / scene.sets.size();
     wanted.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
     return wanted;
@@ -226,15 +228,14 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
 
 std::string mebibytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
-void tellCoarse(SceneSet& set, std::uint64_t memory) {
+void tellCoarse(SceneSet& set, double detail, std::uint64_t memory) {
     const OpenedSet& opened = set.opened;
     if (opened.cut.fits || std::exchange(set.told_coarse, true)) return;
-    std::fprintf(
-        stderr,
-        "pointrt-view: %s: coarser than the picture would show: %zu tiles fit in %s, and it wants %zu with %s; "
-        "--memory gives more\n",
-        printable(opened.folder).c_str(), opened.cut.tiles.size(), mebibytes(memory).c_str(),
-        opened.wanted.tiles.size(), mebibytes(opened.wanted.bytes).c_str());
+    std::fprintf(stderr,
+                 "pointrt-view: %s: coarser than --detail %s asks for: %zu tiles fit in %s, and it wants %zu with %s; "
+                 "--memory gives more\n",
+                 printable(opened.folder).c_str(), plainText(detail).c_str(), opened.cut.tiles.size(),
+                 mebibytes(memory).c_str(), opened.wanted.tiles.size(), mebibytes(opened.wanted.bytes).c_str());
 }
 
 } // namespace
@@ -322,7 +323,7 @@ bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request) 
     for (const std::string& reason : tiles.lost) tellLost(reason);
     const bool others = standTiles(device, scene, std::move(tiles));
     for (SceneSet& set : scene.sets)
-        if (request.tells_coarse) tellCoarse(set, request.memory / scene.sets.size());
+        if (request.tells_coarse) tellCoarse(set, request.detail, request.memory / scene.sets.size());
     return others;
 }
 

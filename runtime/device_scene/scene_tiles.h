@@ -17,6 +17,7 @@ struct TileRequest {
     std::vector<Camera> cameras; ///< of the scene, at least one
     PixelSize size;              ///< of their pictures
     std::uint64_t memory = 0;    ///< bytes that the tiles of all sets may take, in files and on the device
+    double detail = 1;           ///< CutRequest::detail
     bool painted = false;        ///< splats are painted: they are held once more
     bool tells_coarse = true;    ///< where memory makes a cut coarser
     bool verbose = false;

@@ -63,6 +63,7 @@ TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const L
     TileRequest tiles;
     tiles.cameras = pictureCameras(loaded, request);
     tiles.size = {loaded.settings.width, loaded.settings.height};
+    tiles.detail = loaded.settings.detail;
     tiles.memory = request.roots_alone ? 0 : tileMemory(device, request.memory);
     tiles.tells_coarse = !request.roots_alone;
     const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;

@@ -99,6 +99,13 @@ inline constexpr std::tuple kRenderSettings{
             "Brighten a PNG by 2^STOPS (default {default}, {limits})"},
         InSceneFile{FileTable::kRender, 7, "exposure"},
         kNotInFilm},
+    RenderSetting{&RenderSettings::detail, &RenderChoices::detail,
+        RealRange{0, kMaxPixelSide}, // nothing is larger in a picture
+        OnCommandLine{HelpGroup::kImage, "--detail", "PIXELS",
+            "So large may be what the tiles of a set leave out; 0: all of it at its finest (default {default}, "
+            "{limits})"},
+        InSceneFile{FileTable::kRender, 17, "detail"},
+        kNotInFilm}, // the scene's files tell: with the same tiles a film goes on
     RenderSetting{&RenderSettings::integrator, &RenderChoices::integrator,
         OneOf{kIntegratorNames},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--integrator", "NAME", "{limits} (default {default})"},

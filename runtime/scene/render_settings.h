@@ -74,6 +74,7 @@ struct RenderSettings {
     bool light_parts = true;               ///< also fill its direct, indirect and caustic: to go on later, or to keep
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
+    float detail = 1; ///< pixels: what a tile of a set leaves out may be so large (CutRequest::detail of runtime/sets)
 };
 
 /// What the command line or a scene file says of them; empty where it is silent.
@@ -91,7 +92,7 @@ struct RenderChoices {
     std::optional<ValueRange> color_range;
     std::optional<bool> legend;
     std::optional<DenoiseChoice> denoise;
-    std::optional<float> exposure;
+    std::optional<float> exposure, detail;
     bool operator==(const RenderChoices&) const = default;
 };
 

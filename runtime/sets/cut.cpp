@@ -86,8 +86,10 @@ private:
         in_cut_[tile] = true;
         cut_.bytes += bytesOf(tile);
         const double pixels = pixelsOf(tile);
-        if (pixels > kFinePixels && mayRefine(tile)) queue_.push({pixels, tile});
+        if (!isFine(pixels) && mayRefine(tile)) queue_.push({pixels, tile});
     }
+
+    bool isFine(double pixels) const { return std::min<double>(pixels, kMaxPixelSide) <= request_.detail; }
 
     bool mayRefine(std::uint32_t tile) const {
         const auto is_lost = [&](std::uint32_t child) { return marked(request_.lost, child); };

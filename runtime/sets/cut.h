@@ -18,8 +18,6 @@ struct CutView {
     std::uint32_t height = 1; ///< pixels
 };
 
-/// A tile is fine enough where what it leaves out, its error or the distance of its splats, is no larger than this.
-constexpr double kFinePixels = 1;
 /// What no camera sees is met by scattered and mirrored rays alone, which spread: a pixel is so many times as large
 /// there. Two levels; a set's levels are twice as coarse each.
 constexpr double kUnseenPixel = 4;
@@ -28,7 +26,10 @@ constexpr double kUnseenPixel = 4;
 constexpr std::uint64_t kTileMemory = std::uint64_t{2} << 30;
 
 struct CutRequest {
-    std::vector<CutView> views;      ///< at least one: pixels are those of whichever sees most of them
+    std::vector<CutView> views; ///< at least one: pixels are those of whichever sees most of them
+    /// Pixels: a tile is fine enough where what it leaves out, its error or the distance of its splats, is no larger.
+    /// With 0 none is that has finer ones; with kMaxPixelSide or more, which no picture has, every one is.
+    double detail = RenderSettings{}.detail;
     std::uint64_t memory = 0;        ///< bytes that the tiles may take, but for the root's, which is always there
     std::uint32_t splat_bytes = 0;   ///< that a stored splat takes besides the file
     std::vector<bool> wanted_unseen; ///< of each tile, or empty: many rays meet it though no camera sees it

@@ -119,6 +119,52 @@ case_other_options_and_inputs_are_refused() {
     expectDone pointrt-info out/site.proset --verify
 }
 
+# view DETAIL [OPTION ...]: renders out/site.proset; $tiles is how many tiles that took.
+view() {
+    local detail=$1
+    shift
+    expectDone pointrt-view out/site.proset --detail "$detail" --size 64x48 --spp 1 --stats view.json -o picture.png "$@"
+    tiles=$(jsonValue view.json sets.tiles)
+}
+
+case_detail_is_how_much_may_be_left_out() {
+    local original all
+    bakeHills out/site.proset --stats stats.json
+    original=$(number original_tiles stats.json)
+    view 0
+    all=$tiles
+    [ "$all" = "$original" ] || fail "$all tiles at the finest, of $original"
+    view 2
+    [ "$tiles" -gt 1 ] && [ "$tiles" -lt "$all" ] || fail "$tiles tiles at two pixels, of $all"
+    view 16384
+    [ "$tiles" = 1 ] || fail "$tiles tiles where the root is enough"
+    view 0 --memory 1M
+    [ "$tiles" -lt "$all" ] || fail "$tiles tiles in a mebibyte"
+    [ "$(grep -c "coarser than --detail 0 asks for: $tiles tiles fit in 1 MiB, and it wants $all " stderr)" = 1 ] ||
+        fail "it does not say once what memory left out"
+}
+
+case_detail_in_the_window() {
+    bakeHills out/site.proset
+    printf '%s\n' 'pointrt-recording 1 window 160x120 scale 1' '0 wait 4' '5 key down F12' '5 key up F12' \
+        '6 key down Control' '6 key down S' '7 key up S' '7 key up Control' '12 quit' >user.txt
+    (cd out && expectDone pointrt-view site.proset --replay ../user.txt --offscreen --detail 0 --spp 4)
+    grep -q '^detail = 0' out/site-1.toml || fail "the scene does not keep the detail"
+    expectDone pointrt-view out/site-1.toml -o file.png
+    cmp out/site-1.png file.png || fail "the window's picture is not the file's"
+    expectDone pointrt-view out/site-1.toml --detail 16384 -o coarse.png
+    ! cmp -s coarse.png file.png || fail "the root shows as much as all tiles"
+}
+
+case_usage_of_detail() {
+    local value
+    for value in -1 16385 much nan ""; do
+        expectError 2 "--detail: " pointrt-view out/site.proset --detail "$value" -o out/a.png
+    done
+    printf '[[instance]]\nfile = "site.proset"\n[render]\ndetail = -1\n' >site.toml
+    expectError 1 'site.toml:4: key "render.detail": ' pointrt-view site.toml -o out/a.png
+}
+
 case_usage() {
     hill 2000 >a.xyz
     expectError 2 "--step is for tile sets" pointrt-bake -q a.xyz -o out/a.pro --step plan

@@ -10,6 +10,7 @@
 #include "runtime/film/film_signature.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
+#include "runtime/util/parse.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/pick_details.h"
 #include "runtime/window/edit/rework.h"
@@ -149,6 +150,7 @@ void Window::streamTiles() {
     TileRequest request;
     request.cameras = {view.camera};
     request.size = view.size;
+    request.detail = loaded_->settings.detail;
     request.memory = static_cast<std::uint64_t>(kCutShare * static_cast<double>(loaded_->scene.tile_cache_bytes));
     const std::vector<InstanceDescription>& instances = loaded_->scene.description.instances;
     request.painted = std::any_of(instances.begin(), instances.end(),
@@ -173,7 +175,7 @@ void Window::showTiles(TileJob& job, const TileView& view) {
     if (job.isLast()) tiles_for_ = view;
     const auto fits = [](const OpenedSet& set) { return set.cut.fits; };
     if (job.isLast() && !std::all_of(tiles.sets.begin(), tiles.sets.end(), fits) && !std::exchange(told_coarse_, true))
-        tell("coarser than the picture would show: --memory gives more", false);
+        tell("coarser than --detail " + plainText(loaded_->settings.detail) + " asks for: --memory gives more", false);
     const auto before = static_cast<double>(scene.instances.size());
     if (!standTiles(host_.device(), scene, std::move(tiles))) return;
     uploadSceneTables(host_.device(), scene, loaded_->settings);

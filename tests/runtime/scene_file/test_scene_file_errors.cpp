@@ -27,7 +27,7 @@ TEST_F(SceneFile, RefusesUnknownKeysByTheNearestOne) {
         refusal("[render]\nroom = 'none'"),
         "scene.toml:2: key \"render.room\": unknown key \"room\"; render has integrator, bounces, spp, size, "
         "seed, denoise, exposure, lights, shadows, caustics, blend, reflectivity, color_by, color_map, color_range, "
-        "legend");
+        "legend, detail");
     EXPECT_EQ(refusal("[material.gold]\n[[instance]]\nfile = 'statue.pro'\nmaterial = 'godl'"),
               "scene.toml:4: key \"instance[0].material\": there is no [material.godl], did you mean \"gold\"?");
 }

@@ -90,6 +90,7 @@ private:
         const double low = point().x;
         maybe(said.color_range, ValueRange{low, low + 1e6});
         maybe(said.legend, chance());
+        maybe(said.detail, single(16384));
     }
 
     MaterialDescription material(const std::string& name) {

@@ -49,6 +49,7 @@ TEST(Options, HasTheDefaultsOfTheContract) {
     EXPECT_EQ(settings.spp, 4u);
     EXPECT_EQ(settings.integrator, Integrator::kPhong);
     EXPECT_EQ(settings.camera.fov_deg, 40);
+    EXPECT_EQ(settings.detail, 1);
     EXPECT_TRUE(settings.shadows && settings.blend && settings.caustics);
     EXPECT_FALSE(settings.room || settings.lights || settings.reflectivity || settings.first_hits);
     EXPECT_EQ(options.view, "");

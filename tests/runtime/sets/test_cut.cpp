@@ -81,6 +81,43 @@ TEST(Cut, EndsWhereWhatIsLeftOutIsBelowAPixel) {
     EXPECT_EQ(cutOf(set, requestOf(fromTheLeft(4))).tiles, Numbers{0});              // 0.8
 }
 
+TEST(Cut, DetailIsHowManyPixelsMayBeLeftOut) {
+    const TileSet set = rowOfFour();
+    CutRequest request = requestOf(fromTheLeft(100)); // 20, 10 and 3.3 pixels
+    EXPECT_EQ(request.detail, 1);
+    request.detail = 4;
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    request.detail = 9.9;
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    request.detail = 10.1;
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{1, 2}));
+    request.detail = 20.1;
+    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+}
+
+TEST(Cut, WithoutPixelsToLeaveOutAllIsAtItsFinest) {
+    const TileSet set = rowOfFour();
+    CutRequest request = requestOf(fromTheLeft(1)); // a fifth of a pixel
+    request.views[0].camera.forward = {-1, 0, 0};   // and nobody looks
+    request.views[0].camera.right = {0, 1, 0};
+    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+    request.detail = 0;
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{3, 4, 5, 6}));
+    request.memory = 399; // as ever
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    EXPECT_FALSE(cutOf(set, request).fits);
+}
+
+TEST(Cut, NothingIsLargerThanAPicture) {
+    const TileSet set = rowOfFour();
+    CutRequest request = requestOf(fromTheLeft(100));
+    request.views[0].camera.eye = {1.5, 0.5, 0.5}; // within: what is left out is infinitely large
+    request.detail = kMaxPixelSide - 1;
+    EXPECT_EQ(cutOf(set, request).tiles, (Numbers{2, 3, 4}));
+    request.detail = kMaxPixelSide;
+    EXPECT_EQ(cutOf(set, request).tiles, Numbers{0});
+}
+
 TEST(Cut, MemoryEndsItWhereTheNextTileWouldPassIt) {
     const TileSet set = rowOfFour();
     CutRequest request = requestOf(fromTheLeft(100));
