@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRounds = 40;
 /// From here on nobody sees the rest.
-constexpr double kDone = 0.002;
+constexpr double kDone = 0.0005;
 /// What is nearer to the eye than this share of the distance to the middle is taken for as far.
 constexpr double kNearShare = 0.05;
 

@@ -28,6 +28,18 @@ double meanDistance(const SceneSample& sample, Vec3 eye) {
     return sum / static_cast<double>(sample.splats.size());
 }
 
+/// Sides and places are many, and are told apart by a part of the sample: at even steps so many, or up to twice as
+/// many.
+constexpr std::size_t kChoosing = 8192;
+
+SceneSample thinned(const SceneSample& sample) {
+    SceneSample some = sample;
+    const std::size_t step = std::max<std::size_t>(1, sample.splats.size() / kChoosing);
+    some.splats.clear();
+    for (std::size_t i = 0; i < sample.splats.size(); i += step) some.splats.push_back(sample.splats[i]);
+    return some;
+}
+
 ViewChoice chosen(const CameraRequest& request, const SceneSample& sample, Vec3 up) {
     if (!request.view) return chooseView(sample, up);
     if (*request.view != StandardView::kSensor) return {sideOf(*request.view, up), {}};
@@ -85,7 +97,7 @@ FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, V
     const SceneSample sample = withoutStrays(all);
     // an --up of the picture's own is no scene's: it looks along the side it has
     const bool tilted = !request.view && request.up && length(cross(*request.up, up)) > 1e-6 * length(*request.up);
-    const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, sample, up);
+    const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, thinned(sample), up);
     const Vec3 picture_up = request.view ? upIn(*request.view, up) : tilted ? *request.up : up;
     const Vec3 level = usable(picture_up, choice.side);
     if (!choice.eye || request.ortho || request.ortho_height)

@@ -20,16 +20,18 @@ constexpr int kPictures = 10;
 /// What two tiles of the same splats may make of one hit: cells round their discs, and surfaces lie between them.
 constexpr double kSameShare = 0.02; // of a radius
 
-/// Eight tiles of something around the point where they meet, and the root with the same splats.
+/// Eight tiles of something around the point where they meet, and the root, of the same splats where nothing is said.
 struct CutInEight {
-    explicit CutInEight(const Splats& splats) : radius(static_cast<double>(splats.radii[0])) {
-        set = writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, splats);
+    explicit CutInEight(const Splats& splats) : CutInEight(splats, splats) {}
+    CutInEight(const Splats& splats, const Splats& root) : radius(static_cast<double>(splats.radii[0])) {
+        set = writeHandCutSet(folder, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, splats.radii[0]}, splats, root);
     }
     ~CutInEight() { std::filesystem::remove_all(folder); }
     CutInEight(const CutInEight&) = delete;
     CutInEight& operator=(const CutInEight&) = delete;
     std::string whole() const { return tilePath(folder, set.tiles[0]); }
-    std::string folder = temporaryPath("eight.proset");
+    static inline int made = 0;
+    std::string folder = temporaryPath("eight" + std::to_string(++made) + ".proset");
     double radius;
     TileSet set;
 };
@@ -164,6 +166,24 @@ TEST(TileSets, LightIsThatOfOneFile) {
                        tiles = renderFile(sphere.folder, settings).film;
             EXPECT_LT(meanDifference(whole, tiles), 2e-4) << static_cast<int>(integrator);
         }
+}
+
+/// A ball, and beside it a sparse one; of the root's splats there is the ball alone.
+TEST(TileSets, ThePictureIsFramedAsThatOfOneFile) {
+    Splats both = sphereSplats(20000, Vec3f(-0.5f, 0, 0), 0.6f);
+    const Splats ball = both, sparse = sphereSplats(4000, Vec3f(0.7f, 0.2f, 0.3f), 0.4f);
+    both.positions.insert(both.positions.end(), sparse.positions.begin(), sparse.positions.end());
+    both.normals.insert(both.normals.end(), sparse.normals.begin(), sparse.normals.end());
+    both.radii.assign(both.positions.size(), both.radii[0]);
+    const CutInEight same_root(both), other_root(both, ball);
+    const Camera of_file = renderFile(same_root.whole(), square(64)).camera;
+    const double distance = length(of_file.eye);
+    EXPECT_GT(length(of_file.eye - renderFile(other_root.whole(), square(64)).camera.eye), 0.1 * distance);
+    for (const CutInEight* set : {&same_root, &other_root}) {
+        const Camera of_set = renderFile(set->folder, square(64)).camera;
+        EXPECT_LT(length(of_set.eye - of_file.eye), 0.005 * distance);
+        EXPECT_GT(dot(of_set.forward, of_file.forward), 0.99999);
+    }
 }
 
 TEST(TileSets, TheParentOfALostTileIsDrawn) {
