@@ -2,6 +2,7 @@
 # pointrt_room(TARGET PURPOSE "one line" [SOURCES file...] [USES target...]): this folder as a library. USES are the
 # rooms whose headers it may include; they are linked. tests/structure holds the includes against that.
 # pointrt_folder(FOLDER PURPOSE "one line" [USES folder...]): the same of a folder that is no library of C++.
+# pointrt_room_objects(RESULT ROOM...): the objects of these rooms and of all that they use, pointrt_pro's left out.
 # pointrt_write_rooms(): FOLDER|uses, space apart|purpose of each room, to rooms.txt in the build folder.
 include_guard(GLOBAL)
 
@@ -31,6 +32,30 @@ function(pointrt_room target)
     list(APPEND folders ${used_folder})
   endforeach()
   pointrt_folder(${folder} PURPOSE "${arg_PURPOSE}" USES ${folders})
+endfunction()
+
+function(pointrt_room_objects result)
+  set(rooms ${ARGN})
+  set(objects "")
+  set(met "")
+  while(rooms)
+    list(POP_FRONT rooms room)
+    get_target_property(type ${room} TYPE)
+    if(room IN_LIST met OR room MATCHES "^pointrt(_|::)pro$")
+      continue()
+    endif()
+    list(APPEND met ${room})
+    if(type STREQUAL "STATIC_LIBRARY")
+      list(APPEND objects $<TARGET_OBJECTS:${room}>)
+    endif()
+    get_target_property(used ${room} INTERFACE_LINK_LIBRARIES)
+    foreach(each IN LISTS used)
+      if(TARGET ${each} AND each MATCHES "^pointrt_")
+        list(APPEND rooms ${each})
+      endif()
+    endforeach()
+  endwhile()
+  set(${result} ${objects} PARENT_SCOPE)
 endfunction()
 
 function(pointrt_write_rooms)

@@ -42,18 +42,13 @@ struct Constants {
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
-    std::vector<SpecConstant> values{{SPEC_UNEVEN, c.instance.uneven},
-                                     {SPEC_ORIENTED, c.instance.oriented},
-                                     {SPEC_NOISY, c.instance.noisy},
-                                     {SPEC_CORED, c.instance.cored},
-                                     {SPEC_SKY_IMAGE, c.sky_image},
-                                     {SPEC_INTEGRATOR, c.integrator},
-                                     {SPEC_FEATURES, c.features},
-                                     {SPEC_CAMERA_PASS, c.camera_pass},
-                                     {SPEC_GATHERS_PHOTONS, c.gathers_photons},
-                                     {SPEC_SHAPE_KINDS, c.shape_kinds}};
-    if (!isPaged(c.instance.pages)) return values;
-    for (const SpecConstant& each : pageConstants(c.instance.pages)) values.push_back(each);
+    std::vector<SpecConstant> values = traitConstants(c.instance);
+    values.insert(values.end(), {{SPEC_SKY_IMAGE, c.sky_image},
+                                 {SPEC_INTEGRATOR, c.integrator},
+                                 {SPEC_FEATURES, c.features},
+                                 {SPEC_CAMERA_PASS, c.camera_pass},
+                                 {SPEC_GATHERS_PHOTONS, c.gathers_photons},
+                                 {SPEC_SHAPE_KINDS, c.shape_kinds}});
     return values;
 }
 
@@ -80,12 +75,6 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
     // beams have one program for all instances, and the cores of files are their grids
     constants.instance.cored = !scene.sets.empty();
     return constants;
-}
-
-InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
-    const DeviceScan& file = scene.files[instance.file];
-    return {file.index.uneven != 0, instance.oriented, file.noisy, instance.tile.has_value(),
-            isPaged(file.pages) ? file.pages : PageCounts{}};
 }
 
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,

@@ -2,27 +2,18 @@
 // The tracer's compute programs. Those that look into an instance are built for what it is like.
 #pragma once
 
-#include <compare>
 #include <map>
 #include <span>
 
 #include "runtime/device_scene/device_scene.h"
-#include "runtime/gpu/paged_buffer.h"
 #include "runtime/gpu/program.h"
+#include "runtime/tracer/instance_traits.h"
 #include "runtime/tracer/pass_form.h"
 
 namespace pointrt {
 
 struct CausticMap;
 struct FrameBuffers;
-
-/// What programs know of an instance: whether it is uneven, oriented, noisy and a tile (shaders/trace/instance.glsl),
-/// and where it has several, its pages (shaders/frame/pages.glsl).
-struct InstanceTraits {
-    bool uneven = false, oriented = false, noisy = false, cored = false;
-    PageCounts pages; ///< all 0 where each buffer has one
-    auto operator<=>(const InstanceTraits&) const = default;
-};
 
 struct InstancePrograms {
     Program trace_primary, camera_surface;

@@ -65,6 +65,11 @@ enum class Binding : std::uint32_t {};
 #define BINDING_PHOTON_BUCKETS POINTRT_BINDING(32)
 #define BINDING_PHOTONS POINTRT_BINDING(33)
 
+// Those of rays that come in batches (runtime/trace/cast_slot.cpp).
+#define BINDING_CAST_RAYS POINTRT_BINDING(58)
+#define BINDING_CAST_HITS POINTRT_BINDING(59)
+#define BINDING_CAST_STOPPED POINTRT_BINDING(60)
+
 // Pages after the first, in set SET_PAGES (runtime/gpu/paged_buffer.h).
 #define BINDING_BRICK_PAGES POINTRT_BINDING(0)
 #define BINDING_CELL_PAGES POINTRT_BINDING(1)

@@ -46,6 +46,7 @@ FNR == 1 {
     split($0, parts, "\"")
     included = parts[2]
     if (included ~ /\.spv\.h$/) next # compiled shaders
+    if (included ~ /^pointrt\/trace/) included = "runtime/include/" included
     if (included ~ /^pointrt\//) included = "format/include/" included
     other = folderOf(included)
     if (other == room) next

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene's files say of their splats besides position, normal and colour.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pointrt/trace.hpp"
+#include "runtime/device_scene/device_scene.h"
+
+namespace pointrt {
+
+/// Those that the files of all instances have alike.
+std::vector<SceneAttribute> sceneAttributes(const DeviceScene& scene);
+
+/// As TraceScene::readAttribute.
+void gatherAttribute(const DeviceScene& scene, const std::string& name, std::span<const std::uint32_t> splats,
+                     std::span<const std::uint32_t> instances, std::span<std::byte> values);
+
+} // namespace pointrt

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/tracer/instance_traits.h"
+
+namespace pointrt {
+
+InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
+    const DeviceScan& file = scene.files[instance.file];
+    return {file.index.uneven != 0, instance.oriented, file.noisy, instance.tile.has_value(),
+            isPaged(file.pages) ? file.pages : PageCounts{}};
+}
+
+std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},
+                                     {SPEC_ORIENTED, traits.oriented},
+                                     {SPEC_NOISY, traits.noisy},
+                                     {SPEC_CORED, traits.cored}};
+    if (!isPaged(traits.pages)) return values;
+    for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
+    return values;
+}
+
+} // namespace pointrt

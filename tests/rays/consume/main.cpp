@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// consume_trace FILE.pro MISSING.pro: a ray onto splat 0 of the tiny scene (tests/format/tiny_scene.h), then an error.
+#include <pointrt/trace.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+int main(int argc, char** argv) {
+    if (argc != 3) return 1;
+    const pointrt::TraceDevice device;
+    const pointrt::TraceScene scene(device, {argv[1]});
+    const std::vector<double> rays{10.5, 20.75, 31, 0, 0, -1};
+    std::vector<double> t(1);
+    scene.castRays(std::span<const double>(rays), {}, {.t_hit = t});
+    if (std::abs(t[0] - 0.5) > 1e-5) return 2;
+    try {
+        pointrt::TraceScene(device, {argv[2]});
+    } catch (const pointrt::TraceError& error) {
+        return error.kind == pointrt::TraceError::Kind::kBadInput && std::puts("hit") >= 0 ? 0 : 3;
+    }
+    return 4;
+}
