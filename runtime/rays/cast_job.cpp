@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/cast_job.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "format/base/error.h"
+#include "format/base/report_file.h"
+#include "runtime/rays/input/ray_source.h"
+#include "runtime/rays/output/hit_sink.h"
+#include "runtime/util/render_progress.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds that this thread was busy with each part, or waited for it; reading goes on beside the others.
+struct Seconds {
+    double open = 0, read = 0, cast = 0, write = 0, total = 0;
+};
+
+struct Outcome {
+    std::uint64_t rays = 0, hits = 0;
+    Seconds seconds;
+};
+
+/// Adds the time that work takes to seconds, and returns what it does.
+template <typename Work>
+auto timed(double& seconds, const Work& work) {
+    struct Stop {
+        double& seconds;
+        Clock::time_point start = Clock::now();
+        ~Stop() { seconds += std::chrono::duration<double>(Clock::now() - start).count(); }
+    } const stop{seconds};
+    return work();
+}
+
+ExitCode exitCodeOf(const TraceError& error) { return static_cast<ExitCode>(error.kind); }
+
+/// The block's hits in columns. Errors name the ray where it came from.
+std::size_t castBlock(const TraceScene& scene, const RaySource& source, const RayBlock& block, const RayLimits& limits,
+                      std::span<HitColumn> columns) {
+    try {
+        return fillColumns(scene, block.rows(), limits, columns);
+    } catch (const RayError& error) {
+        throw Error(exitCodeOf(error), source.placeOf(block, error.ray) + ": " + error.reason);
+    }
+}
+
+/// The device lives on in the scene.
+TraceScene openScene(const CastOptions& options, std::string& device_name) {
+    const TraceDevice device(options.device);
+    device_name = device.name();
+    return TraceScene(device, options.scene);
+}
+
+/// While a block is cast, the next one is read.
+Outcome castAll(const TraceScene& scene, RaySource& source, HitSink& sink, std::vector<HitColumn>& columns,
+                const CastOptions& options) {
+    Outcome outcome;
+    RenderProgress progress(options.quiet, options.verbose, false);
+    RayBlock block, next;
+    bool more = timed(outcome.seconds.read, [&] { return source.next(block); });
+    while (more) {
+        std::future<bool> reading = std::async(std::launch::async, [&] { return source.next(next); });
+        outcome.hits +=
+            timed(outcome.seconds.cast, [&] { return castBlock(scene, source, block, options.limits, columns); });
+        timed(outcome.seconds.write, [&] { sink.add(columns, block.first); });
+        outcome.rays = block.first + block.rows().count;
+        if (const auto count = source.count())
+            progress.update(static_cast<double>(outcome.rays) / static_cast<double>(*count));
+        more = timed(outcome.seconds.read, [&] { return reading.get(); });
+        std::swap(block, next);
+    }
+    progress.finish();
+    return outcome;
+}
+
+double raysPerSecond(const Outcome& outcome) {
+    return outcome.seconds.cast > 0 ? static_cast<double>(outcome.rays) / outcome.seconds.cast : 0;
+}
+
+std::uint64_t peakRssBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux tells KiB
+}
+
+std::string reportOf(const Outcome& outcome, const std::string& device, std::uint64_t splats) {
+    const Seconds& s = outcome.seconds;
+    const nlohmann::ordered_json json = {
+        {"device", device},
+        {"splats", splats},
+        {"rays", outcome.rays},
+        {"hits", outcome.hits},
+        {"mrays_per_second", 1e-6 * raysPerSecond(outcome)},
+        {"seconds", {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}}},
+        {"peak_rss_bytes", peakRssBytes()}};
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+void castInto(const CastOptions& options) {
+    double total = 0, open = 0;
+    Outcome outcome;
+    std::string device;
+    std::uint64_t splats = 0;
+    timed(total, [&] {
+        const std::unique_ptr<RaySource> source = openRays(options.rays);
+        const SinkRequest request{options.output, source->count(), options.any};
+        sinkKind(request); // before anything takes time
+        if (!options.stats.empty()) requireReportWritable(options.stats);
+        const TraceScene scene = timed(open, [&] { return openScene(options, device); });
+        splats = scene.splatCount();
+        std::vector<HitColumn> columns = options.any ? anyColumns() : hitColumns(scene, options.attributes);
+        const std::unique_ptr<HitSink> sink = openSink(request, columns);
+        outcome = castAll(scene, *source, *sink, columns, options);
+        timed(outcome.seconds.write, [&] { sink->finish(); });
+    });
+    outcome.seconds.open = open;
+    outcome.seconds.total = total;
+    if (options.verbose)
+        std::fprintf(stderr, "%llu rays, %llu hits; %.2f million rays a second on %s\n",
+                     static_cast<unsigned long long>(outcome.rays), static_cast<unsigned long long>(outcome.hits),
+                     1e-6 * raysPerSecond(outcome), device.c_str());
+    if (!options.stats.empty()) writeReport(options.stats, reportOf(outcome, device, splats));
+}
+
+} // namespace
+
+void runCast(const CastOptions& options) {
+    try {
+        castInto(options);
+    } catch (const TraceError& error) {
+        throw Error(exitCodeOf(error), error.what());
+    }
+}
+
+} // namespace pointrt

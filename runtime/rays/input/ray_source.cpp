@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/input/ray_source.h"
+
+#include <utility>
+
+#include "runtime/rays/input/byte_input.h"
+#include "runtime/rays/input/csv_rays.h"
+#include "runtime/rays/input/npy_header.h"
+#include "runtime/rays/input/npy_rays.h"
+
+namespace pointrt {
+
+std::unique_ptr<RaySource> openRays(const std::string& path) {
+    auto input = std::make_unique<ByteInput>(path);
+    const bool is_array = input->beginsWith(kNpyMagic);
+    return is_array ? npyRays(std::move(input)) : csvRays(std::move(input));
+}
+
+} // namespace pointrt

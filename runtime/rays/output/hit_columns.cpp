@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/output/hit_columns.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+
+#include "format/base/error.h"
+#include "pointrt/pro.h"
+
+namespace pointrt {
+namespace {
+
+constexpr const char* kHit = "hit";
+
+HitColumn attributeColumn(const std::vector<SceneAttribute>& all, const std::string& name) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const SceneAttribute& each) { return each.name == name; });
+    if (found != all.end()) return {name, found->type, found->components, false, true};
+    std::string there;
+    for (const SceneAttribute& each : all) there += (there.empty() ? "" : ", ") + each.name;
+    throw Error(ExitCode::kBadUsage,
+                "--attributes: there is no " + name + ", but " + (there.empty() ? "none at all" : there));
+}
+
+HitColumn& mutableColumn(std::span<HitColumn> columns, const std::string& name) {
+    return *std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
+}
+
+template <typename Number>
+void appendAs(const HitColumn& column, std::size_t number, std::string& text) {
+    Number value;
+    std::memcpy(&value, column.values.data() + number * sizeof value, sizeof value);
+    char room[32]; // the longest double has 24
+    const auto [end, failure] = std::to_chars(room, room + sizeof room, value);
+    text.append(room, end);
+}
+
+std::size_t fillAny(const TraceScene& scene, const RayRows& rays, const RayLimits& limits, HitColumn& hit) {
+    const std::span<std::uint8_t> flags = hit.as<std::uint8_t>();
+    scene.testOcclusions(rays, limits, flags);
+    return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
+
+} // namespace
+
+std::size_t HitColumn::rowBytes() const { return std::size_t{pro_type_bytes(type)} * components; }
+
+std::vector<HitColumn> hitColumns(const TraceScene& scene, const std::vector<std::string>& attributes) {
+    std::vector<HitColumn> columns{{"t_hit", PRO_TYPE_F64},
+                                   {"splat_ids", PRO_TYPE_U32},
+                                   {"instance_ids", PRO_TYPE_U32},
+                                   {"normals", PRO_TYPE_F32, 3},
+                                   {"positions", PRO_TYPE_F64, 3}};
+    const std::vector<SceneAttribute> all = scene.attributes();
+    for (const std::string& name : attributes) {
+        const bool twice =
+            std::any_of(columns.begin(), columns.end(), [&](const HitColumn& c) { return c.name == name; });
+        if (twice) throw Error(ExitCode::kBadUsage, "--attributes: " + name + " is there already");
+        columns.push_back(attributeColumn(all, name));
+    }
+    return columns;
+}
+
+std::vector<HitColumn> anyColumns() { return {{kHit, PRO_TYPE_U8, 1, true}}; }
+
+const HitColumn& columnNamed(std::span<const HitColumn> columns, const std::string& name) {
+    return *std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
+}
+
+std::string headerName(const HitColumn& column) {
+    std::string name = column.name;
+    for (char& c : name)
+        if (std::iscntrl(static_cast<unsigned char>(c)) || std::strchr("'\"\\,;/", c)) c = '_';
+    return name;
+}
+
+void appendNumber(const HitColumn& column, std::size_t number, std::string& text) {
+    switch (column.type) {
+    case PRO_TYPE_I8:
+        return appendAs<std::int8_t>(column, number, text);
+    case PRO_TYPE_U8:
+        return appendAs<std::uint8_t>(column, number, text);
+    case PRO_TYPE_I16:
+        return appendAs<std::int16_t>(column, number, text);
+    case PRO_TYPE_U16:
+        return appendAs<std::uint16_t>(column, number, text);
+    case PRO_TYPE_I32:
+        return appendAs<std::int32_t>(column, number, text);
+    case PRO_TYPE_U32:
+        return appendAs<std::uint32_t>(column, number, text);
+    case PRO_TYPE_I64:
+        return appendAs<std::int64_t>(column, number, text);
+    case PRO_TYPE_U64:
+        return appendAs<std::uint64_t>(column, number, text);
+    case PRO_TYPE_F32:
+        return appendAs<float>(column, number, text);
+    default:
+        return appendAs<double>(column, number, text);
+    }
+}
+
+std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayLimits& limits,
+                        std::span<HitColumn> columns) {
+    for (HitColumn& column : columns) column.resize(rays.count);
+    if (columns[0].name == kHit) return fillAny(scene, rays, limits, columns[0]);
+    const HitArrays arrays{
+        mutableColumn(columns, "t_hit").as<double>(), mutableColumn(columns, "splat_ids").as<std::uint32_t>(),
+        mutableColumn(columns, "instance_ids").as<std::uint32_t>(), mutableColumn(columns, "normals").as<float>(),
+        mutableColumn(columns, "positions").as<double>()};
+    scene.castRays(rays, limits, arrays);
+    for (HitColumn& column : columns)
+        if (column.is_attribute) scene.readAttribute(column.name, arrays.splat_ids, arrays.instance_ids, column.values);
+    return rays.count - static_cast<std::size_t>(std::count(arrays.splat_ids.begin(), arrays.splat_ids.end(), kNoHit));
+}
+
+} // namespace pointrt
