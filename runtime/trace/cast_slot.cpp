@@ -8,9 +8,9 @@ namespace pointrt {
 namespace {
 
 /// Texels in the host's memory, which all devices reach: each ray is read once, and each hit written once an instance.
-Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format,
-                  VkBufferUsageFlags usage) {
-    Buffer buffer = createBuffer(device, what, CastSlot::kRays * row_bytes, usage, MemoryHome::kHost);
+Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format) {
+    Buffer buffer = createBuffer(device, what, CastSlot::kRays * row_bytes, VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT,
+                                 MemoryHome::kHost);
     createTexelView(device, what, buffer, format);
     return buffer;
 }
@@ -45,12 +45,9 @@ CastSlot createSlot(Device& device, const DeviceScene& scene, const CastPrograms
     const OnError undo([&] { destroySlot(slot); });
     slot.device = workerDevice(device);
     slot.starts.resize(CastSlot::kRays);
-    slot.rays = hostTexels(slot.device, "ray buffer", sizeof(gpu::CastRay), VK_FORMAT_R32G32B32A32_UINT,
-                           VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-    slot.hits = hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT,
-                           VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
-    slot.stopped = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT,
-                              VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+    slot.rays = hostTexels(slot.device, "ray buffer", sizeof(gpu::CastRay), VK_FORMAT_R32G32B32A32_UINT);
+    slot.hits = hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT);
+    slot.stopped = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
     slot.pool = createDescriptorPool(slot.device, 2 * static_cast<std::uint32_t>(scene.instances.size()));
     for (const Instance& instance : scene.instances)
         slot.sets.push_back(bind(slot, scene, instance, programs.at(traitsOf(scene, instance)).first_hit));

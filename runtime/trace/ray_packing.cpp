@@ -3,76 +3,81 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "format/base/error.h"
 
 namespace pointrt {
 namespace {
 
-/// A stretch of a ray.
+/// A stretch of a ray, in lengths of its direction.
 struct Stretch {
-    double from = 0, to = 0; ///< empty where from is above to, or one of them is no number
+    double from = 0, to = 0; ///< empty where from is above to
 };
 
+/// What of the stretch is between two planes. Where the ray runs along them it is all or nothing; in one of them 0 *
+/// inf is no number, and min and max, with their arguments in this order, pass it over.
 void cut(Stretch& stretch, double origin, double direction, double low, double high) {
-    if (direction == 0) {
-        if (origin < low || origin > high) stretch.to = -std::numeric_limits<double>::infinity();
-        return;
-    }
     const double inverse = 1 / direction, a = (low - origin) * inverse, b = (high - origin) * inverse;
     stretch.from = std::max(stretch.from, std::min(a, b));
     stretch.to = std::min(stretch.to, std::max(a, b));
 }
 
-bool isInside(const RayFrame& frame, Vec3 p) {
-    return p.x >= frame.low.x && p.y >= frame.low.y && p.z >= frame.low.z && p.x <= frame.high.x &&
-           p.y <= frame.high.y && p.z <= frame.high.z;
-}
-
-/// Of the stretch, what runs through the box of all that can be hit. A ray that starts within needs not be moved.
-Stretch inReach(const RayFrame& frame, Vec3 origin, Vec3 unit, Stretch stretch) {
-    if (stretch.from == 0 && isInside(frame, origin)) return stretch;
-    cut(stretch, origin.x, unit.x, frame.low.x, frame.high.x);
-    cut(stretch, origin.y, unit.y, frame.low.y, frame.high.y);
-    cut(stretch, origin.z, unit.z, frame.low.z, frame.high.z);
-    return stretch;
-}
-
 bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-/// Squares of very short and very long directions are no numbers.
-double safeLength(Vec3 v) {
-    const double squared = dot(v, v);
-    return std::isnormal(squared) ? std::sqrt(squared) : std::hypot(v.x, v.y, v.z);
-}
-
-/// Not by way of the inverse length, which for very short ones is none.
-Vec3 unitOf(Vec3 v, double its_length) {
-    const double inverse = 1 / its_length;
-    if (std::isnormal(inverse)) return v * inverse;
-    return {v.x / its_length, v.y / its_length, v.z / its_length};
-}
-
-void requireRay(const RayRow& ray, std::size_t number) {
-    if (!isFinite(ray.origin)) throw RayError(number, "the origin is not finite");
-    if (!isFinite(ray.direction)) throw RayError(number, "the direction is not finite");
-    if (ray.direction == Vec3{}) throw RayError(number, "the direction is 0");
-}
 
 constexpr gpu::CastRay kMeetsNothing{{0, 0, 0}, -1, {0, 0, 1}, 0};
 
-gpu::CastRay packed(const RayFrame& frame, const RayRow& ray, const RayLimits& limits, RayStart& start) {
-    const double world_length = safeLength(ray.direction), units = world_length / frame.space.scale;
-    const Vec3 origin = renderPoint(frame.space, ray.origin), unit = unitOf(ray.direction, world_length);
-    const double t_max = limits.t_max * units;
-    const Stretch stretch = inReach(frame, origin, unit, {limits.t_min * units, t_max});
-    if (!(stretch.from <= stretch.to)) return kMeetsNothing;
-    start.per_unit = 1 / units;
-    start.t = stretch.from * start.per_unit;
-    const gpu::vec4 from = pack(origin + stretch.from * unit), along = pack(unit);
-    const double reach = std::min<double>(t_max - stretch.from, CAST_FARTHEST);
-    return {{from.x, from.y, from.z}, static_cast<float>(reach), {along.x, along.y, along.z}, 0};
+/// Packs rays that are some, with directions whose squares are numbers.
+struct Packer {
+    const RayFrame& frame;
+    RayLimits limits;
+    double units = 1 / frame.space.scale; ///< render units in a world unit
+
+    gpu::CastRay packed(Vec3 world_origin, Vec3 world_direction, double squared_length, RayStart& start) const {
+        const Vec3 origin = units * (world_origin - frame.space.origin), direction = units * world_direction;
+        Stretch stretch{limits.t_min, limits.t_max};
+        cut(stretch, origin.x, direction.x, frame.low.x, frame.high.x);
+        cut(stretch, origin.y, direction.y, frame.low.y, frame.high.y);
+        cut(stretch, origin.z, direction.z, frame.low.z, frame.high.z);
+        if (!(stretch.from <= stretch.to)) return kMeetsNothing;
+        const double world_length = std::sqrt(squared_length), inverse = 1 / world_length;
+        start = {stretch.from, frame.space.scale * inverse};
+        const gpu::vec4 from = pack(origin + stretch.from * direction), along = pack(inverse * world_direction);
+        const double reach = (limits.t_max - stretch.from) * (world_length * units);
+        return {{from.x, from.y, from.z},
+                static_cast<float>(std::min<double>(reach, CAST_FARTHEST)),
+                {along.x, along.y, along.z},
+                0};
+    }
+};
+
+/// Of a ray that is out of the common: a wrong one, or one with a very short or very long direction, which is taken in
+/// other lengths.
+gpu::CastRay packedOdd(const RayFrame& frame, const RayRow& ray, std::size_t number, const RayLimits& limits,
+                       RayStart& start) {
+    if (!isFinite(ray.origin)) throw RayError(number, "the origin is not finite");
+    if (!isFinite(ray.direction)) throw RayError(number, "the direction is not finite");
+    const Vec3 sizes = absolute(ray.direction);
+    const double size = std::max({sizes.x, sizes.y, sizes.z});
+    if (size == 0) throw RayError(number, "the direction is 0");
+    const Vec3 direction{ray.direction.x / size, ray.direction.y / size, ray.direction.z / size};
+    const RayLimits in_sizes{limits.t_min * size, limits.t_max * size};
+    const gpu::CastRay packed = Packer{frame, in_sizes}.packed(ray.origin, direction, dot(direction, direction), start);
+    start = {start.t / size, start.per_unit / size};
+    return packed;
+}
+
+template <typename Number>
+void packAll(const RayFrame& frame, const RayRows& rays, const Number* numbers, const RayLimits& limits,
+             std::size_t first, std::span<gpu::CastRay> rows, std::span<RayStart> starts) {
+    const Packer packer{frame, limits};
+    const Number* six = numbers + 6 * first;
+    for (std::size_t i = 0; i < rows.size(); ++i, six += 6) {
+        const Vec3 origin{six[0], six[1], six[2]}, direction{six[3], six[4], six[5]};
+        const double squared = dot(direction, direction), sum = origin.x + origin.y + origin.z;
+        rows[i] = std::isnormal(squared) && std::isfinite(sum)
+                      ? packer.packed(origin, direction, squared, starts[i])
+                      : packedOdd(frame, rowAt(rays, first + i), first + i, limits, starts[i]);
+    }
 }
 
 } // namespace
@@ -89,11 +94,10 @@ void requireLimits(const RayLimits& limits) {
 
 void packRays(const RayFrame& frame, const RayRows& rays, const RayLimits& limits, std::size_t first,
               std::span<gpu::CastRay> rows, std::span<RayStart> starts) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const RayRow ray = rowAt(rays, first + i);
-        requireRay(ray, first + i);
-        rows[i] = packed(frame, ray, limits, starts[i]);
-    }
+    if (rays.doubles)
+        packAll(frame, rays, rays.doubles, limits, first, rows, starts);
+    else
+        packAll(frame, rays, rays.floats, limits, first, rows, starts);
 }
 
 } // namespace pointrt

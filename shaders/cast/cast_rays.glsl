@@ -8,7 +8,7 @@
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 
-layout(binding = BINDING_CAST_RAYS) uniform usamplerBuffer cast_ray_texels; // CastRay
+layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels; // CastRay
 layout(rgba32ui, binding = BINDING_CAST_HITS) uniform uimageBuffer cast_hit_texels; // CastHit, t as bits
 layout(r32ui, binding = BINDING_CAST_STOPPED) uniform uimageBuffer cast_stopped;    // 0: it is not
 layout(push_constant) uniform Push { CastPush push; };
@@ -17,8 +17,8 @@ bool isFirstInstance() { return ofLane(push.place) == 0u; }
 
 // A row as it stands, in render space.
 CastRay loadCastRay(uint row) {
-    vec4 origin = uintBitsToFloat(texelFetch(cast_ray_texels, int(row) * CAST_RAY_VECTORS));
-    vec4 direction = uintBitsToFloat(texelFetch(cast_ray_texels, int(row) * CAST_RAY_VECTORS + 1));
+    vec4 origin = uintBitsToFloat(imageLoad(cast_ray_texels, int(row) * CAST_RAY_VECTORS));
+    vec4 direction = uintBitsToFloat(imageLoad(cast_ray_texels, int(row) * CAST_RAY_VECTORS + 1));
     return CastRay(origin.xyz, origin.w, direction.xyz, 0.0);
 }
 
