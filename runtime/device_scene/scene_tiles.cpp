@@ -27,6 +27,11 @@ constexpr double kDeviceShare = 0.75;
 /// is small beside render space, its matrix moves all by a share of that.
 constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 
+/// Merged discs are means of what scans' registration left beside each other, and stand off only by the curvature of
+/// their cells: of the radii up to which hits are on the surface that a ray leaves half do. Else roofs a few radii over
+/// the ground cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
+constexpr float kMergedOwnShare = 0.5f;
+
 /// What does not depend on the materials.
 gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
                                   std::uint32_t number) {
@@ -46,7 +51,7 @@ gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& fi
     params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
     params.materials = {number, 0, 0, 0};
     params.core_high = {static_cast<float>(grid.size[0]), static_cast<float>(grid.size[1]),
-                        static_cast<float>(grid.size[2]), 0};
+                        static_cast<float>(grid.size[2]), 1};
     return params;
 }
 
@@ -60,7 +65,7 @@ void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& 
     const float moved = std::max({std::abs(params.row_x.w), std::abs(params.row_y.w), std::abs(params.row_z.w)});
     const float margin = (kCoreSteps * PRO_POSITION_STEP + kMatrixRounding * moved) * params.grid_scale.x;
     params.core_low = {along(box.low[0], 0), along(box.low[1], 1), along(box.low[2], 2), margin};
-    params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), 0};
+    params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), params.core_high.w};
 }
 
 std::unordered_map<std::string, std::uint32_t> filesByPath(const DeviceScene& scene) {
@@ -89,6 +94,7 @@ public:
             instance.tile = tile;
             instance.params.grid_origin.w = tile + 1;
             placeCore(scene_.files[instance.file], hitBox(tiles, in_cut, tile), instance.params);
+            if (!tiles.tiles[tile].isOriginal()) instance.params.core_high.w = kMergedOwnShare;
             scene_.splat_count += tiles.tiles[tile].splats;
         }
     }

@@ -53,7 +53,7 @@ struct InstanceParams {
     uvec4 grid_words;  // x: in a layer, y: number of the last, z: of the last one of a brick
     uvec4 materials;   // x: number of this instance, y: its first material, z: colour ranges, w: 1: casts caustics
     vec4 core_low;     // of a tile, in grid units: corners of its core; w: how far rounding may put a ray beside it
-    vec4 core_high;
+    vec4 core_high;    // w: so much of its radius counts where a ray leaves a disc (shaders/trace/offset.glsl)
     uvec4 color_range[MAX_COLOR_RANGES]; // x, y: lowest and highest sRGB, 8 bits each, red lowest; z: material
 };
 

@@ -42,7 +42,8 @@ void main() {
     uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
     uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
     uint reach = 0u;
-    float radius = kNoisy ? ownRadius(surface.radius, surface.noise, reach) : surface.radius;
+    float radius = surface.radius * instance.core_high.w;
+    if (kNoisy) radius = ownRadius(radius, surface.noise, reach);
     surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
                                          renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
                                          hit.w, surface.splat, instance.grid_origin.w, 0u);

@@ -186,6 +186,37 @@ TEST(TileSets, ThePictureIsFramedAsThatOfOneFile) {
     }
 }
 
+/// Ground, and two radii above it a roof 0.6 wide that faces up as the ground does; the sun stands at 45 degrees.
+TEST(TileSets, LowRoofsShadeTheGroundOfMergedTiles) {
+    const double radius = 2.0 / 60, height = 2 * radius;
+    Splats site = squareSplats(60, Vec3f(0, 0, 0.05f), Vec3f(1, 0, 0), Vec3f(0, 1, 0));
+    const Splats roof =
+        squareSplats(18, Vec3f(0, 0, 0.05f + static_cast<float>(height)), Vec3f(0.3f, 0, 0), Vec3f(0, 0.3f, 0));
+    site.positions.insert(site.positions.end(), roof.positions.begin(), roof.positions.end());
+    site.normals.insert(site.normals.end(), roof.normals.begin(), roof.normals.end());
+    site.radii.assign(site.positions.size(), static_cast<float>(radius));
+    const CutInEight set(site);
+    RenderSettings settings = square(200);
+    settings.camera.eye = Vec3{0, 0, 2};
+    settings.camera.target = Vec3{};
+    settings.camera.up = Vec3{0, 1, 0};
+    settings.camera.ortho_height = 1;
+    const auto darkShare = [&](float detail) {
+        settings.detail = detail;
+        SceneDescription scene;
+        scene.instances.push_back({set.folder, {}, {}, {}});
+        scene.lights.push_back(SunLight{normalize(Vec3{1, 0, 1}), 0, {3, 3, 3}});
+        const Film film = renderScene(scene, settings).film;
+        double dark = 0;
+        for (std::uint32_t y = 0; y < 200; ++y)
+            for (std::uint32_t x = 0; x < 200; ++x) dark += pixel(film, x, y, 1) < 0.3f ? 1 : 0;
+        return dark / (200.0 * 200.0);
+    };
+    // a strip as wide as the roof is high; the roof's discs reach a radius beyond their middles all around
+    EXPECT_NEAR(darkShare(16384), height * 0.6, 0.4 * height * 0.6);
+    EXPECT_LT(darkShare(0), 0.01) << "scans may lie so far beside each other";
+}
+
 TEST(TileSets, TheParentOfALostTileIsDrawn) {
     const SphereSet sphere;
     const RenderSettings settings = lookFrom(0, 3);
