@@ -9,7 +9,7 @@
 namespace pointrt {
 namespace {
 
-/// Pixels in flight: their states take about 500 bytes each, no more than 128 in any buffer, so that none nears the 128
+/// Pixels in flight: their states take about 600 bytes each, no more than 148 in any buffer, so that none nears the 128
 /// MiB that some drivers allow in a storage binding. Larger images are rendered in bands of rows.
 constexpr std::uint32_t kBandPixels = 1u << 19;
 /// A processor needs no more lanes than keep it busy: a band is traced strip by strip there. With half of that its

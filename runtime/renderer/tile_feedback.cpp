@@ -21,7 +21,8 @@ RenderSettings smallPicture(RenderSettings settings) {
 
 class HitCounter {
 public:
-    HitCounter(Device& device, BandTracer& tracer) : device_(device), tracer_(tracer), counts_(tracer.targets.size()) {
+    HitCounter(Device& device, BandTracer& tracer)
+        : device_(device), tracer_(tracer), counts_(tracer.targets.each.size()) {
         hits_ = createBuffer(device, "tile hit counts", counts_.size() * sizeof counts_[0],
                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         tracer_.hit_counts = &hits_;
@@ -57,9 +58,9 @@ private:
 
 bool markTilesMet(Device& device, BandTracer& tracer, DeviceScene& scene, const RenderSettings& settings,
                   const std::vector<Camera>& cameras) {
-    if (!tracer.programs.rays_go_on || tracer.targets.empty()) return false;
+    if (!tracer.programs.rays_go_on || tracer.targets.each.empty()) return false;
     const RenderSettings small = smallPicture(settings);
-    std::vector<std::uint64_t> hits(tracer.targets.size());
+    std::vector<std::uint64_t> hits(tracer.targets.each.size());
     HitCounter counter(device, tracer);
     for (const Camera& camera : cameras) counter.addPicture(small, camera, hits);
     const std::uint64_t pixels = std::uint64_t{small.width} * small.height * cameras.size();

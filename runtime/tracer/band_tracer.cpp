@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/tracer/band_tracer.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "runtime/photons/map_schedule.h"
 #include "runtime/tracer/frame_params.h"
 #include "runtime/tracer/sample_recorder.h"
+#include "runtime/tracer/sieves.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
 namespace {
 
-void createBindings(Device& device, BandTracer& tracer) {
-    const DeviceScene& scene = *tracer.scene;
-    const auto count = static_cast<std::uint32_t>(std::max<std::size_t>(scene.instances.size(), 1));
-    tracer.pool = createDescriptorPool(device, 2 * count);
-    const auto bind = [&](const Instance& instance) {
-        return bindInstance(device, tracer.pool, tracer.programs, scene, instance, tracer.buffers,
-                            shownMap(tracer.caustics));
-    };
-    for (const Instance& instance : scene.instances)
-        tracer.targets.push_back({&programsFor(tracer.programs, scene, instance), bind(instance)});
-    tracer.sets = tracer.targets.empty() ? bind(scene.blank) : tracer.targets.front().sets;
+void bind(Device& device, BandTracer& tracer) {
+    tracer.targets = bindTargets(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
 }
 
 /// A step on to the later map of that number, in place of the one there is, so that there are never three. True where
@@ -54,19 +45,17 @@ void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& sce
     tracer.scene = &scene;
     tracer.shadows = settings.shadows;
     const OnError undo([&] { destroyBandTracer(device, tracer); });
-    tracer.buffers = createFrameBuffers(device, lanes, film_pixels);
+    tracer.buffers = createFrameBuffers(device, lanes, film_pixels, maySift(scene));
     tracer.programs = createPrograms(device, scene, settings, form);
     tracer.caustics.first = emptyCaustics(device);
-    createBindings(device, tracer);
+    bind(device, tracer);
 }
 
 void destroyBandTracer(Device& device, BandTracer& tracer) {
     destroyPrograms(device, tracer.programs);
-    destroyDescriptorPool(device, tracer.pool);
+    destroyTargets(device, tracer.targets);
     destroyFrameBuffers(device, tracer.buffers);
     destroyCaustics(device, tracer.caustics);
-    tracer.targets.clear();
-    tracer.sets = {};
     tracer.scene = nullptr;
 }
 
@@ -116,13 +105,13 @@ void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
 }
 
 void rebind(Device& device, BandTracer& tracer) {
-    destroyDescriptorPool(device, tracer.pool);
-    tracer.targets.clear();
-    createBindings(device, tracer);
+    destroyTargets(device, tracer.targets);
+    bind(device, tracer);
 }
 
 std::uint64_t deviceBytes(const BandTracer& tracer) {
-    return tracer.buffers.device_bytes + deviceBytes(tracer.caustics);
+    return tracer.buffers.device_bytes + tracer.targets.sieves.size() * sizeof(gpu::Sieve) +
+           deviceBytes(tracer.caustics);
 }
 
 void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,

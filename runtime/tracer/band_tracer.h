@@ -12,14 +12,9 @@
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/tracer/pass_profile.h"
 #include "runtime/tracer/programs.h"
+#include "runtime/tracer/targets.h"
 
 namespace pointrt {
-
-/// An instance with what it is traced by.
-struct TracerTarget {
-    const InstancePrograms* programs = nullptr;
-    DescriptorSets sets;
-};
 
 /// Programs, buffers and descriptor sets for pictures of a scene. It does not move: targets point into programs.
 struct BandTracer {
@@ -28,9 +23,7 @@ struct BandTracer {
     Programs programs;
     FrameBuffers buffers;
     CausticMaps caustics;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    std::vector<TracerTarget> targets;
-    DescriptorSets sets;                ///< for what looks at no instance
+    Targets targets;
     PassProfile* profile = nullptr;     ///< of its passes, where one is wanted
     const Buffer* hit_counts = nullptr; ///< where one is wanted: gets how many rays of the last pass hit each target
 

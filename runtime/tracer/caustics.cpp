@@ -15,6 +15,8 @@
 #include "runtime/photons/photon_emission.h"
 #include "runtime/tracer/frame_buffers.h"
 #include "runtime/tracer/frame_params.h"
+#include "runtime/tracer/sieves.h"
+#include "runtime/tracer/targets.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -26,8 +28,8 @@ constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
 constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
 /// Mirrors and glass in a photon's way, at most: more than light keeps much of itself through.
 constexpr std::uint32_t kPhotonBounces = 16;
-/// Each photon asks each instance: with more of them than this there are fewer photons, so that the time stays the
-/// same.
+/// Each instance takes passes of its own for each batch: with more of them than this there are fewer photons, so that
+/// the time stays about the same.
 constexpr std::size_t kInstancesForAll = 8;
 
 RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
@@ -76,7 +78,7 @@ public:
     PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t seed)
         : device_(device), scene_(scene), programs_(programs) {
         const OnError undo([&] { release(); });
-        buffers_ = createFrameBuffers(device, kBatch, kBatch);
+        buffers_ = createFrameBuffers(device, kBatch, kBatch, maySift(scene));
         map_ = emptyCaustics(device);
         destroyBuffer(device, map_.traced);
         map_.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
@@ -107,11 +109,9 @@ public:
     /// On to the next hits, by itself: a window that shares the queue goes on between them. False where no photon of
     /// the batch is under way any more.
     bool pass() {
-        const VkCommandBuffer commands = beginCommands(device_);
+        PassCommands commands(device_, buffers_.control, kBatch / TILE_PIXELS, nullptr);
         record(commands, pass_++);
-        submitAndWait(device_, commands);
-        gpu::Control control;
-        downloadBuffer(device_, buffers_.control, &control, sizeof control);
+        const gpu::Control control = commands.finish();
         return pass_ <= kPhotonBounces + 1 && control.queued[0] + control.queued[1] > 0;
     }
 
@@ -125,16 +125,13 @@ public:
 
 private:
     void release() {
-        destroyDescriptorPool(device_, pool_);
+        destroyTargets(device_, targets_);
         destroyFrameBuffers(device_, buffers_);
         destroyCaustics(device_, map_);
     }
 
     void bindAll(std::uint32_t seed) {
-        const std::size_t count = std::max<std::size_t>(scene_.instances.size(), 1);
-        pool_ = createDescriptorPool(device_, static_cast<std::uint32_t>(2 * count));
-        for (const Instance& instance : scene_.instances) sets_.push_back(bind(instance));
-        if (sets_.empty()) sets_.push_back(bind(scene_.blank));
+        targets_ = bindTargets(device_, programs_, scene_, buffers_, map_);
         gpu::FrameParams params{};
         params.width = kBatchWidth;
         params.height = params.rows = kBatchRows;
@@ -148,31 +145,25 @@ private:
         uploadBuffer(device_, buffers_.params, &params, sizeof params);
     }
 
-    DescriptorSets bind(const Instance& instance) {
-        return bindInstance(device_, pool_, programs_, scene_, instance, buffers_, map_);
-    }
-
-    void record(VkCommandBuffer commands, std::uint32_t pass) {
-        const std::uint32_t queue = pass % 2 ? STEP_QUEUE_ONE : 0u;
-        const auto run = [&](const Program& program, const DescriptorSets& sets, std::size_t groups) {
-            const gpu::PushParams push{batch_, 0, queue, 0};
-            recordDispatchIndirect(commands, program, sets, pushBytes(push), buffers_.control, groups);
-            recordBarrier(commands);
-        };
+    void record(PassCommands& commands, std::uint32_t pass) {
+        const gpu::PushParams push{batch_, 0, pass % 2 ? STEP_QUEUE_ONE : 0u, LIST_ASKED};
+        const PassLanes queue = pass % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
         const auto prepare = [&](std::uint32_t bits) {
-            const gpu::PushParams push{batch_, 0, queue | bits, 0};
-            recordDispatch(commands, programs_.prepare, sets_[0], pushBytes(push), {1, 1, 1});
-            recordBarrier(commands);
+            gpu::PushParams step = push;
+            step.step |= bits;
+            commands.run({programs_.prepare, targets_.sets, pushBytes(step), PassLanes::kOne, 1});
         };
-        run(programs_.queued.trace_shapes, sets_[0], offsetof(gpu::Control, ray_groups));
-        prepare(STEP_ASKED);
-        for (std::size_t i = 0; i < scene_.instances.size(); ++i) {
-            const InstancePrograms& programs = programsFor(programs_, scene_, scene_.instances[i]);
-            run(programs.trace, sets_[i], offsetof(gpu::Control, asked_groups));
+        commands.run({programs_.queued.trace_shapes, targets_.sets, pushBytes(push), queue});
+        prepare(STEP_LIST);
+        const AskedList asked{LIST_ASKED, &SievePrograms::asked, push};
+        askTargets(commands, programs_, targets_, asked, [&](const TracerTarget& target, std::uint32_t list) {
+            gpu::PushParams of_list = push;
+            of_list.list = list;
+            commands.run({target.programs->trace, target.sets, pushBytes(of_list), PassLanes::kList, 0, list});
             prepare(STEP_HITS);
-            run(programs.surface, sets_[i], offsetof(gpu::Control, hit_groups));
-        }
-        run(programs_.photon, sets_[0], offsetof(gpu::Control, ray_groups));
+            commands.run({target.programs->surface, target.sets, pushBytes(push), PassLanes::kHits});
+        });
+        commands.run({programs_.photon, targets_.sets, pushBytes(push), queue});
         prepare(0);
     }
 
@@ -181,8 +172,7 @@ private:
     const Programs& programs_;
     CausticMap map_; ///< without photons but those in flight
     FrameBuffers buffers_;
-    VkDescriptorPool pool_ = VK_NULL_HANDLE;
-    std::vector<DescriptorSets> sets_;
+    Targets targets_;
     std::uint32_t batch_ = 0, pass_ = 0, count_ = 0;
 };
 

@@ -12,7 +12,7 @@ std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
 
 std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
 
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels) {
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels, bool sifts) {
     const std::uint64_t lanes = lane_count;
     FrameBuffers buffers;
     const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
@@ -28,8 +28,10 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
     const OnError undo([&] { destroyFrameBuffers(device, buffers); });
     buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-    constexpr std::uint64_t kQueueWords = 5 + ASKED_TURNS; // a lane, see shaders/frame/bindings.glsl
-    buffers.queues = texels("queue buffer", kQueueWords * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+    // words a lane, see shaders/frame/bindings.glsl
+    constexpr std::uint64_t kQueueWords = 5 + ASKED_TURNS, kSiftedWords = ASKED_TURNS + SIFTED_ENTRIES;
+    const std::uint64_t queue_words = kQueueWords + (sifts ? kSiftedWords : 0);
+    buffers.queues = texels("queue buffer", queue_words * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
     buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
                           VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
@@ -39,6 +41,7 @@ FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::u
         texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
     buffers.light_queries =
         texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.blank_sieve = storage("blank sieve", sizeof(gpu::Sieve), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
     buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
     createFilm(device, buffers, film_pixels);
@@ -60,7 +63,7 @@ void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
     for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
                            &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
-                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.places})
+                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.places, &buffers.blank_sieve})
         destroyBuffer(device, *buffer);
     buffers = {};
 }

@@ -13,6 +13,7 @@ namespace pointrt {
 struct FrameBuffers {
     Buffer params, control, queues, paths, hits, surfaces, light_queries, light_masks, deferred, film, first_hits,
         beams, places;
+    Buffer blank_sieve; ///< for programs that sift nothing
     std::uint64_t device_bytes = 0;
 };
 
@@ -31,8 +32,8 @@ struct FilmPlace {
     std::uint32_t first_pixel = 0; ///< of the band
 };
 
-/// For bands of up to so many lanes, in films of up to so many pixels.
-FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels);
+/// For bands of up to so many lanes, in films of up to so many pixels. sifts: with room for sifted lists.
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lanes, std::uint64_t film_pixels, bool sifts);
 /// Its film and first hits anew, for so many pixels.
 void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels);
 void destroyFrameBuffers(Device& device, FrameBuffers& buffers);

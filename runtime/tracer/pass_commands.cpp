@@ -12,16 +12,12 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kReadSpan = "profile: counters and clock read";
 
 /// Where control has the workgroups for a list.
-std::size_t groupsOf(PassLanes lanes) {
+std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
     switch (lanes) {
     case PassLanes::kTilesLeft:
         return offsetof(gpu::Control, tile_groups);
-    case PassLanes::kLit:
-        return offsetof(gpu::Control, light_groups);
-    case PassLanes::kAsked:
-        return offsetof(gpu::Control, asked_groups);
-    case PassLanes::kTurns:
-        return offsetof(gpu::Control, turn_groups);
+    case PassLanes::kList:
+        return offsetof(gpu::Control, lists) + list * sizeof(gpu::RayList) + offsetof(gpu::RayList, groups);
     case PassLanes::kHits:
         return offsetof(gpu::Control, hit_groups);
     default:
@@ -65,12 +61,13 @@ void PassCommands::record(const Pass& pass) {
     if (pass.groups != 0)
         recordDispatch(commands_, pass.program, pass.sets, pass.push, {pass.groups, 1, 1});
     else
-        recordDispatchIndirect(commands_, pass.program, pass.sets, pass.push, control_, groupsOf(pass.lanes));
+        recordDispatchIndirect(commands_, pass.program, pass.sets, pass.push, control_,
+                               groupsOf(pass.lanes, pass.list));
     recordBarrier(commands_);
 }
 
 void PassCommands::runTimed(const Pass& pass) {
-    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}};
+    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}, pass.list};
     const Clock::time_point start = Clock::now();
     const std::clock_t cpu = std::clock();
     commands_ = beginCommands(device_);

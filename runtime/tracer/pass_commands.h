@@ -18,6 +18,7 @@ struct Pass {
     std::span<const std::byte> push;
     PassLanes lanes = PassLanes::kOne;
     std::uint32_t groups = 0; ///< 0: as control says for the list
+    std::uint32_t list = 0;   ///< of kList: LIST_* or after
 };
 
 class PassCommands {

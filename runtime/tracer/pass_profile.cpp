@@ -42,6 +42,11 @@ constexpr PassBytes kPassBytes[] = {
     {"follow (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
     {"follow", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
     {"shadow_light", kWord + kShadowRay + kAddedLight},
+    {"sift_asked", kWord + 2 * kVector + kHit + kWord},
+    {"sift_turns", kWord + kQuery + 2 * kWord},
+    {"sift_shadow_rays", kWord + 2 * kVector + kWord},
+    {"place", 2 * kWord},
+    {"bring", kWord + kShadowRay + kAddedLight},
     {"caustic", kWord + kQuery + kAddedLight},
 };
 
@@ -58,9 +63,12 @@ Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
         sum.bytes += (after - before) * (kWord + bytes);
     };
     for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], each_has.ray);
-    add(run.before.light_queries_appended, run.after.light_queries_appended, each_has.lit);
-    add(run.before.asked_appended, run.after.asked_appended, 0);
-    add(run.before.turns_appended, run.after.turns_appended, 0);
+    const auto in_list = [&](std::uint32_t list) {
+        const gpu::RayList &before = run.before.lists[list], &after = run.after.lists[list];
+        if (list < LIST_SIFTED) return add(before.appended, after.appended, list == LIST_LIT ? each_has.lit : 0);
+        add(before.placed, after.placed, 0);
+    };
+    for (std::uint32_t list = 0; list < LISTS; ++list) in_list(list);
     add(run.before.hits_appended, run.after.hits_appended, kHit);
     add(run.before.tile_count, run.after.tile_count, 0);
     return sum;
@@ -97,7 +105,7 @@ double unaccountedMilliseconds(const PassProfile& profile) {
     return rest;
 }
 
-std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles) {
+std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles, std::uint32_t list) {
     switch (lanes) {
     case PassLanes::kOne:
         return 1;
@@ -111,12 +119,8 @@ std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_
         return control.queued[0];
     case PassLanes::kQueueOne:
         return control.queued[1];
-    case PassLanes::kLit:
-        return control.light_query_count;
-    case PassLanes::kAsked:
-        return control.asked_count;
-    case PassLanes::kTurns:
-        return control.turn_count;
+    case PassLanes::kList:
+        return control.lists[list].count;
     case PassLanes::kHits:
         return control.hit_count;
     }
@@ -127,7 +131,7 @@ void addRun(PassProfile& profile, const PassRun& run) {
     PassTally& tally = tallyOf(profile.passes, run.name);
     const PassBytes& bytes = bytesOf(run.name);
     const Appended appended = appendedBy(run, bytes);
-    const std::uint64_t lanes = lanesIn(run.before, run.lanes, run.tiles);
+    const std::uint64_t lanes = lanesIn(run.before, run.lanes, run.tiles, run.list);
     ++tally.runs;
     tally.host_ms += run.host_ms;
     tally.cpu_ms += run.cpu_ms;

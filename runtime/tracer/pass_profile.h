@@ -48,10 +48,10 @@ void clearProfile(PassProfile& profile);
 double unaccountedMilliseconds(const PassProfile& profile);
 
 /// The list a pass works on: its length is what control says.
-enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kLit, kAsked, kTurns, kHits };
+enum class PassLanes { kOne, kTiles, kTilesLeft, kPixels, kQueueZero, kQueueOne, kList, kHits };
 
-/// Lanes with something to do; tiles: of the band.
-std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles);
+/// Lanes with something to do; tiles: of the band; list: of kList, LIST_* or after.
+std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles, std::uint32_t list = 0);
 
 /// A run of a pass, with the counters before and after it.
 struct PassRun {
@@ -61,6 +61,7 @@ struct PassRun {
     gpu::Control before, after;
     double host_ms = 0, cpu_ms = 0;
     std::optional<double> device_ms;
+    std::uint32_t list = 0; ///< of kList
 };
 /// Throws std::logic_error for a program whose bytes are not told in pass_profile.cpp.
 void addRun(PassProfile& profile, const PassRun& run);

@@ -9,13 +9,16 @@
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/photons/caustic_map.h"
 #include "runtime/tracer/frame_buffers.h"
+#include "runtime/tracer/sieves.h"
 #include "runtime/util/on_error.h"
 #include "shaders/beam.spv.h"
+#include "shaders/bring.spv.h"
 #include "shaders/caustic.spv.h"
 #include "shaders/first_hits.spv.h"
 #include "shaders/follow.spv.h"
 #include "shaders/light.spv.h"
 #include "shaders/photon.spv.h"
+#include "shaders/place.spv.h"
 #include "shaders/prepare.spv.h"
 #include "shaders/shade.spv.h"
 #include "shaders/shadow.spv.h"
@@ -23,6 +26,9 @@
 #include "shaders/shadow_light_paged.spv.h"
 #include "shaders/shadow_paged.spv.h"
 #include "shaders/shadow_shapes.spv.h"
+#include "shaders/sift_asked.spv.h"
+#include "shaders/sift_shadow_rays.spv.h"
+#include "shaders/sift_turns.spv.h"
 #include "shaders/surface.spv.h"
 #include "shaders/surface_paged.spv.h"
 #include "shaders/trace.spv.h"
@@ -39,6 +45,7 @@ namespace {
 struct Constants {
     InstanceTraits instance;
     std::uint32_t sky_image = 0, integrator = 0, features = 0, camera_pass = 0, gathers_photons = 0, shape_kinds = 0;
+    std::uint32_t sieve_boxes = 0;
 };
 
 std::vector<SpecConstant> listed(const Constants& c) {
@@ -48,7 +55,8 @@ std::vector<SpecConstant> listed(const Constants& c) {
                                  {SPEC_FEATURES, c.features},
                                  {SPEC_CAMERA_PASS, c.camera_pass},
                                  {SPEC_GATHERS_PHOTONS, c.gathers_photons},
-                                 {SPEC_SHAPE_KINDS, c.shape_kinds}});
+                                 {SPEC_SHAPE_KINDS, c.shape_kinds},
+                                 {SPEC_SIEVE_BOXES, c.sieve_boxes}});
     return values;
 }
 
@@ -77,6 +85,9 @@ Constants constantsFor(const DeviceScene& scene, const RenderSettings& settings)
     return constants;
 }
 
+/// Fused, integrators that ask one light keep their shadow rays.
+bool keepsShadowRays(const Programs& all) { return all.form == PassForm::kFused && all.asks_one; }
+
 void orderFor(const InstanceTraits& instance, Constants constants, const Programs& all, InstancePrograms& programs,
               std::vector<Order>& orders) {
     constants.instance = instance;
@@ -88,7 +99,7 @@ void orderFor(const InstanceTraits& instance, Constants constants, const Program
     };
     order(programs.trace_primary, "trace_primary", trace_primary_spv, trace_primary_paged_spv);
     order(programs.camera_surface, "surface (camera)", surface_spv, surface_paged_spv, true);
-    if (all.form == PassForm::kFused && all.asks_one)
+    if (keepsShadowRays(all))
         order(programs.shadow_light, "shadow_light", shadow_light_spv, shadow_light_paged_spv);
     else if (all.show_light)
         order(programs.shadow, "shadow", shadow_spv, shadow_paged_spv);
@@ -119,6 +130,28 @@ void orderQueued(const Constants& constants, const Constants& of_camera, Program
     orders.push_back({&programs.camera.shade, "shade (camera)", shade_spv, of_camera});
     if (programs.rays_go_on) orders.push_back({&programs.queued.shade, "shade", shade_spv, constants});
     if (programs.show_light) orderLight(constants, programs, orders);
+}
+
+void orderSieve(std::uint32_t boxes, Constants constants, const Programs& all, SievePrograms& programs,
+                std::vector<Order>& orders) {
+    constants.sieve_boxes = boxes;
+    if (all.rays_go_on) orders.push_back({&programs.asked, "sift_asked", sift_asked_spv, constants});
+    if (keepsShadowRays(all))
+        orders.push_back({&programs.shadow_rays, "sift_shadow_rays", sift_shadow_rays_spv, constants});
+    else if (all.show_light)
+        orders.push_back({&programs.turns, "sift_turns", sift_turns_spv, constants});
+}
+
+/// What sifts rays for as many instances as there are, or may be.
+void orderSieves(const DeviceScene& scene, const Constants& constants, Programs& programs, std::vector<Order>& orders) {
+    if (!maySift(scene)) return;
+    if (!programs.place.pipeline) orders.push_back({&programs.place, "place", place_spv, constants});
+    if (!programs.bring.pipeline && keepsShadowRays(programs))
+        orders.push_back({&programs.bring, "bring", bring_spv, constants});
+    for (const std::uint32_t boxes : sieveSizes(scene)) {
+        const auto [sieve, is_new] = programs.sieves.try_emplace(boxes);
+        if (is_new) orderSieve(boxes, constants, programs, sieve->second, orders);
+    }
 }
 
 /// Those of instances that are like none before.
@@ -153,6 +186,7 @@ std::vector<Order> orderAll(const DeviceScene& scene, const Constants& constants
         orders.push_back({&programs.queued.trace_shapes, "trace_shapes", trace_shapes_spv, constants});
     if (constants.gathers_photons) orders.push_back({&programs.photon, "photon", photon_spv, constants});
     orderInstances(scene, constants, programs, orders);
+    orderSieves(scene, constants, programs, orders);
     return orders;
 }
 
@@ -180,20 +214,24 @@ Programs createPrograms(Device& device, const DeviceScene& scene, const RenderSe
 void addPrograms(Device& device, const DeviceScene& scene, const RenderSettings& settings, Programs& programs) {
     std::vector<Order> orders;
     orderInstances(scene, constantsFor(scene, settings), programs, orders);
+    orderSieves(scene, constantsFor(scene, settings), programs, orders);
     buildAll(device, std::move(orders));
 }
 
 void destroyPrograms(Device& device, Programs& programs) {
-    for (Program* program :
-         {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes, &programs.light,
-          &programs.photon, &programs.caustic, &programs.camera.trace_shapes, &programs.camera.shade,
-          &programs.camera.follow, &programs.queued.trace_shapes, &programs.queued.shade, &programs.queued.follow})
+    for (Program* program : {&programs.prepare, &programs.first_hits, &programs.beam, &programs.shadow_shapes,
+                             &programs.light, &programs.photon, &programs.caustic, &programs.camera.trace_shapes,
+                             &programs.camera.shade, &programs.camera.follow, &programs.queued.trace_shapes,
+                             &programs.queued.shade, &programs.queued.follow, &programs.place, &programs.bring})
         destroyProgram(device, *program);
     for (auto& [traits, variant] : programs.variants)
         for (Program* program : {&variant.trace, &variant.trace_primary, &variant.camera_surface, &variant.surface,
                                  &variant.shadow, &variant.shadow_light})
             destroyProgram(device, *program);
     programs.variants.clear();
+    for (auto& [boxes, sieve] : programs.sieves)
+        for (Program* program : {&sieve.asked, &sieve.turns, &sieve.shadow_rays}) destroyProgram(device, *program);
+    programs.sieves.clear();
 }
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance) {
@@ -201,9 +239,11 @@ const InstancePrograms& programsFor(const Programs& programs, const DeviceScene&
 }
 
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
-                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics) {
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
+                            const Buffer& sieve) {
     std::vector<BufferBinding> bindings = instanceBindings(scene, instance);
     for (const BufferBinding& each : frameBindings(buffers)) bindings.push_back(each);
+    bindings.push_back({BINDING_SIEVE, &sieve});
     for (const BufferBinding& each : causticBindings(caustics)) bindings.push_back(each);
     const DeviceScan& file = scene.files[instance.file];
     const VkDescriptorSet common = createDescriptorSet(device, pool, programs.prepare, bindings);

@@ -27,6 +27,11 @@ struct PassPrograms {
     Program follow; ///< of the fused form, in place of shade
 };
 
+/// What sifts rays for targets (shaders/trace/sift.glsl), each a list.
+struct SievePrograms {
+    Program asked, turns, shadow_rays;
+};
+
 /// All declare the same bindings in set 0 (shaders/frame/bindings.glsl), and those for paged instances in set 1.
 struct Programs {
     PassForm form = PassForm::kQueued;
@@ -36,6 +41,8 @@ struct Programs {
     Program prepare, first_hits, beam, shadow_shapes, light, photon, caustic;
     PassPrograms camera, queued;
     std::map<InstanceTraits, InstancePrograms> variants;
+    std::map<std::uint32_t, SievePrograms> sieves; ///< by how many boxes there may be
+    Program place, bring;                          ///< of what was sifted
 };
 
 /// Builds what the scene needs for the settings' integrator, in the form asked for where that can be.
@@ -46,9 +53,10 @@ void destroyPrograms(Device& device, Programs& programs);
 
 const InstancePrograms& programsFor(const Programs& programs, const DeviceScene& scene, const Instance& instance);
 
-/// Sets with the instance, its pages where it has any, the frame's buffers and the caustics, for all programs and those
-/// of the instance. They take two of the pool's sets.
+/// Sets with the instance, its pages where it has any, the frame's buffers, the caustics and a sieve, for all programs
+/// and those of the instance. They take two of the pool's sets.
 DescriptorSets bindInstance(Device& device, VkDescriptorPool pool, const Programs& programs, const DeviceScene& scene,
-                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics);
+                            const Instance& instance, const FrameBuffers& buffers, const CausticMap& caustics,
+                            const Buffer& sieve);
 
 } // namespace pointrt

@@ -32,8 +32,12 @@ private:
     void light(std::uint32_t bits);
     void surface(const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void prepare(std::uint32_t bits);
+    void prepareList(std::uint32_t list, std::uint32_t bits);
+    void askAll(std::uint32_t list, Program SievePrograms::*sift, std::uint32_t bits, const AskTarget& ask);
+    void runOver(std::uint32_t list, const Program& program, const DescriptorSets& sets, std::uint32_t bits);
     void run(const Program& program, const DescriptorSets& sets, std::uint32_t bits, PassLanes lanes,
              std::uint32_t groups = 0);
+    gpu::PushParams pushed(std::uint32_t bits, std::uint32_t list = 0) const;
 
     PassCommands& commands_;
     const BandTracer& tracer_;

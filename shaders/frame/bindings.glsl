@@ -21,7 +21,8 @@ layout(binding = BINDING_PHOTON_BUCKETS) uniform usamplerBuffer photon_buckets;
 layout(std140, binding = BINDING_PARAMS) uniform ParamsBuffer { FrameParams params; };
 layout(std430, binding = BINDING_CONTROL) buffer ControlBuffer { Control control; };
 // two of rays (the first one holds tiles at first), one of light queries, one of hits, one of rays for instances, and
-// with room for ASKED_TURNS of each path one of shadow rays for them
+// with room for ASKED_TURNS of each path one of shadow rays for them; where there are sieves, as much again for bits of
+// the targets that a list's entries meet, and SIFTED_ENTRIES of each path for the targets' lists
 layout(std430, binding = BINDING_QUEUES) buffer QueueBuffer { uint queues[]; };
 layout(std430, binding = BINDING_PATHS) buffer PathBuffer { PathState paths[]; };
 // TraceHit: t as bits, cell, disc, which is its place in the lists too, owner; of shapes: t, 0, shape, OWNER_SHAPES
@@ -46,6 +47,7 @@ layout(binding = BINDING_SURFACES_TEXELS) uniform usamplerBuffer surface_texels;
 layout(binding = BINDING_LIGHT_QUERIES_TEXELS) uniform usamplerBuffer light_query_texels; // of light_queries
 // pixels of the picture, x | y << 16, that lanes of STEP_PLACES trace
 layout(binding = BINDING_PLACES) uniform usamplerBuffer place_words;
+layout(std140, binding = BINDING_SIEVE) uniform SieveBuffer { Sieve sieve; };
 layout(push_constant) uniform Push { PushParams push; };
 
 #define loadPhoton(photon, member) uintBitsToFloat(texelFetch(photon_texels, int(photon) * PHOTON_VECTORS + (member)))
@@ -109,5 +111,13 @@ uint lightQueueStart() { return 2u * bandLanes(); }
 uint hitListStart() { return 3u * bandLanes(); }
 uint askedListStart() { return 4u * bandLanes(); }
 uint turnListStart() { return 5u * bandLanes(); }
+uint sieveBitsStart() { return (5u + ASKED_TURNS) * bandLanes(); }
+uint siftedStart() { return (5u + 2u * ASKED_TURNS) * bandLanes(); }
+uint siftedEnd() { return siftedStart() + SIFTED_ENTRIES * bandLanes(); }
+
+// Of those that programs append to.
+uint listStart(uint list) {
+    return list == LIST_LIT ? lightQueueStart() : (list == LIST_ASKED ? askedListStart() : turnListStart());
+}
 
 #endif

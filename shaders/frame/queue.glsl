@@ -10,12 +10,10 @@ uint queuedIndex(uint lane) {
     return lane < control.queued[second ? 1 : 0] ? loadQueue(rayQueueStart(second) + lane) : NO_INDEX;
 }
 
-// The lane's entry in the list of rays for instances, or NO_INDEX.
-uint askedEntry(uint lane) {
-    return lane < control.asked_count ? loadQueue(askedListStart() + lane) : NO_INDEX;
+// The lane's entry in the list that the program goes by, or NO_INDEX.
+uint listEntry(uint lane) {
+    uint count = control.lists[push.list].count, start = control.lists[push.list].start;
+    return lane < count ? loadQueue(start + lane) : NO_INDEX;
 }
-
-// And in that of shadow rays.
-uint turnEntry(uint lane) { return lane < control.turn_count ? loadQueue(turnListStart() + lane) : NO_INDEX; }
 
 #endif

@@ -73,7 +73,7 @@ bool goesOn(Journey journey, uint bounces) {
 // The shadow rays that wait.
 void listShadows(Journey journey, uint index) {
     bool waits = journey.waits != 0u;
-    appendEntry(APPEND_LIGHT_QUERY, waits, index);
+    appendEntry(LIST_LIT, waits, index);
     if (kAsksOne) {
         if (waits) shadow_rays[index] = journey.shadow;
     } else {
@@ -81,7 +81,7 @@ void listShadows(Journey journey, uint index) {
         if (waits && kLightOnTheWay) light_masks[index] = ~journey.waits; // the other lights' has been added
         uint turns = kLightOnTheWay ? lightTurns() : 0u;
         for (uint turn = 0u; turn < turns; turn++)
-            appendEntry(APPEND_TURN, (journey.waits >> turn & 1u) != 0u, index | turn << ASKED_TURN_SHIFT);
+            appendEntry(LIST_TURNS, (journey.waits >> turn & 1u) != 0u, index | turn << ASKED_TURN_SHIFT);
     }
 }
 
@@ -110,7 +110,7 @@ void main() {
     bool onward = journey.onward || journey.going;
     if (onward) imageStore(hit_texels, int(index), journey.hit);
     appendRay(onward, index, journey.path);
-    appendEntry(APPEND_ASKED, journey.asks, index);
+    appendEntry(LIST_ASKED, journey.asks, index);
     listShadows(journey, index);
     journey.rays -= journey.going ? 1u : 0u; // it is among those of the queue
     uint rays = subgroupAdd(journey.rays), shadows = subgroupAdd(journey.shadow_rays);

@@ -22,7 +22,7 @@ void main() {
     if (live && kCameraPass) beginSample(index, push.sample_index == 0u, shading.added, covered ? 1.0 : 0.0, albedo);
     if (live && !kCameraPass) addLight(index, shading.added, bounce);
     bool asks = live && asksForLight(shading);
-    appendEntry(APPEND_LIGHT_QUERY, asks, index);
+    appendEntry(LIST_LIT, asks, index);
     if (asks) light_queries[index] = lightQuery(shaded.point, -path.direction, shading.direct_weight, bounce);
 
     PathState after;

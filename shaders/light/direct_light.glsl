@@ -6,6 +6,7 @@
 #include "shaders/frame/path.glsl"
 #include "shaders/math/sampler.glsl"
 #include "shaders/light/sky.glsl"
+#include "shaders/trace/offset.glsl"
 
 DirectLightQuery loadLightQuery(uint path) {
     uvec4 position = loadLightQueryTexel(path, 0), normal = loadLightQueryTexel(path, 1),
@@ -18,7 +19,7 @@ DirectLightQuery loadLightQuery(uint path) {
 // The query of this lane; path: its pixel, NO_INDEX where it has none.
 DirectLightQuery currentLightQuery(out uint path) {
     uint lane = balancedLane();
-    bool live = lane < control.light_query_count;
+    bool live = lane < control.lists[LIST_LIT].count;
     path = live ? loadQueue(lightQueueStart() + lane) : NO_INDEX;
     return loadLightQuery(live ? path : 0u);
 }
@@ -63,5 +64,27 @@ bool facesLight(DirectLightQuery query, LightSample to) { return dot(query.norma
 
 // Shadow rays end before the lamp that they ask: a share of the way that no float's rounding exceeds.
 const float kBeforeLamp = 0.99999;
+
+// A shadow ray on its way to instances, which are asked for it.
+struct TurnRay {
+    vec3 origin;
+    float own_t; // as of a PathState
+    vec3 direction;
+    float t_max; // negative: another instance has answered already
+};
+
+// The path and the turn of a list's entry.
+uint turnPath(uint entry) { return entry & (1u << ASKED_TURN_SHIFT) - 1u; }
+uint turnOf(uint entry) { return entry >> ASKED_TURN_SHIFT; }
+
+TurnRay turnRay(DirectLightQuery query, uint entry) {
+    uint path = turnPath(entry), turn = turnOf(entry);
+    Light light;
+    LightSample to = sampleTurn(query, path, turn, light);
+    bool asks = (light_masks[path] >> turn & 1u) == 0u;
+    float own_t;
+    vec3 origin = leaveSurface(query.position, query.normal, query.radius, query.material, to.direction, own_t);
+    return TurnRay(origin, own_t, to.direction, asks ? to.distance * kBeforeLamp : -1.0);
+}
 
 #endif

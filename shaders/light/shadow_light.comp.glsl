@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fused form's shadow rays: what they bring reaches the film unless an instance stands in their way.
+// The fused form's shadow rays: what they bring reaches the film unless an instance stands in their way. Of those that
+// are sifted for targets, another program brings it (bring.comp.glsl).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define ANY_HIT
 #include "shaders/film/film.glsl"
+#include "shaders/light/shadow_ray.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
-
-ShadowRay loadShadowRay(uint path) {
-    uvec4 origin = loadShadowTexel(path, 0), direction = loadShadowTexel(path, 1), left = loadShadowTexel(path, 2),
-          light = loadShadowTexel(path, 3);
-    return ShadowRay(asVector(origin), asFloat(origin.w), asVector(direction), asFloat(direction.w), asVector(left),
-                     left.w, asVector(light), light.w);
-}
 
 // Where another instance has stopped it, t_max is negative.
 bool isStopped(ShadowRay ray) {
@@ -22,9 +17,8 @@ bool isStopped(ShadowRay ray) {
 }
 
 void main() {
-    uint lane = balancedLane();
-    if (lane >= control.light_query_count) return;
-    uint path = loadQueue(lightQueueStart() + lane);
+    uint path = listEntry(balancedLane());
+    if (path == NO_INDEX) return;
     ShadowRay ray = loadShadowRay(path);
     bool stopped = isStopped(ray);
     if (!hasStep(STEP_LAST)) {

@@ -29,7 +29,7 @@ void main() {
         mask |= dark ? 1u << turn : 0u;
         asked += faces && shadows ? 1u : 0u;
         bool meets = meetsInstances(origin, to.direction, to.distance * kBeforeLamp);
-        appendEntry(APPEND_TURN, shadows && !dark && meets, path | turn << ASKED_TURN_SHIFT);
+        appendEntry(LIST_TURNS, shadows && !dark && meets, path | turn << ASKED_TURN_SHIFT);
     }
     asked = subgroupAdd(asked);
     if (subgroupElect() && asked > 0u) atomicAdd(control.shadow_rays, asked);

@@ -59,6 +59,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_SHADOW_RAYS POINTRT_BINDING(55)
 #define BINDING_SHADOW_RAYS_TEXELS POINTRT_BINDING(56)
 #define BINDING_PLACES POINTRT_BINDING(57)
+#define BINDING_SIEVE POINTRT_BINDING(61)
 
 // The photon map's (runtime/tracer/caustics.cpp).
 #define BINDING_PHOTON_TEXELS POINTRT_BINDING(31)

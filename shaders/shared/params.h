@@ -81,32 +81,60 @@ struct FrameParams {
     Shape held_shapes[HELD_SHAPES]; // the scene's, where it has no more
 };
 
+// Lists of entries in queues, by number.
+#define LIST_LIT 0u    // light queries that are being answered, or shadow rays of paths: shadow_shapes, light, caustic
+#define LIST_ASKED 1u  // rays for instances: trace
+#define LIST_TURNS 2u  // shadow rays for instances: shadow
+#define LIST_SIFTED 3u // the first of those that the targets of a sieve have of one of these
+// Targets, which are instances, that a ray is held against at once: bits of a word.
+#define SIEVE_TARGETS 32u
+#define LISTS 35u // LIST_SIFTED + SIEVE_TARGETS
+
+struct RayList {
+    uvec3 groups; // of a dispatch over it
+    uint count;
+    uint start;    // in queues
+    uint appended; // for prepare to take
+    uint placed;   // of a sifted one: entries that are there already
+    uint unused;
+};
+
 // Counters, and the group counts of indirect dispatches with the length of the list that each works on.
 struct Control {
     uvec3 ray_groups; // trace_shapes, shade
     uint unused_0;
-    uvec3 light_groups; // shadow_shapes, light, caustic
-    uint unused_1;
-    uvec3 asked_groups; // trace
-    uint asked_count;
-    uvec3 turn_groups; // shadow
-    uint turn_count;
     uvec3 hit_groups; // surface
     uint hit_count;
-    uvec3 tile_groups; // trace_primary
-    uint tile_count;   // in queue 0
-    uint queued[2];    // rays in the queues
-    uint light_queries_appended;
-    uint light_query_count; // of those being answered
-    uint asked_appended;    // to the list that trace reads next
-    uint hits_appended;     // to that of surface
-    uint turns_appended;    // to that of shadow
-    uint unused_3;
-    uint primary_rays; // of this sample
+    uvec3 tile_groups;  // trace_primary
+    uint tile_count;    // in queue 0
+    uint queued[2];     // rays in the queues
+    uint hits_appended; // to the list that surface reads next
+    uint primary_rays;  // of this sample
     uint shadow_rays;
     uint secondary_rays;
-    uint unused_4;
+    uint unused_1;
+    uint unused_2;
+    RayList lists[LISTS];
 };
+
+// Boxes that rays are held against before the targets in them are asked, each by itself. They are told in whole steps,
+// so that a box is two words: for lavapipe loads are what a sieve takes.
+struct Sieve {
+    vec4 row_x; // from render space to steps along the boxes' axes: a similarity; w: translation
+    vec4 row_y;
+    vec4 row_z;
+    uvec4 targets;                   // x: a bit for each there is
+    uvec4 boxes[SIEVE_TARGETS / 2u]; // x, y of an even target, z, w of the next: middle and half edges
+};
+// Of these x is lowest.
+#define SIEVE_BITS 10u
+#define SIEVE_STEPS 1023u
+// Of the largest coordinate of a ray's start or of a box, rounding makes less than this: a few times 2^-24 for each of
+// turning them into the sieve's frame, into a tile's, and the products there.
+#define SIEVE_ROUNDING 2e-6f
+// Entries that the lists of a sieve's targets have room for, a lane: two targets for each of the most shadow rays there
+// may be. A target whose list does not fit is asked for all rays.
+#define SIFTED_ENTRIES 16u
 
 // A path between two dispatches.
 struct PathState {
@@ -197,7 +225,7 @@ struct PushParams {
     uint sample_index;
     uint first_turn; // of those asked for shadows
     uint step;       // STEP_*
-    uint unused;
+    uint list;       // LIST_* or after: that a program goes by
 };
 
 #define STEP_CENTER 1u    // rays go through pixel centres
@@ -205,11 +233,11 @@ struct PushParams {
 #define STEP_RESET 4u     // prepare: the start of a sample
 #define STEP_QUEUE_ONE 8u // rays are read from queue 1 and appended to queue 0
 #define STEP_PREVIEW 16u  // lamps are asked in the middle, and the first alone for shadows: pictures at once
-#define STEP_ASKED 32u    // prepare: the list of rays for instances is complete
+#define STEP_LIST 32u     // prepare: the list is complete
 #define STEP_HITS 64u     // prepare: the list of an instance's hits is complete
 #define STEP_LAST 128u    // shadow_light: no instance comes after this one
 #define STEP_PLACES 256u  // rays go through the pixels that places names, one a lane
-#define STEP_TURNS 512u   // prepare: the list of shadow rays for instances is complete
+#define STEP_SIFTED 512u  // prepare: the entries of the sifted lists are counted
 
 // A shadow ray in the list of those that instances are asked for: a path, and above it the turn of its light.
 #define ASKED_TURN_SHIFT 27u
@@ -223,9 +251,13 @@ POINTRT_ROW(FrameParams, width);
 POINTRT_ROW(FrameParams, reach_low);
 POINTRT_ROW(FrameParams, environment);
 POINTRT_ROW(FrameParams, held_shapes);
-POINTRT_ROWS(Control, 9);
+POINTRT_ROWS(RayList, 2);
+static_assert(LISTS == LIST_SIFTED + SIEVE_TARGETS);
+POINTRT_ROWS(Control, 5 + 2 * LISTS);
 POINTRT_ROW(Control, tile_groups);
 POINTRT_ROW(Control, queued);
+POINTRT_ROW(Control, lists);
+POINTRT_ROWS(Sieve, 4 + SIEVE_TARGETS / 2);
 POINTRT_ROWS(PathState, PATH_VECTORS);
 POINTRT_ROW(PathState, left_normal);
 POINTRT_ROWS(SurfaceInteraction, SURFACE_VECTORS);

@@ -39,6 +39,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_SHAPE_KINDS POINTRT_SPEC(19)
 // Whether the instance is a tile of a set.
 #define SPEC_CORED POINTRT_SPEC(20)
+// Boxes of a sieve (shaders/trace/sift.glsl), a multiple of 8 up to SIEVE_TARGETS.
+#define SPEC_SIEVE_BOXES POINTRT_SPEC(21)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

@@ -7,7 +7,7 @@
 #include "shaders/trace/store_hit.glsl"
 
 void main() {
-    uint path = askedEntry(balancedLane());
+    uint path = listEntry(balancedLane());
     bool live = path != NO_INDEX; // others work along, for the list of hits needs the whole subgroup
     path = live ? path : 0u;
     storeHit(live, path, tracePath(path, live ? reachOf(path) : -1.0));

@@ -17,5 +17,5 @@ void main() {
     ShapeHit hit = nearestShapeWithout(skipped, ofLane(params.shape_count), path.origin, path.direction, t_min);
     if (live) imageStore(hit_texels, int(index), hitWords(hit));
     bool asks = live && !kCameraPass && meetsInstances(path.origin, path.direction, hit.t);
-    appendEntry(APPEND_ASKED, asks, index);
+    appendEntry(LIST_ASKED, asks, index);
 }

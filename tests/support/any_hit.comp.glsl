@@ -6,7 +6,7 @@
 #include "shaders/trace/trace_queued.glsl"
 
 void main() {
-    uint path = askedEntry(balancedLane());
+    uint path = listEntry(balancedLane());
     if (path == NO_INDEX) return;
     bool asks = (light_masks[path] & 1u) == 0u;
     if (tracePath(path, asks ? 1e30 : -1.0).disc != NO_INDEX) atomicOr(light_masks[path], 1u);

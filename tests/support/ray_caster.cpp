@@ -92,6 +92,7 @@ struct RayCaster::State {
             texels("light query buffer", sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT);
         buffers.light_masks = storage("light mask buffer", rays * sizeof(std::uint32_t));
         buffers.deferred = storage("deferred ray buffer", sizeof(gpu::PathState));
+        buffers.blank_sieve = storage("blank sieve", sizeof(gpu::Sieve), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         buffers.places = texels("place buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
         no_caustics = emptyCaustics(device);
         listInOrder();
@@ -134,6 +135,7 @@ struct RayCaster::State {
         std::vector<BufferBinding> bindings = instanceBindings(scene, scene.instances[0]);
         const std::vector<BufferBinding> frame = frameBindings(buffers);
         bindings.insert(bindings.end(), frame.begin(), frame.end());
+        bindings.push_back({BINDING_SIEVE, &buffers.blank_sieve});
         const std::vector<BufferBinding> caustics = causticBindings(no_caustics);
         bindings.insert(bindings.end(), caustics.begin(), caustics.end());
         set = createDescriptorSet(device, pool, trace, bindings);
@@ -184,7 +186,8 @@ struct RayCaster::State {
     void uploadCounts() {
         gpu::Control counts{};
         counts.queued[0] = loaded;
-        counts.asked_count = loaded;
+        counts.lists[LIST_ASKED].count = loaded;
+        counts.lists[LIST_ASKED].start = static_cast<std::uint32_t>((kQueues - 1) * lanes());
         uploadBuffer(device, buffers.control, &counts, sizeof counts);
     }
 
@@ -213,7 +216,7 @@ struct RayCaster::State {
 
     /// Seconds from submission to the end.
     double run(const Program& program, std::uint32_t rays, std::uint32_t step_bits = 0) {
-        const gpu::PushParams push{0, 0, step_bits, 0};
+        const gpu::PushParams push{0, 0, step_bits, LIST_ASKED};
         const VkCommandBuffer commands = beginCommands(device);
         const std::uint32_t groups = (rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE;
         recordDispatch(commands, program, set, pushBytes(push), {groups, 1, 1});

@@ -100,8 +100,8 @@ TEST_F(PassProfileTest, LeavesThePictureAsItIs) {
 
 TEST(PassProfile, CountsBytesByLanesAndEntries) {
     PassProfile profile;
-    PassRun run{"trace", PassLanes::kAsked, 4, {}, {}, 3, 6, 2};
-    run.before.asked_count = run.after.asked_count = 100;
+    PassRun run{"trace", PassLanes::kList, 4, {}, {}, 3, 6, 2, LIST_ASKED};
+    run.before.lists[LIST_ASKED].count = run.after.lists[LIST_ASKED].count = 100;
     run.before.hits_appended = 5;
     run.after.hits_appended = 15;
     addRun(profile, run);
