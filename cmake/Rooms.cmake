@@ -47,6 +47,7 @@ function(pointrt_room_objects result)
     list(APPEND met ${room})
     if(type STREQUAL "STATIC_LIBRARY")
       list(APPEND objects $<TARGET_OBJECTS:${room}>)
+      set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON) # other people's shared libraries take them
     endif()
     get_target_property(used ${room} INTERFACE_LINK_LIBRARIES)
     foreach(each IN LISTS used)

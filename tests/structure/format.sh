@@ -13,6 +13,6 @@ if [ -z "$program" ]; then
     exit 77
 fi
 
-find format preprocess runtime shaders tests \( -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \) -print0 |
+find format preprocess python runtime shaders tests \( -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \) -print0 |
     xargs -0 "$program" --dry-run --Werror 2>&1 | sed -n 's/: error:.*/: run clang-format-14 -i on it/p' | sort -u -t: -k1,1 |
     { ! grep .; }

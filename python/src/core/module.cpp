@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "module.h"
+
+#include "pointrt/trace.hpp"
+
+namespace nb = nanobind;
+
+namespace {
+
+/// What is wrong with arguments is a ValueError, all else pointrt.Error.
+void translateErrors(nb::module_& module) {
+    static nb::object error = module.attr("Error");
+    nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const pointrt::RayError& failure) {
+            PyErr_SetString(PyExc_ValueError, failure.what());
+        } catch (const pointrt::TraceError& failure) {
+            const bool is_usage = failure.kind == pointrt::TraceError::Kind::kBadUsage;
+            PyErr_SetString(is_usage ? PyExc_ValueError : error.ptr(), failure.what());
+        }
+    });
+}
+
+} // namespace
+
+NB_MODULE(_core, module) {
+    module.doc() = "What the package pointrt is made on: see its functions.";
+    module.attr("Error") = nb::steal(PyErr_NewExceptionWithDoc(
+        "pointrt.Error", "A scan that cannot be read, or a machine that cannot do it: one line that says why.",
+        PyExc_RuntimeError, nullptr));
+    translateErrors(module);
+    pointrt::python::bindScene(module);
+    pointrt::python::bindScanFile(module);
+}

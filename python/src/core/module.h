@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the module pointrt._core.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace pointrt::python {
+
+/// Device and Scene.
+void bindScene(nanobind::module_& module);
+/// ScanFile.
+void bindScanFile(nanobind::module_& module);
+
+} // namespace pointrt::python

