@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
-#include "format/info/input_order.h"
-#include "format/info/metadata.h"
+#include "format/points/input_order.h"
+#include "format/points/metadata.h"
+#include "format/points/pro_points.h"
 #include "format/set/open_tile.h"
 
 namespace pointrt {
@@ -33,52 +34,47 @@ std::string metadataOf(const TileSet& set, const ProFile& tile) {
     return dumpJson(json, false);
 }
 
-bool forEachTile(const TileSet& set, const std::string& folder, const UseSplats& use) {
+void forEachTile(const TileSet& set, const std::string& folder, const UseSplats& use) {
     for (const SetTile& tile : set.tiles) {
         if (!tile.isOriginal()) continue;
         const ProFile file = openTile(set, tile, folder, PRO_OPEN_SKIP_CHECKSUMS);
-        if (!use(file, coreSplats(file))) return false;
+        use(file, coreSplats(file));
     }
-    return true;
 }
 
 /// From the first tile with original splats, and what the whole set has.
-void describe(const TileSet& set, const std::string& folder, ExportSource& source) {
+PointOutline outlineOf(const TileSet& set, const std::string& folder) {
     const auto first =
         std::find_if(set.tiles.begin(), set.tiles.end(), [](const auto& tile) { return tile.isOriginal(); });
     const ProFile file = openTile(set, *first, folder, PRO_OPEN_SKIP_CHECKSUMS);
-    source.info = file.info();
-    source.info.scale = 2 * set.edge;
-    std::copy(set.bounds_min.begin(), set.bounds_min.end(), source.info.bounds_min);
-    std::copy(set.bounds_max.begin(), set.bounds_max.end(), source.info.bounds_max);
-    source.world.metres_per_unit = set.metres;
-    source.attributes = file.attributes();
-    for (std::size_t i = 0; i < source.attributes.size(); ++i) {
-        source.attributes[i].low = set.attributes[i].low;
-        source.attributes[i].high = set.attributes[i].high;
-        source.attributes[i].values = nullptr;
+    PointOutline outline = outlineOf(file);
+    outline.position_step = 2 * set.edge / PRO_POSITION_STEPS;
+    outline.bounds_min = set.bounds_min;
+    outline.bounds_max = set.bounds_max;
+    outline.metres_per_unit = set.metres;
+    outline.metadata = metadataOf(set, file);
+    const std::size_t own = outline.columns.size() - set.attributes.size(); // normals and so on stand first
+    for (std::size_t i = 0; i < set.attributes.size(); ++i) {
+        outline.columns[own + i].range = {{set.attributes[i].low, set.attributes[i].high}};
+        outline.columns[own + i].values = nullptr;
     }
-    source.metadata = metadataOf(set, file);
+    return outline;
 }
 
 } // namespace
 
 ExportSource exportSource(const ProFile& file) {
-    ExportSource source{file.info(), file.world(), file.attributes(), std::string(file.metadata()), 0, {}};
     const std::vector<std::uint32_t> splats = inputOrder(file);
-    source.splats = splats.size();
-    source.forEachPart = [&file, splats](const UseSplats& use) { return use(file, splats); };
+    ExportSource source{outlineOf(file), [&file, splats](const UseSplats& use) { use(file, splats); }};
+    source.outline.count = splats.size();
     return source;
 }
 
 ExportSource exportSource(const TileSet& set, const std::string& folder) {
-    ExportSource source;
-    describe(set, folder, source);
-    source.forEachPart = [set, folder](const UseSplats& use) { return forEachTile(set, folder, use); };
-    source.forEachPart([&](const ProFile&, std::span<const std::uint32_t> splats) {
-        source.splats += splats.size();
-        return true;
-    });
+    ExportSource source{outlineOf(set, folder), [set, folder](const UseSplats& use) { forEachTile(set, folder, use); }};
+    std::uint64_t count = 0;
+    source.forEachPart([&](const ProFile&, std::span<const std::uint32_t> splats) { count += splats.size(); });
+    source.outline.count = count;
     return source;
 }
 

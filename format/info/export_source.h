@@ -8,23 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "format/points/point_columns.h"
 #include "format/set/tile_set.h"
 #include "pointrt/pro.hpp"
 
 namespace pointrt {
 
-/// Some splats of a file, by number. Returns false where no more are wanted.
-using UseSplats = std::function<bool(const ProFile& file, std::span<const std::uint32_t> splats)>;
+/// Some splats of a file, by number.
+using UseSplats = std::function<void(const ProFile& file, std::span<const std::uint32_t> splats)>;
 
 /// What is said of all of them, and a way to have them part by part: one file is open at a time.
 struct ExportSource {
-    pro_info info{};                       ///< flags, bounds, and the scale of the finest; counts are the first file's
-    pro_world world{};                     ///< without sensors
-    std::vector<pro_attribute> attributes; ///< each file's, in its order; values are those of the one file, else null
-    std::string metadata;
-    std::uint64_t splats = 0; ///< of all parts
-    /// Calls use for each part; false where use returned it.
-    std::function<bool(const UseSplats& use)> forEachPart;
+    PointOutline outline; ///< values of columns are those of the one file, else null
+    /// Calls use for each part.
+    std::function<void(const UseSplats& use)> forEachPart;
 };
 
 /// All splats once, in input order (in file order where the file has none), but those that fill gaps. file must live as

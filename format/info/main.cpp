@@ -7,11 +7,10 @@
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "format/base/same_file.h"
-#include "format/info/export_las.h"
-#include "format/info/export_ply.h"
-#include "format/info/metadata.h"
+#include "format/info/export_points.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
+#include "format/points/metadata.h"
 #include "format/set/tile_set.h"
 
 namespace {
@@ -49,8 +48,6 @@ void addOptions(CLI::App& app, Options& options) {
     addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
 }
 
-bool isLas(const std::string& path) { return path.ends_with(".las") || path.ends_with(".laz"); }
-
 void checkOptions(const Options& options) {
     const auto usage = [](const std::string& text) { throw Error(ExitCode::kBadUsage, text); };
     const std::string& path = options.export_path;
@@ -62,7 +59,7 @@ void checkOptions(const Options& options) {
     if (path == "-" && isatty(STDOUT_FILENO) == 1)
         usage("--export -: standard output is a terminal; let a file or a pipe take the splats");
     if (path != "-" && isSameFile(options.input, path)) usage(path + ": is the input");
-    if (path != "-" && !path.ends_with(".ply") && !isLas(path))
+    if (path != "-" && !path.ends_with(".ply") && !path.ends_with(".las") && !path.ends_with(".laz"))
         usage(path + ": --export writes PLY, LAS and LAZ, so its name must end in .ply, .las or .laz");
 }
 
@@ -101,10 +98,7 @@ int verify(const Options& options) {
 }
 
 int exportSplats(const Options& options, const ExportSource& source) {
-    if (isLas(options.export_path))
-        exportLas(source, options.export_path, options.force);
-    else
-        exportPly(source, options.export_path, options.force);
+    exportPoints(source, options.export_path, options.force);
     return 0;
 }
 

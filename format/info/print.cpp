@@ -9,8 +9,8 @@
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
 #include "format/info/histogram.h"
-#include "format/info/metadata.h"
 #include "format/info/words.h"
+#include "format/points/metadata.h"
 
 namespace pointrt {
 

@@ -9,8 +9,8 @@
 #include "format/base/error.h"
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
-#include "format/info/metadata.h"
 #include "format/info/set_summary.h"
+#include "format/points/metadata.h"
 #include "format/set/open_tile.h"
 #include "format/set/verify_tile.h"
 

@@ -8,8 +8,8 @@
 #include "format/base/error.h"
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
-#include "format/info/metadata.h"
 #include "format/info/words.h"
+#include "format/points/metadata.h"
 #include "format/set/open_tile.h"
 
 namespace pointrt {

@@ -129,6 +129,7 @@ bool LasWriter::packFull(bool last) {
 bool LasWriter::add(const char* records, std::size_t count) {
     if (point_offset_ == 0 && !begin()) return false;
     const LasHeader& header = description_.header;
+    count_ += count;
     for (std::size_t i = 0; i < count; ++i) countPoint(records + i * header.record_bytes);
     const std::size_t bytes = count * header.record_bytes;
     if (!header.packed) return put(records, bytes);
@@ -171,9 +172,8 @@ std::string LasWriter::headerBytes() const {
     store(bytes, 104, static_cast<std::uint8_t>(header.point_format | (header.packed ? 0x80 : 0)));
     store(bytes, 105, header.record_bytes);
     // the counts of 32 bits: of old formats, and of no more points than they can tell
-    const bool has_old_counts =
-        header.point_format < 6 && header.point_count <= std::numeric_limits<std::uint32_t>::max();
-    store(bytes, 107, static_cast<std::uint32_t>(has_old_counts ? header.point_count : 0));
+    const bool has_old_counts = header.point_format < 6 && count_ <= std::numeric_limits<std::uint32_t>::max();
+    store(bytes, 107, static_cast<std::uint32_t>(has_old_counts ? count_ : 0));
     for (std::size_t i = 0; i < 5; ++i)
         store(bytes, 111 + 4 * i, static_cast<std::uint32_t>(has_old_counts ? returns_[i] : 0));
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -188,7 +188,7 @@ std::string LasWriter::headerBytes() const {
     if (header.version_minor < 4) return bytes;
     store(bytes, 235, evlr_offset_);
     store(bytes, 243, behind);
-    store(bytes, 247, header.point_count);
+    store(bytes, 247, count_);
     for (std::size_t i = 0; i < returns_.size(); ++i) store(bytes, 255 + 8 * i, returns_[i]);
     return bytes;
 }

@@ -21,8 +21,8 @@ struct LasTarget {
 
 /// What a file says beside its points.
 struct LasDescription {
-    LasHeader header;         ///< version, point format, record_bytes, packed, point_count, scale and offset
-    std::string header_bytes; ///< of the file that it came from, whose other fields are taken over; or ""
+    LasHeader header;                       ///< version, point format, record_bytes, packed, scale and offset
+    std::string header_bytes;               ///< of the file that it came from, whose other fields are taken over; or ""
     std::vector<LasSource::Record> records; ///< with those of the extra bytes, without those of LAZ
 };
 
@@ -32,7 +32,7 @@ public:
     /// Throws Error (kCannotRun) for a packed file in a build without Rust.
     LasWriter(const LasDescription& description, LasTarget target);
 
-    /// Points as records, as many in all as the description says. False where they cannot be written.
+    /// Points as records; more than 2^32 - 1 in all want version 1.4. False where they cannot be written.
     bool add(const char* records, std::size_t count);
     /// The rest: what the points make of the header, chunk table, records behind the points.
     bool finish();
@@ -48,7 +48,7 @@ private:
     LasDescription description_;
     LasTarget target_;
     std::string laszip_; ///< payload of the record of LAZ
-    std::uint64_t at_ = 0;
+    std::uint64_t at_ = 0, count_ = 0;
     std::uint32_t point_offset_ = 0;
     std::uint64_t evlr_offset_ = 0;
     std::array<std::uint64_t, 15> returns_{}; ///< points of each return number

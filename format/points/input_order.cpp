@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/info/input_order.h"
+#include "format/points/input_order.h"
 
 #include <algorithm>
 #include <numeric>

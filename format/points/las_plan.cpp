@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/info/las_plan.h"
+#include "format/points/las_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "format/info/metadata.h"
+#include "format/base/number_type.h"
+#include "format/points/metadata.h"
 #include "format/scanfile/bytes.h"
 
 namespace pointrt {
@@ -21,45 +22,73 @@ constexpr std::uint16_t kWaveformBits = 0b110, kWktBit = 0b10000;
 
 bool isReal(std::uint32_t type) { return type >= PRO_TYPE_F32; }
 
-/// Whether a field that is not scaled takes every value of an attribute as it is.
-bool holds(const LasField& field, const pro_attribute& attribute, std::size_t splats) {
-    if (field.components != attribute.components) return false;
-    if (field.type == attribute.type && field.mask == 0) return true;
-    if (isReal(field.type)) return !isReal(attribute.type) && pro_type_bytes(attribute.type) <= 4; // exact in a double
-    const bool has_sign = field.type == PRO_TYPE_I8 || field.type == PRO_TYPE_I16 || field.type == PRO_TYPE_I32;
+bool hasSign(std::uint32_t type) { return type == PRO_TYPE_I8 || type == PRO_TYPE_I16 || type == PRO_TYPE_I32; }
+
+/// Least and most that a field of whole numbers takes.
+std::array<double, 2> limitsOf(const LasField& field) {
     const double bits = static_cast<double>(8 * pro_type_bytes(field.type));
-    const double most = field.mask != 0 ? field.mask : std::exp2(has_sign ? bits - 1 : bits) - 1;
-    if (attribute.low < (has_sign ? -most - 1 : 0) || attribute.high > most) return false;
-    if (!isReal(attribute.type)) return true;
-    if (!attribute.values) return false; // of many files: not worth looking through them
-    for (std::size_t i = 0; i < splats * attribute.components; ++i) {
-        const double value = pro_attribute_value(&attribute, i);
-        if (value != std::trunc(value) || (value == 0 && std::signbit(value))) return false;
-    }
-    return true;
+    const double most = field.mask != 0 ? field.mask : std::exp2(hasSign(field.type) ? bits - 1 : bits) - 1;
+    return {hasSign(field.type) ? -most - 1 : 0, most};
 }
+
+/// Whether all values are known, and whole numbers.
+bool areWhole(const PointColumn& column) {
+    if (!column.values) return false; // of many files: not worth looking through them
+    return withType(column.type, [&](auto number) {
+        const auto* values = static_cast<const decltype(number)*>(column.values);
+        return std::all_of(values, values + column.value_rows * column.components, [](auto each) {
+            const auto value = static_cast<double>(each);
+            return value == std::trunc(value) && !(value == 0 && std::signbit(value));
+        });
+    });
+}
+
+/// Whether a field that is not scaled takes every value of a column as it is.
+bool holds(const LasField& field, const PointColumn& column) {
+    if (field.components != column.components) return false;
+    if (field.type == column.type && field.mask == 0) return true;
+    if (isReal(field.type)) return !isReal(column.type) && pro_type_bytes(column.type) <= 4; // exact in a double
+    if (!column.range) return false;
+    const auto [least, most] = limitsOf(field);
+    if ((*column.range)[0] < least || (*column.range)[1] > most) return false;
+    return !isReal(column.type) || areWhole(column);
+}
+
+bool isAttribute(const PointColumn& column) { return column.role == PointRole::kAttribute; }
 
 /// Null where there is none.
-const pro_attribute* attributeOf(const ExportSource& scan, std::string_view name) {
-    const auto found = std::find_if(scan.attributes.begin(), scan.attributes.end(),
-                                    [&](const pro_attribute& each) { return name == each.name; });
-    return found == scan.attributes.end() ? nullptr : &*found;
+const PointColumn* attributeOf(const PointOutline& points, std::string_view name) {
+    const auto found = std::find_if(points.columns.begin(), points.columns.end(),
+                                    [&](const PointColumn& each) { return isAttribute(each) && name == each.name; });
+    return found == points.columns.end() ? nullptr : &*found;
 }
 
-/// Whether the attribute is there and holds more than fields of formats 0 to 5 can.
-bool exceedsOld(const ExportSource& scan, const char* name, double most) {
-    const pro_attribute* const attribute = attributeOf(scan, name);
-    return attribute && attribute->high > most && attribute->high <= 255;
+/// points.columns.size() where there is none.
+std::size_t colorColumn(const PointOutline& points) {
+    const auto found = std::find_if(points.columns.begin(), points.columns.end(),
+                                    [](const PointColumn& each) { return each.role == PointRole::kColor; });
+    return static_cast<std::size_t>(found - points.columns.begin());
+}
+
+bool hasColors(const PointOutline& points) { return colorColumn(points) < points.columns.size(); }
+
+/// Whether the attribute is there and may hold more than fields of formats 0 to 5 can.
+bool exceedsOld(const PointOutline& points, const char* name, double most) {
+    const PointColumn* const attribute = attributeOf(points, name);
+    if (!attribute) return false;
+    if (!attribute->range) return attribute->type == PRO_TYPE_U8;
+    const double high = (*attribute->range)[1];
+    return high > most && high <= 255;
 }
 
 /// The smallest point format that takes all of the attributes of LAS; no old one where the source had a new one.
-std::uint8_t chooseFormat(const ExportSource& scan, const std::optional<LasSource>& source) {
-    const auto has = [&](const char* name) { return attributeOf(scan, name) != nullptr; };
+std::uint8_t chooseFormat(const PointOutline& points, const std::optional<LasSource>& source) {
+    const auto has = [&](const char* name) { return attributeOf(points, name) != nullptr; };
     const std::uint8_t before = source ? source->header.point_format : 0;
     const bool fresh = before >= 6 || has("overlap") || has("scanner_channel") || has("scan_angle") || has("nir") ||
-                       exceedsOld(scan, "classification", 31) || exceedsOld(scan, "return_number", 7) ||
-                       exceedsOld(scan, "number_of_returns", 7);
-    const bool colors = has("rgb16") || (scan.info.flags & PRO_FLAG_COLOR) != 0;
+                       exceedsOld(points, "classification", 31) || exceedsOld(points, "return_number", 7) ||
+                       exceedsOld(points, "number_of_returns", 7);
+    const bool colors = has("rgb16") || hasColors(points);
     if (fresh) return has("nir") || before == 8 || before == 10 ? 8 : colors || before == 7 ? 7 : 6;
     const bool time = has("gps_time") || before == 1 || before >= 3;
     return static_cast<std::uint8_t>((colors || before == 2 || before == 3 || before == 5 ? 2 : 0) + (time ? 1 : 0));
@@ -85,13 +114,13 @@ std::string descriptorOf(std::uint8_t type, std::uint8_t options, const std::str
 }
 
 /// The types of the specification: 1 to 10, and 10 more for each component.
-std::uint8_t extraType(const pro_attribute& attribute) {
+std::uint8_t extraType(const PointColumn& attribute) {
     constexpr std::uint8_t kTypes[] = {2, 1, 4, 3, 6, 5, 8, 7, 9, 10}; // of PRO_TYPE_I8 on
     return static_cast<std::uint8_t>(kTypes[attribute.type - PRO_TYPE_I8] + 10 * (attribute.components - 1));
 }
 
 /// A field for an attribute that the source did not have. Arrays of four are no type of LAS: bytes without a meaning.
-std::string newExtraField(const pro_attribute& attribute, bool name_taken, LasField& field) {
+std::string newExtraField(const PointColumn& attribute, bool name_taken, LasField& field) {
     field.name = attribute.name;
     if (name_taken) field.name += "_2"; // LAS has something of that name, which cannot hold these numbers
     field.type = field.raw_type = attribute.type;
@@ -134,9 +163,9 @@ void describeAgain(const LasField& field, const std::string& before, const LasEx
 }
 
 /// Gives an attribute extra bytes at the end of the record.
-void addExtra(const ExportSource& scan, std::size_t number, const std::vector<LasField>& known, LasExport& plan,
+void addExtra(const PointOutline& points, std::size_t number, const std::vector<LasField>& known, LasExport& plan,
               std::string& descriptors) {
-    const pro_attribute& attribute = scan.attributes[number];
+    const PointColumn& attribute = points.columns[number];
     const auto same = std::find_if(known.begin(), known.end(), [&](const LasField& field) {
         return field.name == attribute.name && field.type == attribute.type && field.components == attribute.components;
     });
@@ -156,52 +185,56 @@ void addExtra(const ExportSource& scan, std::size_t number, const std::vector<La
     plan.columns.push_back({field, number});
 }
 
-void planColumns(const ExportSource& scan, const std::optional<LasSource>& source, LasExport& plan) {
+/// Null where something takes the field of that name, or the point format has none.
+const LasField* unusedField(const LasExport& plan, const char* name) {
+    const bool used = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const LasColumn& column) {
+        return column.field.name == name && !column.field.extra;
+    });
+    for (const LasField& field : plan.fields)
+        if (field.name == name && !used) return &field;
+    return nullptr;
+}
+
+void planColumns(const PointOutline& points, const std::optional<LasSource>& source, LasExport& plan) {
     plan.fields = lasFields(plan.description.header.point_format);
     const std::vector<LasField> known = sourceExtraFields(source);
     std::string descriptors;
-    for (std::size_t i = 0; i < scan.attributes.size(); ++i) {
-        const pro_attribute& attribute = scan.attributes[i];
+    for (std::size_t i = 0; i < points.columns.size(); ++i) {
+        const PointColumn& column = points.columns[i];
+        if (!isAttribute(column)) continue;
         const auto field = std::find_if(plan.fields.begin(), plan.fields.end(),
-                                        [&](const LasField& each) { return each.name == attribute.name; });
-        if (field != plan.fields.end() && holds(*field, attribute, scan.info.splat_count))
+                                        [&](const LasField& each) { return each.name == column.name; });
+        if (field != plan.fields.end() && holds(*field, column))
             plan.columns.push_back({*field, i});
         else
-            addExtra(scan, i, known, plan, descriptors);
+            addExtra(points, i, known, plan, descriptors);
     }
     if (!descriptors.empty())
         plan.description.records.push_back(recordOf(kLasSpecUser, kExtraBytesRecord, descriptors));
-    const auto unused = [&](const char* name) -> const LasField* {
-        const bool used = std::any_of(plan.columns.begin(), plan.columns.end(), [&](const LasColumn& column) {
-            return column.field.name == name && !column.field.extra;
-        });
-        for (const LasField& field : plan.fields)
-            if (field.name == name && !used) return &field;
-        return nullptr;
-    };
-    if ((scan.info.flags & PRO_FLAG_COLOR) != 0) plan.colors = unused("rgb16");
-    if (!attributeOf(scan, "return_number")) plan.returns = unused("return_number");
+    plan.color_column = colorColumn(points);
+    if (hasColors(points)) plan.colors = unusedField(plan, "rgb16");
+    if (!attributeOf(points, "return_number")) plan.returns = unusedField(plan, "return_number");
 }
 
 // ---- header ----
 
-bool fits(const pro_info& info, const LasHeader& header) {
+bool fits(const PointOutline& points, const LasHeader& header) {
     constexpr double kMost = std::numeric_limits<std::int32_t>::max();
     for (std::size_t axis = 0; axis < 3; ++axis)
-        for (const double end : {info.bounds_min[axis], info.bounds_max[axis]})
+        for (const double end : {points.bounds_min[axis], points.bounds_max[axis]})
             if (!(std::abs((end - header.offset[axis]) / header.scale[axis]) < kMost)) return false;
     return true;
 }
 
-/// A tenth to the whole of the steps that positions are stored in: the file's rounding adds at most half of that.
-void chooseScale(const pro_info& info, LasHeader& header) {
-    const double step = std::max(info.scale / PRO_POSITION_STEPS, std::numeric_limits<double>::min());
+/// A tenth to the whole of the steps that positions are exact to: the file's rounding adds at most half of that.
+void chooseScale(const PointOutline& points, LasHeader& header) {
+    const double step = std::max(points.position_step, std::numeric_limits<double>::min());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         header.scale[axis] = std::pow(10.0, std::floor(std::log10(step)));
-        header.offset[axis] = std::floor(info.bounds_min[axis]);
+        header.offset[axis] = std::floor(points.bounds_min[axis]);
         // where a coordinate is large, the next whole number is far in such steps
-        if ((info.bounds_min[axis] - header.offset[axis]) / header.scale[axis] > 1e9)
-            header.offset[axis] = info.bounds_min[axis];
+        if ((points.bounds_min[axis] - header.offset[axis]) / header.scale[axis] > 1e9)
+            header.offset[axis] = points.bounds_min[axis];
     }
 }
 
@@ -213,7 +246,7 @@ std::string geoKeys(std::uint16_t code, bool projected) {
 }
 
 /// The coordinate system, of a scan that did not come from a LAS file.
-void describeCrs(const ExportSource& scan, const Json& metadata, LasDescription& description) {
+void describeCrs(const PointOutline& points, const Json& metadata, LasDescription& description) {
     const Json world = metadata.is_object() ? metadata.value("world", Json::object()) : Json::object();
     const std::string crs = world.is_object() && world.contains("crs") && world["crs"].is_string()
                                 ? world["crs"].get<std::string>()
@@ -221,8 +254,7 @@ void describeCrs(const ExportSource& scan, const Json& metadata, LasDescription&
     if (crs.empty()) return;
     if (crs.starts_with("EPSG:")) {
         const auto code = static_cast<std::uint16_t>(std::strtoul(crs.c_str() + 5, nullptr, 10));
-        description.records.push_back(
-            recordOf(kLasCrsUser, kGeoKeysRecord, geoKeys(code, scan.world.metres_per_unit > 0)));
+        description.records.push_back(recordOf(kLasCrsUser, kGeoKeysRecord, geoKeys(code, points.metres_per_unit > 0)));
         return;
     }
     description.header.global_encoding |= kWktBit;
@@ -234,12 +266,12 @@ std::optional<LasSource> sourceOf(const Json& metadata) {
     return parseLasSource(dumpJson(metadata["source_header"], false));
 }
 
-void describe(const ExportSource& scan, const Json& metadata, const std::optional<LasSource>& source,
+void describe(const PointOutline& points, const Json& metadata, const std::optional<LasSource>& source,
               LasDescription& description) {
     LasHeader& header = description.header;
     description.header_bytes = source ? source->header_bytes : std::string(227, '\0');
     constexpr std::size_t kSoftware = 58, kSoftwareBytes = 32;
-    std::string software = "pointrt-info " POINTRT_VERSION;
+    std::string software = points.program;
     software.resize(kSoftwareBytes, '\0');
     description.header_bytes.replace(kSoftware, kSoftwareBytes, software);
     header.version_minor = source ? std::max<std::uint8_t>(2, source->header.version_minor) : 2;
@@ -251,27 +283,27 @@ void describe(const ExportSource& scan, const Json& metadata, const std::optiona
             if (record.vlr.user_id != kLasSpecUser || record.vlr.record_id != kExtraBytesRecord)
                 description.records.push_back(record);
     } else {
-        describeCrs(scan, metadata, description);
+        describeCrs(points, metadata, description);
     }
-    if (!source || !fits(scan.info, header)) chooseScale(scan.info, header);
+    if (!source || !fits(points, header)) chooseScale(points, header);
 }
 
 } // namespace
 
-LasExport planLas(const ExportSource& scan, bool packed) {
-    const Json metadata = parseMetadata(scan.metadata);
+LasExport planLas(const PointOutline& points, bool packed) {
+    const Json metadata = parseMetadata(points.metadata);
     const std::optional<LasSource> source = sourceOf(metadata);
     LasExport plan;
     LasHeader& header = plan.description.header;
-    describe(scan, metadata, source, plan.description);
+    describe(points, metadata, source, plan.description);
     header.packed = packed;
-    header.point_format = chooseFormat(scan, source);
+    header.point_format = chooseFormat(points, source);
     header.record_bytes = lasRecordBytes(header.point_format);
-    planColumns(scan, source, plan);
+    planColumns(points, source, plan);
     const bool has_extra = header.record_bytes > lasRecordBytes(header.point_format);
-    header.point_count = scan.splats;
-    const bool many = scan.splats > std::numeric_limits<std::uint32_t>::max();
-    if (header.point_format >= 6 || (has_extra && !source) || many) header.version_minor = 4;
+    header.point_count = points.count.value_or(0);
+    const bool may_be_many = points.count.value_or(UINT64_MAX) > std::numeric_limits<std::uint32_t>::max();
+    if (header.point_format >= 6 || (has_extra && !source) || may_be_many) header.version_minor = 4;
     return plan;
 }
 

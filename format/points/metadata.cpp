@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "format/info/metadata.h"
+#include "format/points/metadata.h"
 
 namespace pointrt {
 

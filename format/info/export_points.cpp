@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/info/export_points.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "format/points/point_sink.h"
+#include "format/points/pro_points.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::size_t kSplatsAtOnce = 16384; // some MiB of columns
+
+} // namespace
+
+void exportPoints(const ExportSource& source, const std::string& path, bool overwrite) {
+    PointOutline outline = source.outline;
+    outline.program = "pointrt-info " POINTRT_VERSION;
+    outline.comment = "splats of a .pro file: oriented discs";
+    const auto existing = overwrite ? format::Existing::kReplaced : format::Existing::kKept;
+    const std::unique_ptr<PointSink> sink = openPointSink(path, outline, existing);
+    PointBlock block;
+    source.forEachPart([&](const ProFile& file, std::span<const std::uint32_t> splats) {
+        for (std::size_t first = 0; first < splats.size(); first += kSplatsAtOnce) {
+            const std::size_t count = std::min(kSplatsAtOnce, splats.size() - first);
+            gatherPoints(file, splats.subspan(first, count), outline.columns, block);
+            sink->add(block);
+        }
+    });
+    sink->finish();
+}
+
+} // namespace pointrt

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the numbers of a column are called where each has a name of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "format/points/point_columns.h"
+
+namespace pointrt {
+
+/// One for each component. The names of attributes may hold anything: what is no printable character of ASCII, or among
+/// separators, becomes '_'.
+std::vector<std::string> componentNames(const PointColumn& column, const std::string& separators);
+
+} // namespace pointrt

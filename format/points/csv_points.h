@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points as text, one a line.
+#pragma once
+
+#include <memory>
+
+#include "format/points/point_file.h"
+#include "format/points/point_sink.h"
+
+namespace pointrt {
+
+std::unique_ptr<PointSink> csvPoints(PointFile file, const PointOutline& outline);
+
+} // namespace pointrt

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers of files as text.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+#include "format/base/number_type.h"
+
+namespace pointrt {
+
+/// The number at from, as short as it reads the same, appended to text. type: PRO_TYPE_*
+inline void appendNumber(std::uint32_t type, const std::byte* from, std::string& text) {
+    withType(type, [&](auto number) {
+        std::memcpy(&number, from, sizeof number);
+        char room[32]; // the longest double has 24
+        text.append(room, std::to_chars(room, room + sizeof room, number).ptr);
+    });
+}
+
+} // namespace pointrt
