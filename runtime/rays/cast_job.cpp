@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/cast_job.h"
 
-#include <sys/resource.h>
-
-#include <chrono>
 #include <cstdio>
 #include <future>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "format/base/error.h"
 #include "format/base/report_file.h"
+#include "runtime/rays/cast_options.h"
+#include "runtime/rays/command/usage.h"
 #include "runtime/rays/input/ray_source.h"
 #include "runtime/rays/output/hit_sink.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Seconds that this thread was busy with each part, or waited for it; reading goes on beside the others.
 struct Seconds {
@@ -29,19 +25,6 @@ struct Outcome {
     std::uint64_t rays = 0, hits = 0;
     Seconds seconds;
 };
-
-/// Adds the time that work takes to seconds, and returns what it does.
-template <typename Work>
-auto timed(double& seconds, const Work& work) {
-    struct Stop {
-        double& seconds;
-        Clock::time_point start = Clock::now();
-        ~Stop() { seconds += std::chrono::duration<double>(Clock::now() - start).count(); }
-    } const stop{seconds};
-    return work();
-}
-
-ExitCode exitCodeOf(const TraceError& error) { return static_cast<ExitCode>(error.kind); }
 
 /// The block's hits in columns. Errors name the ray where it came from.
 std::size_t castBlock(const TraceScene& scene, const RaySource& source, const RayBlock& block, const RayLimits& limits,
@@ -86,23 +69,10 @@ double raysPerSecond(const Outcome& outcome) {
     return outcome.seconds.cast > 0 ? static_cast<double>(outcome.rays) / outcome.seconds.cast : 0;
 }
 
-std::uint64_t peakRssBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024; // Linux tells KiB
-}
-
 std::string reportOf(const Outcome& outcome, const std::string& device, std::uint64_t splats) {
     const Seconds& s = outcome.seconds;
-    const nlohmann::ordered_json json = {
-        {"device", device},
-        {"splats", splats},
-        {"rays", outcome.rays},
-        {"hits", outcome.hits},
-        {"mrays_per_second", 1e-6 * raysPerSecond(outcome)},
-        {"seconds", {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}}},
-        {"peak_rss_bytes", peakRssBytes()}};
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return reportText(device, {{"splats", splats}, {"rays", outcome.rays}, {"hits", outcome.hits}},
+                      {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}});
 }
 
 void castInto(const CastOptions& options) {
@@ -133,12 +103,11 @@ void castInto(const CastOptions& options) {
 
 } // namespace
 
-void runCast(const CastOptions& options) {
-    try {
-        castInto(options);
-    } catch (const TraceError& error) {
-        throw Error(exitCodeOf(error), error.what());
-    }
+int castCommand(int argc, const char* const* argv) {
+    CastOptions options;
+    if (const auto done = parseCastOptions(argc, argv, options)) return *done;
+    withToolErrors([&] { castInto(options); });
+    return 0;
 }
 
 } // namespace pointrt

@@ -5,25 +5,23 @@
 #include "format/base/report_file.h"
 #include "format/base/run_tool.h"
 #include "runtime/rays/cast_job.h"
-#include "runtime/rays/cast_options.h"
+#include "runtime/rays/command/command_table.h"
 
 namespace {
 
 using namespace pointrt;
 
+constexpr RayCommand kCommands[] = {
+    {"cast", "first hits, or occlusion, of any rays", castCommand},
+};
+
 int run(int argc, const char* const* argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
     if (command == "--help" || command == "-h" || command == "--version") {
-        writeReport("-", command == "--version" ? "pointrt-rays " POINTRT_VERSION "\n" : raysHelp());
+        writeReport("-", command == "--version" ? "pointrt-rays " POINTRT_VERSION "\n" : commandHelp(kCommands));
         return 0;
     }
-    if (command != "cast")
-        throw Error(ExitCode::kBadUsage, command.empty() ? "a command is missing: cast"
-                                                         : std::string(command) + ": no command; there is cast");
-    CastOptions options;
-    if (const auto done = parseCastOptions(argc - 1, argv + 1, options)) return *done;
-    runCast(options);
-    return 0;
+    return commandNamed(kCommands, command).run(argc - 1, argv + 1);
 }
 
 } // namespace

@@ -56,15 +56,16 @@ TEST_F(CastCommand, PointsThatWereHitBecomeACloud) {
     rays.insert(rays.end(), kTwoRays.begin(), kTwoRays.end());
     folder.write("rays.npy", rayArray(rays));
     ASSERT_EQ(cast("--rays rays.npy -o out.ply").code, 0);
-    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty double t_hit\n"
-                               "property uint splat_id\nproperty uint instance_id\nproperty float nx\n"
-                               "property float ny\nproperty float nz\nproperty double x\nproperty double y\n"
-                               "property double z\nproperty uint ray\nend_header\n";
+    const std::string header = "ply\nformat binary_little_endian 1.0\ncomment ....................\n"
+                               "element vertex 2\nproperty double x\nproperty double y\nproperty double z\n"
+                               "property double t_hit\nproperty uint splat_id\nproperty uint instance_id\n"
+                               "property float nx\nproperty float ny\nproperty float nz\nproperty uint ray\n"
+                               "end_header\n";
     const std::string cloud = text("out.ply");
     ASSERT_EQ(cloud.substr(0, header.size()), header);
     constexpr std::size_t kRow = 8 + 4 + 4 + 12 + 24 + 4;
     ASSERT_EQ(cloud.size(), header.size() + 2 * kRow);
-    EXPECT_NEAR(wordAt<double>(cloud, header.size() + kRow + 44), kHeight, 1e-5);
+    EXPECT_NEAR(wordAt<double>(cloud, header.size() + kRow + 16), kHeight, 1e-5);
     EXPECT_EQ(wordAt<std::uint32_t>(cloud, header.size() + kRow - 4), 0u);
     EXPECT_EQ(wordAt<std::uint32_t>(cloud, header.size() + 2 * kRow - 4), 2u);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/rays/output/csv_sink.h"
 
+#include "format/points/number_text.h"
+#include "pointrt/pro.h"
 #include "runtime/util/output_file.h"
 
 namespace pointrt {
@@ -32,7 +34,8 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             for (const HitColumn& column : columns)
                 for (std::size_t c = 0; c < column.components; ++c) {
-                    appendNumber(column, i * column.components + c, text_);
+                    const std::size_t number = i * column.components + c;
+                    appendNumber(column.type, column.values.data() + number * pro_type_bytes(column.type), text_);
                     text_ += ',';
                 }
             text_.back() = '\n';

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstring>
 
 #include "format/base/error.h"
@@ -26,15 +25,6 @@ HitColumn attributeColumn(const std::vector<SceneAttribute>& all, const std::str
 
 HitColumn& mutableColumn(std::span<HitColumn> columns, const std::string& name) {
     return *std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
-}
-
-template <typename Number>
-void appendAs(const HitColumn& column, std::size_t number, std::string& text) {
-    Number value;
-    std::memcpy(&value, column.values.data() + number * sizeof value, sizeof value);
-    char room[32]; // the longest double has 24
-    const auto [end, failure] = std::to_chars(room, room + sizeof room, value);
-    text.append(room, end);
 }
 
 std::size_t fillAny(const TraceScene& scene, const RayRows& rays, const RayLimits& limits, HitColumn& hit) {
@@ -74,31 +64,6 @@ std::string headerName(const HitColumn& column) {
     for (char& c : name)
         if (std::iscntrl(static_cast<unsigned char>(c)) || std::strchr("'\"\\,;/", c)) c = '_';
     return name;
-}
-
-void appendNumber(const HitColumn& column, std::size_t number, std::string& text) {
-    switch (column.type) {
-    case PRO_TYPE_I8:
-        return appendAs<std::int8_t>(column, number, text);
-    case PRO_TYPE_U8:
-        return appendAs<std::uint8_t>(column, number, text);
-    case PRO_TYPE_I16:
-        return appendAs<std::int16_t>(column, number, text);
-    case PRO_TYPE_U16:
-        return appendAs<std::uint16_t>(column, number, text);
-    case PRO_TYPE_I32:
-        return appendAs<std::int32_t>(column, number, text);
-    case PRO_TYPE_U32:
-        return appendAs<std::uint32_t>(column, number, text);
-    case PRO_TYPE_I64:
-        return appendAs<std::int64_t>(column, number, text);
-    case PRO_TYPE_U64:
-        return appendAs<std::uint64_t>(column, number, text);
-    case PRO_TYPE_F32:
-        return appendAs<float>(column, number, text);
-    default:
-        return appendAs<double>(column, number, text);
-    }
 }
 
 std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayLimits& limits,

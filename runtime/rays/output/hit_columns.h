@@ -45,9 +45,6 @@ const HitColumn& columnNamed(std::span<const HitColumn> columns, const std::stri
 /// The column's name as other programs' headers take it: attributes' may hold anything.
 std::string headerName(const HitColumn& column);
 
-/// Number `number` of a column as text, the shortest that reads as the same; flags are 0 or 1. Appended to text.
-void appendNumber(const HitColumn& column, std::size_t number, std::string& text);
-
 /// Fills columns, as hitColumns or anyColumns made them, with what becomes of the rays. Returns how many hit. Throws
 /// TraceError.
 std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayLimits& limits,

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/command/common_options.h"
+
+#include <unistd.h>
+
+#include "format/base/command_line.h"
+#include "format/base/same_file.h"
+
+namespace pointrt {
+namespace {
+
+[[noreturn]] void refuseUsage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
+
+void checkStandardOutput(const CommonOptions& options, const std::string& what) {
+    if (options.output != "-") return;
+    if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
+    if (isatty(STDOUT_FILENO) == 1)
+        refuseUsage("-o -: standard output is a terminal; let a file or a pipe take the " + what);
+}
+
+} // namespace
+
+void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string& output_help) {
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.add_option("SCENE", options.scene, "One or more .pro files: instance_ids count them from 0")
+        ->required()
+        ->type_name("")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("-o,--output", options.output, output_help)->required()->type_name("FILE");
+}
+
+void addDeviceAndReport(CLI::App& app, CommonOptions& options) {
+    app.add_option("--device", options.device,
+                   "Vulkan device, by index or a part of its name (the best one); "
+                   "pointrt-view --device list lists them")
+        ->type_name("DEVICE");
+    app.add_option("--stats", options.stats, "Write a report as JSON; - is standard output")->type_name("FILE");
+    app.add_flag("-q,--quiet", options.quiet, "No progress, only errors");
+    app.add_flag("-v,--verbose", options.verbose, "Say what was done, and how fast");
+}
+
+void checkCommonOptions(const CommonOptions& options, std::vector<std::string> inputs, const std::string& what) {
+    if (options.quiet && options.verbose) refuseUsage("-q and -v exclude each other");
+    checkStandardOutput(options, what);
+    inputs.insert(inputs.end(), options.scene.begin(), options.scene.end());
+    for (const std::string& input : inputs)
+        for (const std::string& output : {options.output, options.stats})
+            if (input != "-" && output != "-" && !output.empty() && isSameFile(input, output))
+                refuseUsage(output + ": is an input");
+    if (!options.stats.empty() && options.stats != "-" && isSameFile(options.stats, options.output))
+        refuseUsage(options.stats + ": is the output");
+}
+
+} // namespace pointrt
