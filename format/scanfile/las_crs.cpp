@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <initializer_list>
 #include <optional>
 
+#include "format/crs/wkt.h"
 #include "format/scanfile/bytes.h"
 
 namespace pointrt {
@@ -15,50 +15,6 @@ namespace {
 using Kind = LasCrs::Kind;
 
 constexpr std::uint16_t kWktRecord = 2112, kGeoKeysRecord = 34735, kGeoDoublesRecord = 34736;
-
-// ---- WKT: KEYWORD["text", number, KEYWORD[...], ...], with parentheses in place of brackets now and then ----
-
-bool opens(char letter) { return letter == '[' || letter == '('; }
-bool closes(char letter) { return letter == ']' || letter == ')'; }
-
-/// Calls use(keyword, what stands within its brackets) for each child, until it returns true.
-template <typename Use>
-void forChildren(std::string_view inside, const Use& use) {
-    int depth = 0;
-    bool quoted = false;
-    std::size_t word = 0, open = 0;
-    for (std::size_t i = 0; i < inside.size(); ++i) {
-        const char letter = inside[i];
-        if (letter == '"') quoted = !quoted;
-        if (quoted) continue;
-        if (opens(letter) && depth++ == 0) open = i;
-        if (letter == ',' && depth == 0) word = i + 1;
-        if (!closes(letter) || --depth > 0) continue;
-        if (depth < 0) return;
-        std::string_view keyword = inside.substr(word, open - word);
-        while (!keyword.empty() && std::string_view(" \t\r\n").find(keyword.front()) != std::string_view::npos)
-            keyword.remove_prefix(1);
-        if (use(keyword, inside.substr(open + 1, i - open - 1))) return;
-    }
-}
-
-using Words = std::initializer_list<std::string_view>;
-
-bool isOneOf(std::string_view keyword, Words words) {
-    for (const std::string_view word : words)
-        if (keyword == word) return true;
-    return false;
-}
-
-/// What stands within the first child of one of these names.
-std::optional<std::string_view> childOf(std::string_view inside, Words keywords) {
-    std::optional<std::string_view> found;
-    forChildren(inside, [&](std::string_view keyword, std::string_view content) {
-        if (isOneOf(keyword, keywords)) found = content;
-        return found.has_value();
-    });
-    return found;
-}
 
 /// The factor of UNIT["name", factor, ...].
 double factorOf(std::string_view unit) {
@@ -73,9 +29,9 @@ double factorOf(std::string_view unit) {
 
 /// Of a projected or geocentric system; its axes name the unit where it does not itself.
 double unitOf(std::string_view system) {
-    if (const auto unit = childOf(system, {"UNIT", "LENGTHUNIT"})) return factorOf(*unit);
-    if (const auto axis = childOf(system, {"AXIS"}))
-        if (const auto unit = childOf(*axis, {"UNIT", "LENGTHUNIT"})) return factorOf(*unit);
+    if (const auto unit = wktChild(system, {"UNIT", "LENGTHUNIT"})) return factorOf(*unit);
+    if (const auto axis = wktChild(system, {"AXIS"}))
+        if (const auto unit = wktChild(*axis, {"UNIT", "LENGTHUNIT"})) return factorOf(*unit);
     return 0;
 }
 
@@ -85,7 +41,7 @@ constexpr int kDeepest = 4;
 /// Adds what the system of that keyword says; false where it is none of x and y.
 bool takeSystem(std::string_view keyword, std::string_view content, LasCrs& crs, int depth = 0) {
     if (isOneOf(keyword, {"COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"}) && depth < kDeepest) {
-        forChildren(content, [&](std::string_view inner, std::string_view its) {
+        forWktChildren(content, [&](std::string_view inner, std::string_view its) {
             return takeSystem(inner, its, crs, depth + 1);
         });
         return crs.kind != Kind::kUnknown;
@@ -195,8 +151,8 @@ LasCrs crsOfKeys(const GeoKeys& keys) {
 
 LasCrs crsOfWkt(std::string_view wkt) {
     LasCrs crs;
-    forChildren(wkt,
-                [&](std::string_view keyword, std::string_view content) { return takeSystem(keyword, content, crs); });
+    forWktChildren(
+        wkt, [&](std::string_view keyword, std::string_view content) { return takeSystem(keyword, content, crs); });
     if (crs.kind != Kind::kUnknown) crs.name = wkt;
     return crs;
 }

@@ -46,8 +46,8 @@ FNR == 1 {
     split($0, parts, "\"")
     included = parts[2]
     if (included ~ /\.spv\.h$/) next # compiled shaders
-    if (included ~ /^pointrt\/trace/) included = "runtime/include/" included
-    if (included ~ /^pointrt\//) included = "format/include/" included
+    if (included ~ /^pointrt\/pro/) included = "format/include/" included
+    if (included ~ /^pointrt\//) included = "runtime/include/" included
     other = folderOf(included)
     if (other == room) next
     if (!(other in uses))
