@@ -2,6 +2,7 @@
 #include "runtime/trace/scene_attributes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -12,8 +13,34 @@ namespace pointrt {
 namespace {
 
 SceneAttribute described(const pro_attribute& attribute) {
-    return {attribute.name, attribute.type, attribute.components,
-            std::size_t{pro_type_bytes(attribute.type)} * attribute.components};
+    return {attribute.name,       attribute.type,
+            attribute.components, std::size_t{pro_type_bytes(attribute.type)} * attribute.components,
+            attribute.low,        attribute.high};
+}
+
+/// Where file has numbers of this attribute, wanted's reach to them. Files without any say 0 and 0.
+void widen(const DeviceScan& file, SceneAttribute& wanted) {
+    pro_attribute found;
+    pro_find_attribute(file.file, wanted.name.c_str(), &found);
+    if (found.low == 0 && found.high == 0) return;
+    const bool none_yet = wanted.low == 0 && wanted.high == 0;
+    wanted.low = none_yet ? found.low : std::min(wanted.low, found.low);
+    wanted.high = none_yet ? found.high : std::max(wanted.high, found.high);
+}
+
+/// The file of a hit's splat; nullptr for a miss.
+const DeviceScan* fileOf(const DeviceScene& scene, std::uint32_t splat, std::uint32_t instance) {
+    if (instance >= scene.instances.size()) return nullptr;
+    const DeviceScan& file = scene.files[scene.instances[instance].file];
+    return splat < file.info.splat_count ? &file : nullptr;
+}
+
+/// sRGB; white in a scan without colours.
+std::array<std::uint8_t, 3> colorOf(const DeviceScan& file, std::uint32_t splat) {
+    if ((file.info.flags & PRO_FLAG_COLOR) == 0) return {255, 255, 255};
+    pro_splat decoded;
+    pro_splat_decode(file.view.splats + std::size_t{splat} * PRO_SPLAT_WORDS, 1, 1, &decoded); // but for the colour
+    return {decoded.color[0], decoded.color[1], decoded.color[2]};
 }
 
 /// Whether the file has the like.
@@ -64,10 +91,12 @@ std::vector<SceneAttribute> sceneAttributes(const DeviceScene& scene) {
     for (std::uint32_t i = 0; i < pro_attribute_count(first); ++i) {
         pro_attribute attribute;
         pro_get_attribute(first, i, &attribute);
-        const SceneAttribute wanted = described(attribute);
+        SceneAttribute wanted = described(attribute);
         if (std::all_of(scene.files.begin(), scene.files.end(),
-                        [&](const DeviceScan& file) { return has(file, wanted); }))
+                        [&](const DeviceScan& file) { return has(file, wanted); })) {
+            for (const DeviceScan& file : scene.files) widen(file, wanted);
             shared.push_back(wanted);
+        }
     }
     return shared;
 }
@@ -80,11 +109,33 @@ void gatherAttribute(const DeviceScene& scene, const std::string& name, std::spa
     const std::vector<const std::byte*> sources = valuesOf(scene, name);
     const std::vector<std::byte> none = missing(attribute);
     for (std::size_t i = 0; i < splats.size(); ++i) {
-        const bool hit = instances[i] < sources.size() &&
-                         splats[i] < scene.files[scene.instances[instances[i]].file].info.splat_count;
+        const bool hit = fileOf(scene, splats[i], instances[i]) != nullptr;
         const std::byte* from = hit ? sources[instances[i]] + std::size_t{splats[i]} * attribute.bytes : none.data();
         std::memcpy(values.data() + i * attribute.bytes, from, attribute.bytes);
     }
+}
+
+void gatherColors(const DeviceScene& scene, std::span<const std::uint32_t> splats,
+                  std::span<const std::uint32_t> instances, std::span<std::uint8_t> colors) {
+    if (splats.size() != instances.size() || colors.size() != 3 * splats.size())
+        throw Error(ExitCode::kBadUsage, "colors: the arrays do not have the same number of rows");
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        std::array<std::uint8_t, 3> color{};
+        if (const DeviceScan* file = fileOf(scene, splats[i], instances[i])) color = colorOf(*file, splats[i]);
+        std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    }
+}
+
+double metresPerUnit(const DeviceScene& scene) {
+    const auto unitOf = [](const DeviceScan& file) {
+        pro_world world;
+        pro_get_world(file.file, &world);
+        return world.metres_per_unit;
+    };
+    const double first = unitOf(scene.files.front());
+    const bool alike = std::all_of(scene.files.begin(), scene.files.end(),
+                                   [&](const DeviceScan& file) { return unitOf(file) == first; });
+    return alike ? first : 0;
 }
 
 } // namespace pointrt

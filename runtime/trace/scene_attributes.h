@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's files say of their splats besides position, normal and colour.
+// What a scene's files say of their splats, and of themselves, besides where they lie.
 #pragma once
 
 #include <cstddef>
@@ -19,5 +19,12 @@ std::vector<SceneAttribute> sceneAttributes(const DeviceScene& scene);
 /// As TraceScene::readAttribute.
 void gatherAttribute(const DeviceScene& scene, const std::string& name, std::span<const std::uint32_t> splats,
                      std::span<const std::uint32_t> instances, std::span<std::byte> values);
+
+/// As TraceScene::readColors.
+void gatherColors(const DeviceScene& scene, std::span<const std::uint32_t> splats,
+                  std::span<const std::uint32_t> instances, std::span<std::uint8_t> colors);
+
+/// As TraceScene::metresPerUnit.
+double metresPerUnit(const DeviceScene& scene);
 
 } // namespace pointrt

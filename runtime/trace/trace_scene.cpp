@@ -149,6 +149,12 @@ void TraceScene::readAttribute(const std::string& name, std::span<const std::uin
     translated([&] { gatherAttribute(state_->scene, name, splat_ids, instance_ids, values); });
 }
 
+void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                            std::span<std::uint8_t> colors) const {
+    translated([&] { gatherColors(state_->scene, splat_ids, instance_ids, colors); });
+}
+
+double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->scene); }
 std::uint64_t TraceScene::splatCount() const { return state_->scene.splat_count; }
 std::uint64_t TraceScene::deviceBytes() const { return state_->scene.device_bytes; }
 

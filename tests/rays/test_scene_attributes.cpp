@@ -77,6 +77,29 @@ TEST(SceneAttributes, OfAHitAreItsOwn) {
     EXPECT_EQ(read<std::uint8_t>(scene, "classification", splat, instance), std::vector<std::uint8_t>{2});
 }
 
+TEST(SceneAttributes, ColorsAreReadAtHitsAndWhiteWhereThereAreNone) {
+    const TemporaryFolder folder;
+    writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});
+    const TraceDevice device;
+    const TraceScene scene(device, {kTiny, folder.file("plane.pro")});
+    const std::vector<std::uint32_t> splats{3, kNoHit, 0, 0}, instances{0, kNoHit, 0, 1};
+    std::vector<std::uint8_t> colors(12);
+    scene.readColors(splats, instances, colors);
+    EXPECT_EQ(colors, (std::vector<std::uint8_t>{128, 64, 32, 0, 0, 0, 255, 0, 0, 255, 255, 255}));
+    EXPECT_THROW(scene.readColors(splats, instances, std::span(colors).first(9)), TraceError);
+}
+
+TEST(SceneAttributes, TheirReachAndTheUnitAreTheFiles) {
+    const TemporaryFolder folder;
+    writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});
+    const TraceDevice device;
+    const TraceScene scene(device, {kTiny, kTiny});
+    EXPECT_EQ(scene.metresPerUnit(), 0.3048);
+    EXPECT_EQ(scene.attributes()[0].low, 0);
+    EXPECT_EQ(scene.attributes()[0].high, 65535);
+    EXPECT_EQ(TraceScene(device, {kTiny, folder.file("plane.pro")}).metresPerUnit(), 0); // which does not say
+}
+
 TEST(SceneAttributes, ThatNotAllFilesHaveAreNotTheScenes) {
     const TemporaryFolder folder;
     writeScan(folder.file("plane.pro"), planeSplats(4, 0.5f), {});

@@ -88,6 +88,7 @@ struct SceneAttribute {
     std::uint32_t type = 0;       ///< PRO_TYPE_* of pointrt/pro_layout.h
     std::uint32_t components = 1; ///< 1 to 4
     std::size_t bytes = 0;        ///< of a splat's
+    double low = 0, high = 0;     ///< of all finite numbers; both 0 where there is none
 };
 
 /// A Vulkan device. It lives until the last scene on it is gone.
@@ -135,7 +136,13 @@ public:
     /// floats NaN. Throws kBadUsage where the scene has none of that name, or sizes differ.
     void readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
                        std::span<const std::uint32_t> instance_ids, std::span<std::byte> values) const;
+    /// Colours of the splats of hits, as castRays tells them: sRGB bytes [N][3], 0 for misses; those of a scan without
+    /// colours are white. Throws kBadUsage where sizes differ.
+    void readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                    std::span<std::uint8_t> colors) const;
 
+    /// How long a unit of the scans' coordinates is; 0 where they do not say, or differ.
+    double metresPerUnit() const;
     std::uint64_t splatCount() const;
     /// Of what the scene takes on the device, without rays under way.
     std::uint64_t deviceBytes() const;
