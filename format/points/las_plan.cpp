@@ -285,7 +285,7 @@ void describe(const PointOutline& points, const Json& metadata, const std::optio
     } else {
         describeCrs(points, metadata, description);
     }
-    if (!source || !fits(points, header)) chooseScale(points, header);
+    if (!source || !points.keeps_source_scale || !fits(points, header)) chooseScale(points, header);
 }
 
 } // namespace

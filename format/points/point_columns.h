@@ -48,8 +48,9 @@ struct PointOutline {
     /// META of the .pro that the points lie in: LAS takes the coordinate system from it, and from "source_header" its
     /// own header, scale and offset.
     std::string metadata;
-    std::string program; ///< "NAME VERSION", for LAS
-    std::string comment; ///< for PLY, one line; or empty
+    bool keeps_source_scale = true; ///< of "source_header"; else LAS goes by position_step all the same
+    std::string program;            ///< "NAME VERSION", for LAS
+    std::string comment;            ///< for PLY, one line; or empty
 };
 
 /// Points one behind the other.

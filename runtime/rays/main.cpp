@@ -6,6 +6,7 @@
 #include "format/base/run_tool.h"
 #include "runtime/rays/cast_job.h"
 #include "runtime/rays/command/command_table.h"
+#include "runtime/rays/lidar/lidar_job.h"
 
 namespace {
 
@@ -13,6 +14,7 @@ using namespace pointrt;
 
 constexpr RayCommand kCommands[] = {
     {"cast", "first hits, or occlusion, of any rays", castCommand},
+    {"lidar", "what a laser scanner would measure", lidarCommand},
 };
 
 int run(int argc, const char* const* argv) {

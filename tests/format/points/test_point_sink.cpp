@@ -13,6 +13,7 @@
 #include "format/base/error.h"
 #include "format/points/pro_points.h"
 #include "format/scanfile/las_fields.h"
+#include "format/scanfile/las_source_header.h"
 #include "format/scanfile/laz.h"
 #include "tests/support/temporary_folder.h"
 
@@ -150,6 +151,20 @@ TEST_F(PointSinks, LasHasFieldsAndExtraBytes) {
         EXPECT_EQ(las.values<std::uint8_t>("return_number"), (std::vector<std::uint8_t>{1, 2, 3}));
         EXPECT_EQ(lasFields(las.file.header.point_format).size() + 1, las.fields.size()) << "one of extra bytes";
     }
+}
+
+TEST_F(PointSinks, ASourcesScaleIsTakenOverWhereItIsWanted) {
+    PointOutline coarse = outline(), again = outline();
+    coarse.position_step = 0.25;
+    write("source.las", coarse);
+    ReadLas source(text("source.las"));
+    ASSERT_EQ(source.file.header.scale[0], 0.1);
+    again.metadata = "{\"source_header\":" + lasSourceHeader(source.file, false) + "}";
+    write("same.las", again);
+    EXPECT_EQ(ReadLas(text("same.las")).file.header.scale[0], 0.1);
+    again.keeps_source_scale = false;
+    write("finer.las", again);
+    EXPECT_EQ(ReadLas(text("finer.las")).file.header.scale[0], 0.001);
 }
 
 TEST_F(PointSinks, ANumberThatMayNotFitItsFieldGetsAWiderOne) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// consume_trace FILE.pro MISSING.pro: a ray onto splat 0 of the tiny scene (tests/format/tiny_scene.h), then an error.
+// consume_trace FILE.pro MISSING.pro: a ray onto splat 0 of the tiny scene (tests/format/tiny_scene.h), a pulse of a
+// simulated scanner, then an error.
+#include <pointrt/lidar.hpp>
 #include <pointrt/trace.hpp>
 
 #include <cmath>
@@ -13,6 +15,14 @@ int main(int argc, char** argv) {
     std::vector<double> t(1);
     scene.castRays(std::span<const double>(rays), {}, {.t_hit = t});
     if (std::abs(t[0] - 0.5) > 1e-5) return 2;
+    const auto sensor =
+        pointrt::parseLidarSensor("[spinning]\nelevations_deg = [-90]\nrotation_hz = 1\nstep_deg = 360\n"
+                                  "[range]\nmax_m = 1\n[pose]\nposition = [10.5, 20.75, 31]\n",
+                                  "sensor");
+    double range = 0;
+    pointrt::simulateLidar(scene, sensor.sensor, {.trajectory = sensor.trajectory},
+                           [&](const pointrt::LidarPoints& points) { range = points.ranges.at(0); });
+    if (std::abs(range - 0.5) > 1e-5) return 5;
     try {
         pointrt::TraceScene(device, {argv[2]});
     } catch (const pointrt::TraceError& error) {

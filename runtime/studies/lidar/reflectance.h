@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of the light the scene's splats send back.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pointrt/lidar.hpp"
+
+namespace pointrt {
+
+class LidarSurface {
+public:
+    /// Throws TraceError kBadUsage where the scene has not the attribute that reflectance names.
+    LidarSurface(const TraceScene& scene, const LidarReflectance& reflectance);
+
+    /// Reflectances of hit splats, as castRays tells them; those of misses mean nothing.
+    void look(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+              std::span<float> reflectances);
+
+private:
+    void lookAtColors(std::span<float> reflectances) const;
+    void lookAtAttribute(std::span<float> reflectances) const;
+
+    const TraceScene& scene_;
+    LidarReflectance reflectance_; ///< source is never kScan
+    SceneAttribute attribute_;
+    std::vector<std::byte> room_;
+};
+
+} // namespace pointrt
