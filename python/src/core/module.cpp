@@ -31,5 +31,6 @@ NB_MODULE(_core, module) {
         PyExc_RuntimeError, nullptr));
     translateErrors(module);
     pointrt::python::bindScene(module);
+    pointrt::python::bindLidar(module);
     pointrt::python::bindScanFile(module);
 }

@@ -8,6 +8,8 @@ namespace pointrt::python {
 
 /// Device and Scene.
 void bindScene(nanobind::module_& module);
+/// Simulated laser scanners; after bindScene.
+void bindLidar(nanobind::module_& module);
 /// ScanFile.
 void bindScanFile(nanobind::module_& module);
 

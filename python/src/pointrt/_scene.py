@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import functools
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core
+from . import _core, _lidar
 from ._hits import ALIASES, Hits
 
 #: All that hits can tell, in the order of the results, with type and shape behind the rays' own.
@@ -98,8 +98,7 @@ class Scene:
             self._scene.cast_rays(rows[part], t_min, t_max, part.start, *arrays)
         hits = Hits({name: found[name].reshape(shape + _LAYOUT[name][1]) for name in FIELDS if name in names})
         for name, dtype, components, size in kinds:
-            values = np.empty(len(rows) * size, np.uint8)
-            self._scene.read_attribute(name, found["splat_ids"], found["instance_ids"], values)
+            values = self._attribute_at(name, size, found["splat_ids"], found["instance_ids"])
             hits[name] = values.view(dtype).reshape(shape + ((components,) if components > 1 else ()))
         return hits
 
@@ -113,6 +112,53 @@ class Scene:
         for part in _parts(len(rows)):
             self._scene.test_occlusions(rows[part], t_min, t_max, part.start, occluded[part])
         return occluded.view(np.bool_).reshape(shape)
+
+    def simulate_lidar(self, sensor: str | os.PathLike[str] | Mapping[str, Any],
+                       trajectory: str | os.PathLike[str] | ArrayLike | None = None, *, pose: ArrayLike | None = None,
+                       start: float | None = None, duration: float | None = None, seed: int = 0,
+                       metres_per_unit: float = 0.0, attributes: Sequence[str] = ()) -> dict[str, np.ndarray]:
+        """What a laser scanner would measure, as ``pointrt-rays lidar`` does it.
+
+        Args:
+            sensor: a sensor file (TOML, docs/RAYS.md), or a dict with its keys; lengths in metres.
+            trajectory: where the scanner is at which time: a file, or ``[N, 8]`` with t (seconds, increasing) x y z (the
+                scan's coordinates) qx qy qz qw (x forwards, y left, z up), or ``[N, 7]`` with t x y z yaw pitch roll
+                (degrees). By default what the sensor file says.
+            pose: in its place, where the scanner stands: ``[3]`` x y z, or ``[6]`` with yaw, pitch and roll.
+            start, duration: seconds; by default the whole trajectory, or one turn, frame or swing from one place.
+            seed: of all that is random. The same arguments give the same points.
+            metres_per_unit: of the scan; 0: as it says itself, else 1.
+            attributes: those of ``Scene.attributes`` that the results are to have, too.
+
+        Returns:
+            Arrays of the N returns, by pulse and range: ``positions`` float64 ``[N, 3]``; ``times`` float64, seconds;
+            ``ranges`` float64, in units of the scan; ``intensities`` uint16; ``powers`` float32, 1 as of a white surface
+            at the reference range; ``incidences_deg`` float32; ``scan_angles_deg`` float32, of an oscillating mirror;
+            ``return_numbers`` and ``numbers_of_returns`` uint8; ``rings`` uint16; ``pulses`` uint64; ``splat_ids`` and
+            ``instance_ids`` uint32, of what was hit.
+
+        Raises:
+            pointrt.Error: a file that cannot be read, or is none: it says where and why.
+            ValueError: a dict, poses or times that are none, attributes that are not there.
+        """
+        file = _lidar.sensor_of(sensor)
+        if trajectory is not None and pose is not None:
+            raise ValueError("trajectory and pose exclude each other")
+        poses = (_lidar.pose_of(pose) if pose is not None else
+                 _lidar.poses_of(trajectory) if trajectory is not None else file.poses)
+        kinds = [self._kind_of(name) for name in attributes]
+        points = _core.simulate_lidar(self._scene, file, poses, start, duration, seed, metres_per_unit)
+        for name, dtype, components, size in kinds:
+            if name in points:
+                raise ValueError(f"the points have {name!r} already")
+            values = self._attribute_at(name, size, points["splat_ids"], points["instance_ids"])
+            points[name] = values.view(dtype).reshape((-1, components) if components > 1 else (-1,))
+        return points
+
+    def _attribute_at(self, name: str, size: int, splat_ids: np.ndarray, instance_ids: np.ndarray) -> np.ndarray:
+        values = np.empty(len(splat_ids) * size, np.uint8)
+        self._scene.read_attribute(name, splat_ids, instance_ids, values)
+        return values
 
     def _kind_of(self, name: str) -> tuple[str, Any, int, int]:
         for known, kind, components, size in self._scene.attributes():
