@@ -12,6 +12,7 @@
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "format/set/tile_set.h"
+#include "runtime/app/camera_job.h"
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"
@@ -38,9 +39,11 @@ constexpr const char* kWindowBakes = ", as the window does of itself";
 constexpr const char* kWindowBakes = "";
 #endif
 
-void render(const Options& options) {
+void render(Options options) {
+    std::optional<CameraPlan> cameras;
+    if (!options.cameras.empty()) cameras = planCameras(options);
     const std::string first = options.turntable != 0 ? frameName(options.output, 0) : options.output;
-    if (!first.empty()) requireWritable(first);
+    if (!first.empty() && !cameras) requireWritable(first);
     if (!options.stats.empty()) requireReportWritable(options.stats);
     SceneDescription description = describeScene(options);
     requireOutputsApart(options, description);
@@ -48,7 +51,10 @@ void render(const Options& options) {
     Report report;
     RenderSession session(options);
     loadSession(session, std::move(description), options, report);
-    (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
+    if (cameras)
+        renderCameras(session, *cameras, options, report);
+    else
+        (options.turntable != 0 ? renderTurntable : renderPicture)(session, options, report);
     if (session.profile) {
         report.profile = profileJson(*session.profile);
         std::fputs(profileTable(*session.profile).c_str(), stderr);

@@ -24,6 +24,7 @@ enum class FilmGroup {
 struct FilmPart {
     std::vector<std::string> channels; ///< as they follow each other within a pixel
     FilmGroup group = FilmGroup::kAlways;
+    const char* name = ""; ///< of the film's array
 };
 
 inline bool isRequired(const FilmPart& part) { return part.group == FilmGroup::kPicture; }
@@ -47,7 +48,7 @@ FILM_PARTS(POINTRT_COUNT)
 template <typename FilmType, typename Visit>
 void forEachFilmPart(FilmType& film, Visit&& visit) {
 #define POINTRT_VISIT(array, Value, channels, group, nothing, source, view)                                            \
-    visit(FilmPart{{channels}, FilmGroup::group}, film.array);
+    visit(FilmPart{{channels}, FilmGroup::group, #array}, film.array);
     FILM_PARTS(POINTRT_VISIT)
 #undef POINTRT_VISIT
 }

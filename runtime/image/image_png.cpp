@@ -3,6 +3,7 @@
 
 #include <png.h>
 
+#include <bit>
 #include <csetjmp>
 #include <exception>
 #include <new>
@@ -54,10 +55,12 @@ void ignoreMessage(png_structp, png_const_charp) {}
 void jumpOut(png_structp png, png_const_charp) { png_longjmp(png, 1); }
 
 void setHeader(png_structp png, png_infop info, PngSize size) {
-    const int color = size.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
-    png_set_IHDR(png, info, size.width, size.height, 8, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+    const int color = size.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                      : size.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA
+                                           : PNG_COLOR_TYPE_RGB;
+    png_set_IHDR(png, info, size.width, size.height, static_cast<int>(size.bits), color, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (size.is_color) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
     char keyword[] = "Software", writer[] = "pointrt-view " POINTRT_VERSION;
     png_text text{};
     text.compression = PNG_TEXT_COMPRESSION_NONE;
@@ -72,6 +75,7 @@ bool writeHeader(png_structp png, png_infop info, PngSize size) {
     if (setjmp(png_jmpbuf(png))) return false;
     setHeader(png, info, size);
     png_write_info(png, info);
+    if (size.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
     return true;
 }
 
@@ -99,7 +103,7 @@ void require(bool done, const State& state) {
 
 PngWriter::PngWriter(const std::string& path, PngSize size) : state_(std::make_unique<State>(path)) {
     State& state = *state_;
-    state.row_bytes = std::size_t{size.width} * size.channels;
+    state.row_bytes = std::size_t{size.width} * size.channels * (size.bits / 8);
     state.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, ignoreMessage);
     if (state.png) state.info = png_create_info_struct(state.png);
     require(state.info != nullptr, state);
@@ -127,6 +131,13 @@ void writePng(const std::string& path, const Image8& image) {
         throw std::logic_error("writePng: pixel count does not fit the size");
     PngWriter writer(path, {image.width, image.height, image.channels});
     writer.addRows(image.pixels);
+    writer.finish();
+}
+
+void writePng16(const std::string& path, std::uint32_t width, std::span<const std::uint16_t> numbers) {
+    if (width == 0 || numbers.size() % width != 0) throw std::logic_error("writePng16: no whole rows");
+    PngWriter writer(path, {width, static_cast<std::uint32_t>(numbers.size() / width), 1, 16, false});
+    writer.addRows({reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size_bytes()});
     writer.finish();
 }
 

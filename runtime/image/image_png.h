@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 8-bit sRGB pictures as PNG.
+// PNG files: 8-bit sRGB pictures, and whole numbers that are no colours.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,9 @@ namespace pointrt {
 
 struct PngSize {
     std::uint32_t width = 0, height = 0;
-    std::uint32_t channels = 4; ///< 3: RGB, 4: RGBA with straight alpha
+    std::uint32_t channels = 4; ///< 1: grey, 3: RGB, 4: RGBA with straight alpha
+    std::uint32_t bits = 8;     ///< of each; 16: rows are of std::uint16_t, as they lie in memory
+    bool is_color = true;       ///< sRGB; else numbers of another meaning, for which the file says nothing
 };
 
 /// A PNG whose rows come from the top, a few at a time: it keeps none of them. The file appears when it is whole.
@@ -22,7 +24,7 @@ public:
     PngWriter(const std::string& path, PngSize size);
     ~PngWriter();
 
-    /// The next rows, whole ones, with an sRGB chunk before the first.
+    /// The next rows, whole ones, with an sRGB chunk before the first where they are colours.
     void addRows(std::span<const std::uint8_t> rows);
     /// After the last row.
     void finish();
@@ -41,5 +43,8 @@ struct Image8 {
 
 /// Writes image to path, all or nothing, with an sRGB chunk. Throws Error kCannotWrite "PATH: reason".
 void writePng(const std::string& path, const Image8& image);
+
+/// Writes grey numbers of 16 bits, rows from the top, likewise, without one.
+void writePng16(const std::string& path, std::uint32_t width, std::span<const std::uint16_t> numbers);
 
 } // namespace pointrt

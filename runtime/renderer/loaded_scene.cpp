@@ -7,7 +7,7 @@
 #include "runtime/device_scene/scene_rows.h"
 #include "runtime/device_scene/scene_tiles.h"
 #include "runtime/framing/framing.h"
-#include "runtime/renderer/tile_feedback.h"
+#include "runtime/renderer/picture_tiles.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/upright.h"
 
@@ -46,33 +46,6 @@ Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
             {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
 }
 
-/// Of a turntable so many tell which tiles it needs.
-constexpr std::uint32_t kTurntableCameras = 64;
-
-/// That tiles are chosen for.
-std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest& request) {
-    if (request.turntable == 0) return {loaded.camera};
-    const TurntableAxis axis = turntableAxis(loaded);
-    const std::uint32_t count = std::min(request.turntable, kTurntableCameras);
-    std::vector<Camera> cameras;
-    for (std::uint32_t i = 0; i < count; ++i) cameras.push_back(turntableCamera(loaded.camera, axis, i, count));
-    return cameras;
-}
-
-TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const LoadRequest& request) {
-    TileRequest tiles;
-    tiles.cameras = pictureCameras(loaded, request);
-    tiles.size = {loaded.settings.width, loaded.settings.height};
-    tiles.detail = loaded.settings.detail;
-    tiles.memory = request.roots_alone ? 0 : tileMemory(device, request.memory);
-    tiles.tells_coarse = !request.roots_alone;
-    const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
-    tiles.painted = std::any_of(instances.begin(), instances.end(),
-                                [&](const InstanceDescription& each) { return isPainted(each, loaded.settings); });
-    tiles.verbose = request.verbose;
-    return tiles;
-}
-
 /// Puts up what stands around the scene, and all tables.
 void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     DeviceScene& scene = loaded.scene;
@@ -97,21 +70,6 @@ void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
     addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
     if (!scene.sets.empty()) standTiles(device, scene, tileRequest(device, loaded, request));
     uploadSceneTables(device, scene, loaded.settings);
-}
-
-/// Tiles as their rays want them, round by round: what children are met is known when they are there. Two rounds bring
-/// what no camera sees to the pixel of what one sees (kUnseenPixel), and one finds that nothing more is wanted.
-constexpr int kTileRounds = 3;
-
-void refineTiles(Device& device, LoadedScene& loaded, const LoadRequest& request) {
-    const TileRequest tiles = tileRequest(device, loaded, request);
-    for (int round = 0; round < kTileRounds; ++round) {
-        if (!markTilesMet(device, loaded.tracer, loaded.scene, loaded.settings, tiles.cameras)) return;
-        if (!standTiles(device, loaded.scene, tiles)) return;
-        uploadSceneTables(device, loaded.scene, loaded.settings);
-        addPrograms(device, loaded.scene, loaded.settings, loaded.tracer.programs);
-        rebind(device, loaded.tracer);
-    }
 }
 
 TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {

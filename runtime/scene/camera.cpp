@@ -8,6 +8,7 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/scene/reach.h"
 
 namespace pointrt {
 namespace {
@@ -51,8 +52,8 @@ void requireUsable(const CameraRequest& request) {
         throw Error{ExitCode::kBadUsage, "--eye and --target: must be different points"};
 }
 
-void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 centre, double radius) {
-    if (point && !(length(*point - centre) <= kFarthestRadii * radius))
+void requireNear(const char* option, const std::optional<Vec3>& point, Vec3 low, Vec3 high) {
+    if (point && !isWithinReach(*point, low, high))
         throw Error{ExitCode::kBadUsage, std::string(option) + ": more than 10000 scene radii away"};
 }
 
@@ -77,6 +78,11 @@ double windowHeight(const CameraRequest& request, Vec3 low, Vec3 high, double as
 
 } // namespace
 
+bool isWithinReach(Vec3 point, Vec3 bounds_min, Vec3 bounds_max) {
+    const Vec3 centre = bounds_min + (bounds_max - bounds_min) * 0.5;
+    return length(point - centre) <= kFarthestRadii * boundingRadius(bounds_min, bounds_max);
+}
+
 double framingHeight(Vec3 bounds_min, Vec3 bounds_max, double aspect) {
     return 2 * boundingRadius(bounds_min, bounds_max) / std::min(1.0, aspect);
 }
@@ -97,8 +103,8 @@ Camera frameCamera(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_ma
     requireUsable(request);
     const Vec3 centre = bounds_min + (bounds_max - bounds_min) * 0.5;
     const double radius = boundingRadius(bounds_min, bounds_max);
-    requireNear("--eye", request.eye, centre, radius);
-    requireNear("--target", request.target, centre, radius);
+    requireNear("--eye", request.eye, bounds_min, bounds_max);
+    requireNear("--target", request.target, bounds_min, bounds_max);
     Vec3 target = request.target.value_or(centre);
     double distance = framingDistance(radius, request.fov_deg, aspect);
     if (isParallelProjection(request)) distance += std::max(0.0, dot(request.side, centre - target));

@@ -37,8 +37,8 @@ struct CameraRequest {
     bool operator==(const CameraRequest&) const = default;
 };
 
-/// A complete camera in input coordinates; right, up and forward are orthonormal. With parallel projection all rays go
-/// forward, from a window around the eye: nothing behind that is seen.
+/// A complete camera in input coordinates; right, up and forward are orthonormal, but for pinholeCamera's (pinhole.h).
+/// With parallel projection all rays go forward, from a window around the eye: nothing behind that is seen.
 struct Camera {
     Vec3 eye, right, up, forward;
     double fov_deg = 40;     ///< vertical

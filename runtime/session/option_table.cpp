@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/session/option_table.h"
 
-#include "format/base/error.h"
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
 #include "runtime/scene/camera.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/scene/upright.h"
@@ -16,9 +19,31 @@ constexpr double kMaxHeight = 1e12; // as scene files take lengths
 
 constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}};
 
-std::string imageFile(const std::string& path) {
-    if (path == "-" || path.ends_with(".png") || path.ends_with(".exr")) return path;
-    throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
+constexpr std::array kDistortionNames = {Name{"refuse", false}, Name{"drop", true}};
+constexpr double kMaxDepthUnit = 1e9;
+
+/// A layer for cameras' pictures, and where options have it.
+struct LayerName {
+    const char* name;
+    bool CameraOutput::*member;
+};
+constexpr std::array kLayerNames = {
+    LayerName{"rgb", &CameraOutput::rgb},           LayerName{"albedo", &CameraOutput::albedo},
+    LayerName{"depth", &CameraOutput::depth},       LayerName{"normal", &CameraOutput::normal},
+    LayerName{"instance", &CameraOutput::instance}, LayerName{"exr", &CameraOutput::exr}};
+
+void setLayers(CameraOutput& output, const std::string& text) {
+    for (const LayerName& each : kLayerNames) output.*each.member = false;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const auto layer = std::find_if(kLayerNames.begin(), kLayerNames.end(),
+                                        [&](const LayerName& each) { return each.name == word; });
+        if (layer == kLayerNames.end())
+            throw std::invalid_argument("\"" + word + "\" is none of " + joinedNames(kLayerNames, ", "));
+        output.*layer->member = true;
+        begin = end + 1;
+    }
 }
 
 Vec3 parseUp(const std::string& text) {
@@ -55,7 +80,7 @@ OptionGroup imageOptions() {
         {{"-o,--output", "FILE",
           "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light), replacing "
           "what is there; - is PNG to standard output",
-          [](Options& o, const std::string& text) { o.output = imageFile(text); }},
+          [](Options& o, const std::string& text) { o.output = text; }},
          {"--turntable", "N",
           "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
           "to " +
@@ -111,6 +136,29 @@ OptionGroup cameraOptions() {
         {}};
 }
 
+OptionGroup camerasOptions() {
+    return {
+        "Pictures for machines (from a list of cameras, in the coordinates of the input scan)",
+        {{"--cameras", "FILE|FOLDER",
+          "Render a picture from each camera of a transforms.json (nerfstudio, Instant-NGP), or of COLMAP's cameras "
+          "and images (.txt, .bin), to -o FOLDER, with a transforms.json that names them (default: none)",
+          [](Options& o, const std::string& text) { o.cameras = text; }},
+         {"--layers", "NAMES",
+          "What is written of each, apart by commas: " + joinedNames(kLayerNames, ", ") +
+              "; depths are whole numbers along the viewing axis, 0 for nothing (default rgb,depth,normal,exr)",
+          [](Options& o, const std::string& text) { setLayers(o.camera_output, text); }},
+         {"--depth-unit", "LENGTH",
+          "A depth PNG's 1, in the scan's unit (default: 0.001, or the next power of ten that all of the scene "
+          "fits in 65535 of)",
+          [](Options& o, const std::string& text) {
+              o.camera_output.depth_unit = parseRealAbove(text, 0, kMaxDepthUnit);
+          }},
+         {"--distortion", "refuse|drop",
+          "Lists whose lenses are distorted: none is rendered, or all as if they were not (default refuse)",
+          [](Options& o, const std::string& text) { o.drops_distortion = parseName(kDistortionNames, text); }}},
+        {}};
+}
+
 OptionGroup windowOptions() {
     return {"Window (without -o and --bench; H in it lists keys)",
             {{"--record", "FILE", "Write what you do in the window to FILE (default: none)",
@@ -154,9 +202,9 @@ OptionGroup runOptions() {
 } // namespace
 
 std::vector<OptionGroup> optionGroups() {
-    return {imageOptions(),  qualityOptions(),
-            cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
-            windowOptions(), runOptions()};
+    return {
+        imageOptions(),   qualityOptions(), cameraOptions(), {"Light and surfaces", {}, HelpGroup::kLightAndSurfaces},
+        camerasOptions(), windowOptions(),  runOptions()};
 }
 
 } // namespace pointrt

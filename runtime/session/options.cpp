@@ -104,14 +104,50 @@ void requireWindow(const Options& options) {
         throw Error{ExitCode::kBadUsage, "--time-limit and --noise go with -o FILE; the window refines until --spp"};
 }
 
+void requireImage(const Options& options) {
+    const std::string& path = options.output;
+    if (!path.empty() && !writesPng(options) && !path.ends_with(".exr"))
+        throw Error{ExitCode::kBadUsage, path + ": an image ends in .png or .exr"};
+}
+
+/// What each camera of a list has of its own, and what goes with one picture.
+void requireCameraList(const Options& options) {
+    if (options.output.empty() || options.output == "-")
+        throw Error{ExitCode::kBadUsage, "--cameras: goes with -o FOLDER"};
+    const CameraRequest& camera = options.camera;
+    const char* other = options.turntable != 0                   ? "--turntable"
+                        : options.bench_frames != 0              ? "--bench"
+                        : options.resume                         ? "--resume"
+                        : options.profile                        ? "--profile"
+                        : !options.view.empty()                  ? "--view"
+                        : camera.eye                             ? "--eye"
+                        : camera.target                          ? "--target"
+                        : options.fov_deg                        ? "--fov"
+                        : camera.ortho                           ? "--ortho"
+                        : options.choices.legend.value_or(false) ? "--legend"
+                                                                 : nullptr;
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--cameras and ") + other + " exclude each other"};
+}
+
+/// What says something of such lists alone.
+void requireNoCameraList(const Options& options) {
+    requireImage(options);
+    if (options.camera_output != CameraOutput{} || options.drops_distortion)
+        throw Error{ExitCode::kBadUsage, "--layers, --depth-unit and --distortion go with --cameras"};
+}
+
 void requireTask(const Options& options) {
     if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
     if (options.fov_deg && options.camera.ortho)
         throw Error{ExitCode::kBadUsage,
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return;
+    if (options.cameras.empty())
+        requireNoCameraList(options);
+    else
+        requireCameraList(options);
     requireOutput(options.resume, options.output.ends_with(".exr"), "--resume", ".exr");
-    if (!opensWindow(options)) {
+    if (!opensWindow(options) && options.cameras.empty()) {
         requireOutput(options.choices.exposure.has_value(), writesPng(options), "--exposure", ".png");
         requireOutput(options.choices.legend.value_or(false), writesPng(options), "--legend", ".png");
     }
@@ -122,13 +158,15 @@ void requireTask(const Options& options) {
         throw Error{ExitCode::kBadUsage, std::string("--turntable and ") + (options.resume ? "--resume" : "--bench") +
                                              " exclude each other"};
     if (options.scene.empty()) throw Error{ExitCode::kBadUsage, "no scene is given"};
-    requireFrameNames(options.output, options.turntable != 0);
+    if (options.cameras.empty()) requireFrameNames(options.output, options.turntable != 0);
     requireWindow(options);
 }
 
 } // namespace
 
-bool writesPng(const Options& options) { return options.output == "-" || options.output.ends_with(".png"); }
+bool writesPng(const Options& options) {
+    return options.cameras.empty() && (options.output == "-" || options.output.ends_with(".png"));
+}
 
 bool opensWindow(const Options& options) {
     return !options.list_devices && options.output.empty() && options.bench_frames == 0;

@@ -12,19 +12,30 @@
 
 namespace pointrt {
 
+/// What is written of each picture of a list of cameras.
+struct CameraOutput {
+    bool rgb = true, albedo = false, depth = true, normal = true, instance = false, exr = true;
+    std::optional<double> depth_unit; ///< of a depth's whole numbers; none: as small as the scene allows
+    bool operator==(const CameraOutput&) const = default;
+};
+
 /// What the command line says; resolveSettings (settings.h) puts it together with what a scene file says.
 struct Options {
     std::string scene;
-    std::string output;    ///< ends in .png or .exr, or "-"; empty for a window, with bench_frames or list_devices
-    std::string device;    ///< a selector, see DeviceRequest
-    std::string stats;     ///< file for the report, "-" for standard output, empty for none
-    RenderChoices choices; ///< the rows of render_setting_table.h
-    CameraRequest camera;  ///< but for its fov_deg
+    std::string output;            ///< ends in .png or .exr, or "-", or a folder for cameras; empty for a window, with
+                                   ///< bench_frames or list_devices
+    std::string device;            ///< a selector, see DeviceRequest
+    std::string stats;             ///< file for the report, "-" for standard output, empty for none
+    RenderChoices choices;         ///< the rows of render_setting_table.h
+    CameraRequest camera;          ///< but for its fov_deg
     std::optional<Vec3> up_axis;   ///< of the scene too, where that does not say; camera has it as well
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
     std::uint64_t memory = kTileMemory; ///< bytes for the tiles of sets
     std::string view;                   ///< name of a view in the scene file, empty: its camera
+    std::string cameras;                ///< a list of them, empty for none; output is then a folder
+    CameraOutput camera_output;         ///< what it gets of each
+    bool drops_distortion = false;      ///< of their lenses
     std::uint32_t turntable = 0;        ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
     bool resume = false;                ///< go on with the film in output, which ends in .exr
     std::uint32_t bench_frames = 0;     ///< 0: no benchmark

@@ -40,6 +40,18 @@ double pixelAt(const CutView& view, double distance) {
     return height / view.height;
 }
 
+/// Of a point from the eye, how far it is along each of the camera's axes, which need not be at right angles.
+struct PlaneNormals {
+    Vec3 right, up, forward;
+};
+
+PlaneNormals normalsOf(const Camera& camera) {
+    const Vec3 &right = camera.right, &up = camera.up, &forward = camera.forward;
+    const Vec3 across = cross(up, forward);
+    const double share = 1 / dot(right, across);
+    return {share * across, share * cross(forward, right), share * cross(right, up)};
+}
+
 double unseenFactor(const TileBox& core, const CutView& view) { return isInPicture(core, view) ? 1 : kUnseenPixel; }
 
 class Cutter {
@@ -154,14 +166,15 @@ bool isInPicture(const TileBox& box, const CutView& view) {
     const bool parallel = camera.ortho_height > 0;
     const double up = parallel ? camera.ortho_height / 2 : std::tan(verticalHalfAngle(camera.fov_deg));
     const double right = up * view.aspect;
-    if (farthestAlong(box, camera.eye, camera.forward) < 0) return false;
+    const PlaneNormals normals = normalsOf(camera);
+    if (farthestAlong(box, camera.eye, normals.forward) < 0) return false;
     // a parallel picture's sides stand off the eye, a pinhole's go through it
     const auto within = [&](Vec3 side, double reach) {
         if (parallel) return farthestAlong(box, camera.eye, side) + reach >= 0;
-        return farthestAlong(box, camera.eye, reach * camera.forward + side) >= 0;
+        return farthestAlong(box, camera.eye, reach * normals.forward + side) >= 0;
     };
-    return within(camera.right, right) && within(-1.0 * camera.right, right) && within(camera.up, up) &&
-           within(-1.0 * camera.up, up);
+    return within(normals.right, right) && within(-1.0 * normals.right, right) && within(normals.up, up) &&
+           within(-1.0 * normals.up, up);
 }
 
 double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& view) {

@@ -32,5 +32,6 @@ NB_MODULE(_core, module) {
     translateErrors(module);
     pointrt::python::bindScene(module);
     pointrt::python::bindLidar(module);
+    pointrt::python::bindRenderer(module);
     pointrt::python::bindScanFile(module);
 }

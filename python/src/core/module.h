@@ -10,6 +10,8 @@ namespace pointrt::python {
 void bindScene(nanobind::module_& module);
 /// Simulated laser scanners; after bindScene.
 void bindLidar(nanobind::module_& module);
+/// Renderer.
+void bindRenderer(nanobind::module_& module);
 /// ScanFile.
 void bindScanFile(nanobind::module_& module);
 

@@ -6,13 +6,16 @@
 >>> scene = pointrt.Scene(path)
 >>> hits = scene.cast_rays([[500010, 4500020, 300, 0, 0, -1]])
 >>> hits["t_hit"], hits["positions"]
+>>> picture = scene.render(pointrt.Camera.look_at(eye=[500010, 4499950, 130]), 640, 480, layers=["rgba", "depth"])
 
 Coordinates are the scan's own, float64 where they are large: national grids lose nothing.
 """
 
 from ._bake import bake
+from ._camera import Camera
 from ._core import NO_HIT, Device, Error, ScanFile
 from ._hits import Hits
+from ._picture import LAYERS, Picture
 from ._scene import Scene
 
-__all__ = ["Device", "Error", "Hits", "NO_HIT", "ScanFile", "Scene", "bake"]
+__all__ = ["Camera", "Device", "Error", "Hits", "LAYERS", "NO_HIT", "Picture", "ScanFile", "Scene", "bake"]

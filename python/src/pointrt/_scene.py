@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import functools
+import operator
 import os
+import threading
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -12,7 +14,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core, _lidar
+from ._camera import Camera
 from ._hits import ALIASES, Hits
+from ._picture import ALIASES as LAYER_ALIASES
+from ._picture import Picture, setting_text
 
 #: All that hits can tell, in the order of the results, with type and shape behind the rays' own.
 _LAYOUT = {
@@ -50,7 +55,11 @@ class Scene:
     def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
                  device: _core.Device | None = None):
         several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
-        self._scene = _core.Scene(device or _default_device(), [os.fspath(path) for path in several])
+        self._device = device or _default_device()
+        self._paths = [os.fspath(path) for path in several]
+        self._scene = _core.Scene(self._device, self._paths)
+        self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
+        self._renderer_lock = threading.Lock()
 
     def __len__(self) -> int:
         """Splats, of all instances."""
@@ -160,11 +169,57 @@ class Scene:
         self._scene.read_attribute(name, splat_ids, instance_ids, values)
         return values
 
+    def render(self, camera: Camera | None = None, width: int = 512, height: int = 512, *,
+               layers: Sequence[str] = ("rgba",), **settings: Any) -> Picture:
+        """A picture, as ``pointrt-view`` renders it to an OpenEXR file, to the bit.
+
+        The first picture, and the first with other settings, puts the scene on the device once more, with lights,
+        materials and programs; those that follow with the same settings begin at once.
+
+        Args:
+            camera: from ``Camera.look_at`` or ``Camera.from_intrinsics``; by default all of the scene is seen.
+            width, height: pixels, 1 to 16384 each.
+            layers: names out of ``pointrt.LAYERS``, or OpenEXR's (``"Z"``, ``"id.splat"``).
+            settings: what ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``: ``integrator``
+                ("phong", "whitted", "path", "normal", "depth"), ``spp``, ``seed``, ``bounces``, ``lights``, ``room``,
+                ``shadows``, ``color_by`` and others; ``up``; ``memory`` for the tiles of sets; ``staged_for``, the eye
+                that lights are put up for, which is the default camera's otherwise. Sun and sky come from scene files.
+
+        Returns:
+            Arrays by layer, float32 or, of ids, uint32, rows from the top. ``rgba`` [height,width,4]: linear light, and
+            the share of the pixel that the scene covers; ``depth`` [height,width]: from the eye along the ray through
+            the pixel's centre, in the scan's unit, inf for nothing; ``normal`` and ``position`` [height,width,3];
+            ``direct``, ``indirect``, ``caustic``, ``albedo`` [height,width,3]; ``splat_id``, ``tile_id``,
+            ``instance_id``, ``material_id`` [height,width], 4294967295 for nothing; ``samples``, ``variance``.
+
+        Raises:
+            ValueError: a camera, size, layer or setting that is none; it says which and why.
+            pointrt.Error: the device or the memory is too small.
+            KeyboardInterrupt: at Ctrl-C, soon.
+        """
+        view = camera or Camera.look_at()
+        names = [LAYER_ALIASES.get(name, name) for name in ([layers] if isinstance(layers, str) else layers)]
+        renderer = self._renderer_for({name: setting_text(value) for name, value in settings.items()})
+        arrays = getattr(renderer, view._method)(*view._arguments, _side(width), _side(height), names)
+        return Picture({name: arrays[name] for name in names})
+
+    def _renderer_for(self, settings: dict[str, str]) -> _core.Renderer:
+        with self._renderer_lock:
+            if self._renderer is None or self._renderer[0] != settings:
+                self._renderer = None  # what it takes on the device is free before the next one wants as much
+                self._renderer = settings, _core.Renderer(self._device, self._paths, settings)
+            return self._renderer[1]
+
     def _kind_of(self, name: str) -> tuple[str, Any, int, int]:
         for known, kind, components, size in self._scene.attributes():
             if known == name:
                 return name, _TYPES[kind - 1], components, size
         raise ValueError(f"the scene has no attribute {name!r}: it has {', '.join(self.attributes) or 'none'}")
+
+
+def _side(pixels: int) -> int:
+    """A picture's width or height; what is none at all is for those who know the limits to refuse."""
+    return min(max(operator.index(pixels), 0), 2**32 - 1)
 
 
 def _field(name: str) -> str:

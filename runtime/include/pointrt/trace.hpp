@@ -108,6 +108,7 @@ public:
 
 private:
     friend class TraceScene;
+    friend class PictureRenderer;
     std::shared_ptr<State> state_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // consume_trace FILE.pro MISSING.pro: a ray onto splat 0 of the tiny scene (tests/format/tiny_scene.h), a pulse of a
-// simulated scanner, then an error.
+// simulated scanner, a picture, then an error.
 #include <pointrt/lidar.hpp>
+#include <pointrt/render.hpp>
 #include <pointrt/trace.hpp>
 
 #include <cmath>
@@ -23,6 +24,8 @@ int main(int argc, char** argv) {
     pointrt::simulateLidar(scene, sensor.sensor, {.trajectory = sensor.trajectory},
                            [&](const pointrt::LidarPoints& points) { range = points.ranges.at(0); });
     if (std::abs(range - 0.5) > 1e-5) return 5;
+    pointrt::PictureRenderer renderer(device, {argv[1]});
+    if (renderer.render(pointrt::LookAt{}, 8, 4, {"depth"}).layer("depth").floats.size() != 32) return 6;
     try {
         pointrt::TraceScene(device, {argv[2]});
     } catch (const pointrt::TraceError& error) {

@@ -57,6 +57,21 @@ CutRequest requestOf(CutView view) {
 
 TileCut cutOf(const TileSet& set, const CutRequest& request) { return chooseCut(set, childrenOf(set), request); }
 
+TEST(Cut, CamerasMayLookAside) {
+    // the principal point on its right border, it shows what is left of the axis: y from 0.5 to 4.5 at x = 1
+    CutView view = fromTheLeft(100);
+    view.camera.forward = view.camera.forward - view.camera.right;
+    const TileBox left{{1, 3, 0}, {1.1, 3.1, 1}}, right{{1, 0.2, 0}, {1.1, 0.3, 1}}, far_left{{1, 5, 0}, {1.1, 5.1, 1}};
+    EXPECT_TRUE(isInPicture(left, view));
+    EXPECT_FALSE(isInPicture(right, view));
+    EXPECT_FALSE(isInPicture(far_left, view));
+    view.camera.right = 2.0 * view.camera.right; // pixels twice as wide as high
+    view.camera.forward = {1, 0, 0};
+    EXPECT_TRUE(isInPicture(left, view));
+    EXPECT_TRUE(isInPicture(right, view));
+    EXPECT_FALSE(isInPicture(far_left, view));
+}
+
 TEST(Cut, PixelsAreThoseOfTheNearestPointOfTheCore) {
     const TileSet set = rowOfFour();
     EXPECT_NEAR(leftOutPixels(set, set.tiles[0], fromTheLeft(100)), 0.4 / 0.02, 1e-9);

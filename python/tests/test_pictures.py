@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+import pathlib
+import re
+import shutil
+import threading
+
+import numpy as np
+import pytest
+from conftest import GRID
+
+import pointrt
+
+#: Straight down on the field from 50 m above it: x to the east, y of the picture to the south.
+DOWN = np.array([[1.0, 0, 0, GRID[0] + 10], [0, -1, 0, GRID[1] + 10], [0, 0, -1, GRID[2] + 60], [0, 0, 0, 1]])
+
+
+def test_layers_have_their_shapes_and_types(scene):
+    picture = scene.render(width=9, height=6, layers=pointrt.LAYERS, lights=2)
+    assert tuple(picture) == pointrt.LAYERS
+    shapes = {name: array.shape for name, array in picture.items()}
+    assert shapes["rgba"] == (6, 9, 4) and shapes["normal"] == shapes["albedo"] == (6, 9, 3)
+    assert shapes["depth"] == shapes["splat_id"] == (6, 9)
+    assert {str(array.dtype) for array in picture.values()} == {"float32", "uint32"}
+    assert picture["splat_id"].dtype == np.uint32
+    assert picture["Z"] is picture["depth"] and picture["id.splat"] is picture["splat_id"]
+    assert list(scene.render(width=2, height=2, layers=["Z"], lights=2)) == ["depth"]
+    with pytest.raises(KeyError):
+        picture["nothing"]
+
+
+def test_a_point_is_in_the_pixel_where_it_should_be(scene):
+    # 2 pixels a metre at 50 m; the principal point looks at (10, 10) of the field
+    fx, fy, cx, cy = 100.0, 100.0, 30.0, 12.0
+    camera = pointrt.Camera.from_intrinsics(fx, fy, cx, cy, DOWN)
+    picture = scene.render(camera, 60, 40, layers=["depth", "position", "splat_id"], lights=1)
+    x, y = np.meshgrid(np.arange(60) + 0.5, np.arange(40) + 0.5)
+    length = np.sqrt(1 + ((x - cx) / fx) ** 2 + ((y - cy) / fy) ** 2)
+    east, south = 50 * (x - cx) / fx, 50 * (y - cy) / fy
+    inside = (np.abs(east) < 9.5) & (np.abs(south) < 9.5)
+    assert inside.sum() > 500
+    np.testing.assert_allclose(picture["depth"][inside], (50 * length)[inside], atol=2e-3)
+    outside = (np.abs(east) > 10.5) | (np.abs(south) > 10.5)
+    assert np.isinf(picture["depth"][outside]).all()
+    assert (picture["splat_id"][outside] == pointrt.NO_HIT).all()
+    # the splat that is seen in a pixel lies there
+    splats = pointrt.ScanFile(scene._paths[0]).decode()["positions"][picture["splat_id"][inside]]
+    np.testing.assert_allclose(splats[:, 0], GRID[0] + 10 + east[inside], atol=0.5)
+    np.testing.assert_allclose(splats[:, 1], GRID[1] + 10 - south[inside], atol=0.5)
+
+
+def test_conventions_and_rows(scene):
+    opengl = DOWN * [1, -1, -1, 1]
+    same = [scene.render(camera, 30, 20, layers=["depth"], lights=1)["depth"] for camera in (
+        pointrt.Camera.from_intrinsics(40, 50, 15, 10, DOWN),
+        pointrt.Camera.from_intrinsics(40, 50, 15, 10, opengl, "opengl"),
+        pointrt.Camera.from_intrinsics(40, 50, 15, 10, DOWN[:3]))]
+    np.testing.assert_array_equal(same[0], same[1])
+    np.testing.assert_array_equal(same[0], same[2])
+
+
+def test_looking_at(scene):
+    eye = GRID + [10, 10, 60]
+    camera = pointrt.Camera.look_at(eye, GRID + [10, 10, 10], up=[0, 1, 0], fov_deg=2 * np.degrees(np.arctan(0.2)))
+    focal = 20 / (2 * 0.2)
+    pinhole = pointrt.Camera.from_intrinsics(focal, focal, 15, 10, DOWN)
+    looked, machine = (scene.render(each, 30, 20, layers=["depth", "rgba"], lights=1) for each in (camera, pinhole))
+    np.testing.assert_allclose(looked["depth"], machine["depth"], rtol=1e-6)
+    np.testing.assert_allclose(looked["rgba"], machine["rgba"], atol=1e-4)
+
+
+def test_settings_decide_the_picture(scene):
+    eye = pointrt.Camera.look_at(GRID + [10, 0, 40], GRID + [10, 10, 10])
+    colors = scene.render(eye, 8, 8, layers="albedo", lights=1)["albedo"]
+    np.testing.assert_allclose(colors[4, 4], [1, 0, 0], atol=0.02)
+    normals = scene.render(eye, 8, 8, integrator="normal", spp=1)["rgba"]
+    assert not np.array_equal(normals, scene.render(eye, 8, 8, spp=1, lights=1)["rgba"])
+    light, dark = (scene.render(eye, 8, 8, shadows=False, lights=number)["rgba"].sum() for number in (4, 0))
+    assert light > dark
+    few = scene.render(eye, 8, 8, layers=["samples"], spp=np.int64(7), lights=1)["samples"]
+    assert (few == 7).all()
+
+
+@pytest.mark.parametrize("arguments, text", [
+    ({"width": 0}, "0 x 512"),
+    ({"width": -3}, "0 x 512"),
+    ({"height": 2**40}, "512 x 4294967295"),
+    ({"layers": ["colour"]}, "no layer \"colour\"; they have rgba"),
+    ({"integrator": "radiosity"}, "integrator: .*none of phong"),
+    ({"spp": 0}, "spp: "),
+    ({"no_such_setting": 1}, "no_such_setting: is no setting of pictures"),
+])
+def test_what_is_no_picture(scene, arguments, text):
+    with pytest.raises(ValueError, match=text):
+        scene.render(**arguments)
+
+
+def test_what_is_no_camera(scene):
+    with pytest.raises(ValueError, match=r"eye must have the shape \[3\], not \[2\]"):
+        pointrt.Camera.look_at([1, 2])
+    with pytest.raises(ValueError, match=r"\[4, 4\] or \[3, 4\], not \[3, 3\]"):
+        pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(3))
+    with pytest.raises(ValueError, match="convention must be one of opencv, opengl, not 'blender'"):
+        pointrt.Camera.from_intrinsics(1, 1, 1, 1, np.eye(4), "blender")
+    with pytest.raises(ValueError, match="focal lengths are not above 0"):
+        scene.render(pointrt.Camera.from_intrinsics(0, 1, 1, 1, DOWN), 8, 8)
+    with pytest.raises(ValueError, match="mirror image"):
+        scene.render(pointrt.Camera.from_intrinsics(5, 5, 1, 1, DOWN * [-1, 1, 1, 1]), 8, 8)
+    with pytest.raises(ValueError, match="last row"):
+        scene.render(pointrt.Camera.from_intrinsics(5, 5, 1, 1, DOWN + np.eye(4)[::-1]), 8, 8)
+
+
+def test_threads_share_a_scene(scene):
+    expected = scene.render(width=32, height=32, layers=["rgba"], lights=1)["rgba"]
+    found = [None] * 4
+
+    def render(k):
+        found[k] = scene.render(width=32, height=32, layers=["rgba"], lights=1)["rgba"]
+
+    threads = [threading.Thread(target=render, args=(k,)) for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for each in found:
+        np.testing.assert_array_equal(each, expected)
+
+
+def test_the_example_of_the_docs(field, tmp_path, monkeypatch):
+    text = (pathlib.Path(__file__).parents[2] / "docs" / "MACHINES.md").read_text()
+    shutil.copy(field, tmp_path / "site.pro")
+    monkeypatch.chdir(tmp_path)
+    words = {"world_from_camera": DOWN}
+    exec(re.search(r"```python\n(.*?)```", text, re.DOTALL)[1], words)
+    assert words["picture"]["depth"].shape == (480, 640)
+    assert words["picture"]["depth"][240, 320] == pytest.approx(50, abs=0.01)

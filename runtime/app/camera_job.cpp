@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/app/camera_job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+
+#include "format/base/error.h"
+#include "format/base/printable.h"
+#include "format/base/same_file.h"
+#include "runtime/app/camera_pictures.h"
+#include "runtime/camera_files/shot_names.h"
+#include "runtime/camera_files/transforms_write.h"
+#include "runtime/film/picture_filter.h"
+#include "runtime/renderer/camera_series.h"
+#include "runtime/scene/reach.h"
+#include "runtime/session/settings.h"
+#include "runtime/util/interrupt.h"
+#include "runtime/util/output_file.h"
+#include "runtime/util/parse.h"
+#include "runtime/util/render_progress.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kList = "transforms.json";
+/// A thousandth of a unit: the scale that nerfstudio takes depth pictures to have.
+constexpr double kFinestDepth = 1e-3;
+constexpr double kMostDepths = 65535;
+
+std::string listPath(const Options& options) { return (fs::path(options.output) / kList).string(); }
+
+void makeFolder(const std::string& path) {
+    std::error_code failure;
+    fs::create_directories(path, failure);
+    if (failure) throw Error{ExitCode::kCannotWrite, path + ": " + failure.message()};
+}
+
+/// What the list is read from must not be what is written.
+void requireListApart(const Options& options) {
+    const fs::path given(options.cameras);
+    for (const std::string& input : {given.string(), (given / kList).string()})
+        if (isSameFile(listPath(options), input))
+            throw Error{ExitCode::kBadUsage, listPath(options) + ": -o would overwrite the list of cameras"};
+}
+
+void requireSizes(const std::vector<CameraShot>& shots, const Options& options) {
+    if (!options.choices.size) return;
+    for (const CameraShot& shot : shots)
+        if (shot.size != *options.choices.size)
+            throw Error{ExitCode::kBadUsage, "--size: " + shot.place + "says " + std::to_string(shot.size.width) + "x" +
+                                                 std::to_string(shot.size.height) +
+                                                 "; it is for lists that tell no size"};
+}
+
+void tellDropped(const std::vector<CameraShot>& shots, const Options& options) {
+    const auto distorted =
+        std::count_if(shots.begin(), shots.end(), [](const CameraShot& shot) { return !shot.distortion.empty(); });
+    if (distorted == 0 || options.quiet) return;
+    std::fprintf(
+        stderr,
+        "pointrt-view: %s: the lenses of %zu of %zu cameras are distorted; pictures are rendered as if they were not\n",
+        options.cameras.c_str(), static_cast<std::size_t>(distorted), shots.size());
+}
+
+Camera cameraOf(const CameraShot& shot, const Bounds& bounds) {
+    if (!isWithinReach(shot.pose.eye, bounds.lo, bounds.hi))
+        throw Error{ExitCode::kBadInput,
+                    shot.place + "the camera of " + printable(shot.name) + " stands more than 10000 scene radii away"};
+    return pinholeCamera(shot.pose, shot.lens, shot.size);
+}
+
+/// From any of the eyes to the farthest corner of the scene.
+double farthestDepth(const std::vector<CameraShot>& shots, const Bounds& bounds) {
+    double farthest = 0;
+    for (const CameraShot& shot : shots) {
+        const Vec3 low = absolute(shot.pose.eye - bounds.lo), high = absolute(shot.pose.eye - bounds.hi);
+        farthest =
+            std::max(farthest, length(Vec3{std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)}));
+    }
+    return farthest;
+}
+
+double depthUnit(const CameraPlan& plan, const Options& options, const Bounds& bounds) {
+    if (!options.camera_output.depth) return 0;
+    if (options.camera_output.depth_unit) return *options.camera_output.depth_unit;
+    double unit = kFinestDepth;
+    const double farthest = farthestDepth(plan.shots, bounds);
+    for (int power = -2; unit * kMostDepths < farthest; ++power) unit = std::pow(10.0, power);
+    return unit;
+}
+
+SeriesShot seriesShot(const Camera& camera, PixelSize size, const Options& options, bool filtered) {
+    const CameraOutput& output = options.camera_output;
+    const bool first_hits = output.depth || output.normal || output.instance || output.exr || filtered;
+    const bool goes_on = options.limits.seconds || options.limits.noise; // which takes the parts
+    return {camera, size, first_hits, output.exr || goes_on};
+}
+
+/// The pictures of a plan, one after the other.
+class CameraRun {
+public:
+    CameraRun(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report)
+        : session_(session), plan_(plan), options_(options), report_(report),
+          series_(session.device, *session.loaded, options.memory),
+          progress_(options.quiet, options.verbose, options.progress_lines),
+          files_{options.output, options.camera_output, depthUnit(plan, options, session.loaded->scene.bounds),
+                 session.settings.exposure} {
+        list_.offset = offsetFor(session.loaded->scene.bounds.lo, session.loaded->scene.bounds.hi);
+        list_.depth_unit = files_.depth_unit;
+    }
+
+    void run() {
+        for (const CameraShot& shot : plan_.shots) cameraOf(shot, session_.loaded->scene.bounds);
+        for (std::size_t i = 0; i < plan_.shots.size() && renderShot(i); ++i) continue;
+        progress_.finish();
+        if (!list_.shots.empty()) writeTransforms(listPath(options_), list_);
+        tellEnd();
+    }
+
+private:
+    FrameJob jobOf(std::size_t i) {
+        FrameJob job;
+        job.samples = session_.settings.spp;
+        job.limits = options_.limits;
+        job.interrupted = interrupted;
+        job.band_by_band = !options_.camera_output.exr; // else as an EXR by itself would be
+        const std::string place =
+            "picture " + std::to_string(i + 1) + " of " + std::to_string(plan_.shots.size()) + ", ";
+        job.progress = [this, i, place](const FrameState& state, double share) {
+            progress_.update((static_cast<double>(i) + share) / static_cast<double>(plan_.shots.size()),
+                             place + std::to_string(static_cast<std::uint32_t>(state.mean)) + " samples");
+        };
+        return job;
+    }
+
+    /// False where it was interrupted: nothing is written then.
+    bool renderShot(std::size_t i) {
+        const CameraShot& shot = plan_.shots[i];
+        const bool filtered = session_.settings.denoise == DenoiseChoice::kOn;
+        const Clock::time_point begin = Clock::now();
+        const std::clock_t cpu = std::clock();
+        const Camera camera = cameraOf(shot, session_.loaded->scene.bounds);
+        Film film = series_.render(seriesShot(camera, shot.size, options_, filtered), jobOf(i));
+        if (i == 0) report_.first_frame_seconds = secondsSinceStart();
+        report_.frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+        report_.frame_cpu_ms.push_back(1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC);
+        if (interrupted()) return false;
+        report_.rays = series_.takeRays();
+        report_.samples = series_.state().samples;
+        report_.noise = relativeNoise(film);
+        if (filtered) denoisePicture(session_.device, film);
+        farther_ += writeCameraFiles(files_, plan_.names[i], shot.lens, film);
+        list_.shots.push_back({shot, fileNames(options_.camera_output, plan_.names[i])});
+        return true;
+    }
+
+    void tellEnd() const {
+        const std::size_t count = list_.shots.size();
+        if (farther_ > 0 && !options_.quiet)
+            std::fprintf(stderr, "pointrt-view: %s: %llu pixels are farther than 65535 units of %s, and 0 in depth\n",
+                         options_.output.c_str(), static_cast<unsigned long long>(farther_),
+                         plainText(files_.depth_unit).c_str());
+        if (count < plan_.shots.size())
+            std::fprintf(stderr, "pointrt-view: %s: interrupted, %zu of %zu pictures are written\n",
+                         options_.output.c_str(), count, plan_.shots.size());
+        else if (options_.verbose)
+            std::fprintf(stderr, "wrote %zu pictures, and %s\n", count, listPath(options_).c_str());
+    }
+
+    RenderSession& session_;
+    const CameraPlan& plan_;
+    const Options& options_;
+    Report& report_;
+    CameraSeries series_;
+    RenderProgress progress_;
+    CameraFiles files_;
+    TransformsFile list_;
+    std::uint64_t farther_ = 0; ///< pixels that depth's numbers do not tell
+};
+
+} // namespace
+
+CameraPlan planCameras(Options& options) {
+    CameraPlan plan;
+    plan.shots = readCameraList(options.cameras, {options.choices.size, options.drops_distortion});
+    plan.names = shotNames(plan.shots);
+    requireSizes(plan.shots, options);
+    requireListApart(options);
+    makeFolder(options.output);
+    requireWritable(listPath(options));
+    tellDropped(plan.shots, options);
+    options.choices.size = plan.shots.front().size;
+    return plan;
+}
+
+void renderCameras(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report) {
+    noteInterrupts();
+    session.renderer.reset();
+    CameraRun(session, plan, options, report).run();
+}
+
+} // namespace pointrt
