@@ -32,3 +32,14 @@ def field(tmp_path_factory):
 @pytest.fixture(scope="session")
 def scene(field):
     return pointrt.Scene(field)
+
+
+@pytest.fixture(scope="session")
+def hills_in_tiles(tmp_path_factory):
+    """Hills as a tile set of several tiles."""
+    if not (os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")):
+        pytest.skip("there is no pointrt-bake")
+    x, y = np.meshgrid(np.arange(250) * 0.4, np.arange(250) * 0.4)
+    points = GRID + np.stack([x.ravel(), y.ravel(), (5 * np.sin(x / 8) * np.cos(y / 9)).ravel()], axis=1)
+    folder = tmp_path_factory.mktemp("sets")
+    return pointrt.bake(points, output=folder / "hills.proset", tile_splats=8000, clean="off")

@@ -32,42 +32,6 @@ constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 /// the ground cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
 constexpr float kMergedOwnShare = 0.5f;
 
-/// What does not depend on the materials.
-gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
-                                  std::uint32_t number) {
-    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
-    const pro_index& grid = file.index;
-    const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
-    gpu::InstanceParams params{};
-    params.row_x = rows[0];
-    params.row_y = rows[1];
-    params.row_z = rows[2];
-    params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
-                    std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
-    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
-    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
-    const std::uint32_t layer = grid.size[0] * grid.size[1];
-    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
-    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
-    params.materials = {number, 0, 0, 0};
-    params.core_high = {static_cast<float>(grid.size[0]), static_cast<float>(grid.size[1]),
-                        static_cast<float>(grid.size[2]), 1};
-    return params;
-}
-
-/// Where a tile's hits count, in its grid's cells.
-void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params) {
-    const double cells = params.grid_scale.x;
-    const auto along = [&](double input, std::size_t axis) {
-        const double cube = (input - file.info.origin[axis]) / file.info.scale;
-        return static_cast<float>(cube * cells - file.index.origin[axis]);
-    };
-    const float moved = std::max({std::abs(params.row_x.w), std::abs(params.row_y.w), std::abs(params.row_z.w)});
-    const float margin = (kCoreSteps * PRO_POSITION_STEP + kMatrixRounding * moved) * params.grid_scale.x;
-    params.core_low = {along(box.low[0], 0), along(box.low[1], 1), along(box.low[2], 2), margin};
-    params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), params.core_high.w};
-}
-
 std::unordered_map<std::string, std::uint32_t> filesByPath(const DeviceScene& scene) {
     std::unordered_map<std::string, std::uint32_t> files;
     for (std::uint32_t i = 0; i < scene.files.size(); ++i) files.emplace(scene.files[i].path, i);
@@ -245,6 +209,40 @@ void tellCoarse(SceneSet& set, double detail, std::uint64_t memory) {
 }
 
 } // namespace
+
+gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                  std::uint32_t number) {
+    const std::array<gpu::vec4, 3> rows = cubeFromRender(space, placement, file.info);
+    const pro_index& grid = file.index;
+    const float cells = std::ldexp(1.0f, static_cast<int>(PRO_POSITION_BITS - grid.shift));
+    gpu::InstanceParams params{};
+    params.row_x = rows[0];
+    params.row_y = rows[1];
+    params.row_z = rows[2];
+    params.splat = {file.info.radius_max, file.info.radius_step, file.info.blend_slab,
+                    std::sqrt(rows[0].x * rows[0].x + rows[0].y * rows[0].y + rows[0].z * rows[0].z)};
+    params.grid_scale = {cells, cells * PRO_POSITION_STEP, 0, 0};
+    params.grid_origin = {grid.origin[0], grid.origin[1], grid.origin[2], 0};
+    const std::uint32_t layer = grid.size[0] * grid.size[1];
+    params.grid_size = {grid.size[0], grid.size[1], grid.size[2], 0};
+    params.grid_words = {layer, layer * grid.size[2] - 1, grid.brick_count * PRO_BRICK_WORDS - 1, 0};
+    params.materials = {number, 0, 0, 0};
+    params.core_high = {static_cast<float>(grid.size[0]), static_cast<float>(grid.size[1]),
+                        static_cast<float>(grid.size[2]), 1};
+    return params;
+}
+
+void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params) {
+    const double cells = params.grid_scale.x;
+    const auto along = [&](double input, std::size_t axis) {
+        const double cube = (input - file.info.origin[axis]) / file.info.scale;
+        return static_cast<float>(cube * cells - file.index.origin[axis]);
+    };
+    const float moved = std::max({std::abs(params.row_x.w), std::abs(params.row_y.w), std::abs(params.row_z.w)});
+    const float margin = (kCoreSteps * PRO_POSITION_STEP + kMatrixRounding * moved) * params.grid_scale.x;
+    params.core_low = {along(box.low[0], 0), along(box.low[1], 1), along(box.low[2], 2), margin};
+    params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), params.core_high.w};
+}
 
 std::uint64_t tileMemory(const Device& device, std::uint64_t request) {
     if (device.unified_memory) return request;

@@ -58,6 +58,12 @@ bool standTiles(Device& device, DeviceScene& scene, const TileRequest& request);
 /// Makes scene.instances of the files and tiles that are on the device, as its description and its sets' cuts say.
 void standInstances(Device& device, DeviceScene& scene);
 
+/// A file as it stands in space, for the programs, but for its materials. number: of its instance
+gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& file, const Placement& placement,
+                                  std::uint32_t number);
+/// Of a tile: its hits count in this box, in the set's coordinates.
+void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params);
+
 /// request, or less where the device has memory of its own, and less of that.
 std::uint64_t tileMemory(const Device& device, std::uint64_t request);
 

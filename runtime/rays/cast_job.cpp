@@ -40,7 +40,7 @@ std::size_t castBlock(const TraceScene& scene, const RaySource& source, const Ra
 TraceScene openScene(const CastOptions& options, std::string& device_name) {
     const TraceDevice device(options.device);
     device_name = device.name();
-    return TraceScene(device, options.scene);
+    return TraceScene(device, options.scene, options.held);
 }
 
 /// While a block is cast, the next one is read.
@@ -69,36 +69,44 @@ double raysPerSecond(const Outcome& outcome) {
     return outcome.seconds.cast > 0 ? static_cast<double>(outcome.rays) / outcome.seconds.cast : 0;
 }
 
-std::string reportOf(const Outcome& outcome, const std::string& device, std::uint64_t splats) {
+/// What is told of the scene.
+struct SceneFacts {
+    std::string device;
+    std::uint64_t splats = 0, tile_loads = 0;
+};
+
+std::string reportOf(const Outcome& outcome, const SceneFacts& facts) {
     const Seconds& s = outcome.seconds;
-    return reportText(device, {{"splats", splats}, {"rays", outcome.rays}, {"hits", outcome.hits}},
-                      {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}});
+    return reportText(
+        facts.device,
+        {{"splats", facts.splats}, {"tile_loads", facts.tile_loads}, {"rays", outcome.rays}, {"hits", outcome.hits}},
+        {{"open", s.open}, {"read", s.read}, {"cast", s.cast}, {"write", s.write}, {"total", s.total}});
 }
 
 void castInto(const CastOptions& options) {
     double total = 0, open = 0;
     Outcome outcome;
-    std::string device;
-    std::uint64_t splats = 0;
+    SceneFacts facts;
     timed(total, [&] {
         const std::unique_ptr<RaySource> source = openRays(options.rays);
         const SinkRequest request{options.output, source->count(), options.any};
         sinkKind(request); // before anything takes time
         if (!options.stats.empty()) requireReportWritable(options.stats);
-        const TraceScene scene = timed(open, [&] { return openScene(options, device); });
-        splats = scene.splatCount();
+        const TraceScene scene = timed(open, [&] { return openScene(options, facts.device); });
+        facts.splats = scene.splatCount();
         std::vector<HitColumn> columns = options.any ? anyColumns() : hitColumns(scene, options.attributes);
         const std::unique_ptr<HitSink> sink = openSink(request, columns);
         outcome = castAll(scene, *source, *sink, columns, options);
         timed(outcome.seconds.write, [&] { sink->finish(); });
+        facts.tile_loads = scene.tileLoads();
     });
     outcome.seconds.open = open;
     outcome.seconds.total = total;
     if (options.verbose)
         std::fprintf(stderr, "%llu rays, %llu hits; %.2f million rays a second on %s\n",
                      static_cast<unsigned long long>(outcome.rays), static_cast<unsigned long long>(outcome.hits),
-                     1e-6 * raysPerSecond(outcome), device.c_str());
-    if (!options.stats.empty()) writeReport(options.stats, reportOf(outcome, device, splats));
+                     1e-6 * raysPerSecond(outcome), facts.device.c_str());
+    if (!options.stats.empty()) writeReport(options.stats, reportOf(outcome, facts));
 }
 
 } // namespace

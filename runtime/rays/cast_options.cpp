@@ -12,11 +12,12 @@ constexpr const char* kExamples =
     "  pointrt-rays cast site.pro --rays rays.npy -o hits.npz\n"
     "  pointrt-rays cast site.pro --rays rays.csv -o points.ply --attributes intensity,classification\n"
     "  pointrt-rays cast a.pro b.pro --rays rays.npy --any --t-max 1000 -o hit.npy\n"
+    "  pointrt-rays cast city.proset --rays rays.npy --memory 4G -o hits.npz\n"
     "  make_rays | pointrt-rays cast site.pro --rays - --any -o - | use_answers\n";
 constexpr const char* kNotes =
     "RAYS are (N, 6): origin and direction in the scan's coordinates, float64 or float32 (.npy), or text, six\n"
     "numbers a line. Columns of hits: t_hit (lengths of the direction; inf for a miss), splat_ids, instance_ids\n"
-    "(4294967295 for a miss), normals, positions; docs/RAYS.md has more.\n"
+    "(4294967295 for a miss), of sets tile_ids, normals, positions; docs/RAYS.md has more.\n"
     "Exit codes: 0 done, 1 an input is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
 void addOptions(CLI::App& app, CastOptions& options) {

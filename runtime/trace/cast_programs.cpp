@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "runtime/util/on_error.h"
 #include "shaders/cast.spv.h"
 #include "shaders/cast_paged.spv.h"
 #include "shaders/occlude.spv.h"
@@ -23,20 +22,16 @@ void build(Device& device, const InstanceTraits& traits, CastPair& pair) {
 
 } // namespace
 
-CastPrograms createCastPrograms(Device& device, const DeviceScene& scene) {
-    CastPrograms programs;
-    const OnError undo([&] { destroyCastPrograms(device, programs); });
-    for (const Instance& instance : scene.instances) {
-        const auto [variant, is_new] = programs.try_emplace(traitsOf(scene, instance));
-        if (is_new) build(device, variant->first, variant->second);
-    }
-    return programs;
+CastPrograms::~CastPrograms() {
+    for (auto& [traits, pair] : pairs_)
+        for (Program* program : {&pair.first_hit, &pair.any_hit}) destroyProgram(device_, *program);
 }
 
-void destroyCastPrograms(Device& device, CastPrograms& programs) {
-    for (auto& [traits, pair] : programs)
-        for (Program* program : {&pair.first_hit, &pair.any_hit}) destroyProgram(device, *program);
-    programs.clear();
+const CastPair& CastPrograms::of(const InstanceTraits& traits) {
+    const std::lock_guard lock(mutex_);
+    const auto [pair, is_new] = pairs_.try_emplace(traits);
+    if (!pair->second.any_hit.pipeline) build(device_, traits, pair->second);
+    return pair->second;
 }
 
 } // namespace pointrt

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programs for batches of rays, built for what a scene's instances are like.
+// The programs for batches of rays, built for what targets are like.
 #pragma once
 
 #include <map>
+#include <mutex>
 
-#include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/program.h"
 #include "runtime/tracer/instance_traits.h"
 
@@ -14,10 +14,22 @@ namespace pointrt {
 struct CastPair {
     Program first_hit, any_hit;
 };
-using CastPrograms = std::map<InstanceTraits, CastPair>;
 
-/// Throws Error kCannotRun where the driver refuses one.
-CastPrograms createCastPrograms(Device& device, const DeviceScene& scene);
-void destroyCastPrograms(Device& device, CastPrograms& programs);
+/// Each pair is built when it is first asked for, and stays. From several threads.
+class CastPrograms {
+public:
+    explicit CastPrograms(Device& device) : device_(device) {}
+    ~CastPrograms();
+    CastPrograms(const CastPrograms&) = delete;
+    CastPrograms& operator=(const CastPrograms&) = delete;
+
+    /// Throws Error kCannotRun where the driver refuses one.
+    const CastPair& of(const InstanceTraits& traits);
+
+private:
+    Device& device_;
+    std::mutex mutex_;
+    std::map<InstanceTraits, CastPair> pairs_;
+};
 
 } // namespace pointrt

@@ -15,16 +15,22 @@
 
 namespace pointrt {
 
+/// Rows of a chunk that are held against one target.
+struct CastRun {
+    const PlacedTarget* target = nullptr;
+    std::uint32_t first = 0, count = 0;
+};
+
 /// Plain data: free it with destroySlot, once.
 struct CastSlot {
     /// Rays of a chunk. 2048 workgroups fill any device of today several times; 17 MiB go back and forth.
     static constexpr std::size_t kRays = 1u << 18;
+    /// Runs of a chunk, at most: what they bind is made anew for each chunk.
+    static constexpr std::size_t kRuns = 64;
 
     Device device; ///< a worker of the scene's
     Buffer rays, hits, stopped;
     std::vector<RayStart> starts;
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    std::vector<DescriptorSets> sets; ///< of each instance, in the scene's order
 
     /// Of a chunk of count rays: where they are put, and what has come of them.
     std::span<gpu::CastRay> rayRows(std::size_t count);
@@ -33,10 +39,10 @@ struct CastSlot {
 };
 
 /// Throws Error kCannotRun where memory lacks.
-CastSlot createSlot(Device& device, const DeviceScene& scene, const CastPrograms& programs);
+CastSlot createSlot(Device& device);
 void destroySlot(CastSlot& slot);
 
-/// Traces the slot's first count rays through all instances; returns when what came of them is there.
-void traceSlot(CastSlot& slot, const DeviceScene& scene, const CastPrograms& programs, std::size_t count, bool any_hit);
+/// Traces at most kRuns runs, each ray against its run's target alone; returns when what came of them is there.
+void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit);
 
 } // namespace pointrt

@@ -11,17 +11,25 @@
 
 namespace pointrt {
 
-/// Of the rays from number first on.
-struct FoundHits {
-    std::size_t first = 0;
-    std::span<const gpu::CastHit> hits;
-    std::span<const RayStart> starts;         ///< as many
-    std::span<const std::uint32_t> instances; ///< number of the instance at each place on the device
+/// In place of a target's number: nothing was met, or a shape of a scene file, with its number as the splat's.
+constexpr std::uint32_t kNothing = 0xFFFFFFFFu, kShape = 0xFFFFFFFEu;
+
+/// What a ray has met.
+struct RayHit {
+    double t = 0; ///< lengths of its direction
+    std::uint32_t target = kNothing;
+    std::uint32_t splat = 0;
+    std::uint32_t normal = 0; ///< the splat's word that holds it
 };
+
+/// As the device found it against one target, between limits; a miss keeps `otherwise`.
+RayHit hitOf(const gpu::CastHit& found, std::uint32_t target, const RayStart& start, const RayLimits& limits,
+             const RayHit& otherwise);
 
 /// Throws Error kBadUsage where an array that is asked for has no room for count rows, or too much.
 void requireSizes(const HitArrays& arrays, std::size_t count);
 
-void unpackHits(const FoundHits& found, const RayRows& rays, const RayLimits& limits, const HitArrays& arrays);
+/// Fills row of the arrays. list: what targets are numbers in
+void putHit(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays);
 
 } // namespace pointrt

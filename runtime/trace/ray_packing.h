@@ -7,16 +7,10 @@
 #include <span>
 
 #include "pointrt/trace.hpp"
-#include "runtime/device_scene/render_space.h"
+#include "runtime/trace/targets/resident_targets.h"
 #include "shaders/shared/cast_layout.h"
 
 namespace pointrt {
-
-/// Where rays come from and what they can meet.
-struct RayFrame {
-    RenderSpace space;
-    Vec3 low, high; ///< a box around all that can be hit, render units
-};
 
 /// t of a ray from that of its hit on the device, both in lengths of the ray's direction.
 struct RayStart {
@@ -29,6 +23,14 @@ struct RayRow {
 };
 RayRow rowAt(const RayRows& rays, std::size_t number);
 
+/// A ray whose direction is one that can be reckoned with: in other lengths where it is very short or very long.
+struct ScaledRay {
+    Vec3 origin, direction;
+    double size = 1; ///< of the ray's own direction in these lengths: t here is size times its own
+};
+/// Throws RayError for a row with a number that is not finite, or without a direction.
+ScaledRay scaledRay(const RayRows& rays, std::size_t number);
+
 /// Throws Error kBadUsage unless 0 <= t_min <= t_max.
 void requireLimits(const RayLimits& limits);
 
@@ -36,5 +38,8 @@ void requireLimits(const RayLimits& limits);
 /// is not finite, or without a direction.
 void packRays(const RayFrame& frame, const RayRows& rays, const RayLimits& limits, std::size_t first,
               std::span<gpu::CastRay> packed, std::span<RayStart> starts);
+
+/// One of them; limits and start are in the lengths of the scaled ray.
+gpu::CastRay packRay(const RayFrame& frame, const ScaledRay& ray, const RayLimits& limits, RayStart& start);
 
 } // namespace pointrt

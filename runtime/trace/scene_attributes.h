@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a scene's files say of their splats, and of themselves, besides where they lie.
+// What a scene's files and sets say of their splats, and of themselves, besides where they lie.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +9,27 @@
 #include <vector>
 
 #include "pointrt/trace.hpp"
-#include "runtime/device_scene/device_scene.h"
+#include "runtime/trace/targets/resident_targets.h"
 
 namespace pointrt {
 
-/// Those that the files of all instances have alike.
-std::vector<SceneAttribute> sceneAttributes(const DeviceScene& scene);
+/// Those that all instances have alike.
+std::vector<SceneAttribute> sceneAttributes(const ResidentTargets& resident);
 
-/// As TraceScene::readAttribute.
-void gatherAttribute(const DeviceScene& scene, const std::string& name, std::span<const std::uint32_t> splats,
-                     std::span<const std::uint32_t> instances, std::span<std::byte> values);
+/// Hits, as castRays tells them.
+struct HitIds {
+    std::span<const std::uint32_t> splats, instances;
+    std::span<const std::uint32_t> tiles; ///< empty where the scene has no sets
+};
 
-/// As TraceScene::readColors.
-void gatherColors(const DeviceScene& scene, std::span<const std::uint32_t> splats,
-                  std::span<const std::uint32_t> instances, std::span<std::uint8_t> colors);
+/// As TraceScene::readAttribute. Brings the tiles that were hit, those first that are there.
+void gatherAttribute(ResidentTargets& resident, const std::string& name, const HitIds& ids,
+                     std::span<std::byte> values);
+
+/// As TraceScene::readColors. Brings tiles likewise.
+void gatherColors(ResidentTargets& resident, const HitIds& ids, std::span<std::uint8_t> colors);
 
 /// As TraceScene::metresPerUnit.
-double metresPerUnit(const DeviceScene& scene);
+double metresPerUnit(const ResidentTargets& resident);
 
 } // namespace pointrt

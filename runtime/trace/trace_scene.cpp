@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
 #include "format/base/error.h"
 #include "format/base/parallel.h"
-#include "format/set/tile_set.h"
-#include "runtime/device_scene/device_scene.h"
 #include "runtime/trace/cast_programs.h"
+#include "runtime/trace/cast_rounds.h"
 #include "runtime/trace/hit_unpacking.h"
 #include "runtime/trace/scene_attributes.h"
 #include "runtime/trace/slot_pool.h"
+#include "runtime/trace/targets/describe_targets.h"
 #include "runtime/trace/trace_device.h"
 #include "runtime/trace/translated.h"
-#include "runtime/tracer/frame_params.h"
 
 namespace pointrt {
 namespace {
@@ -23,98 +23,95 @@ namespace {
 /// all that they take.
 std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(), 2u, 4u); }
 
-/// Says no to what would be read as something else. Files that are missing, or no .pro, are told by who opens them.
-void requireScan(const std::string& path) {
-    const char* kind = isTileSet(path) ? "a tile set" : path.ends_with(".toml") ? "a scene file" : nullptr;
-    if (kind)
-        throw Error(ExitCode::kBadInput,
-                    path + ": is " + kind + "; rays are cast through .pro files, one or several of them");
+/// Rays whose way from target to target is kept at once, in 52 bytes each: the more, the fewer times tiles that come
+/// and go are brought.
+constexpr std::size_t kBatchRays = std::size_t{1} << 20;
+
+/// Instances of scenes with shapes: those have a number, too.
+TargetList described(const std::vector<std::string>& paths) {
+    TargetList list = describeTargets(paths);
+    if (!list.shapes.empty() && list.instances.size() >= kShapesInstance)
+        throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
+    return list;
 }
 
-SceneDescription describe(const std::vector<std::string>& paths) {
-    if (paths.empty()) throw Error(ExitCode::kBadUsage, "a scene needs at least one .pro file");
-    SceneDescription description;
-    for (const std::string& path : paths) {
-        requireScan(path);
-        description.instances.push_back({path, {}, {}, {}});
-    }
-    return description;
-}
-
-/// Around all that the scene's rays can hit.
-RayFrame frameOf(const DeviceScene& scene) {
-    gpu::FrameParams params{};
-    setReach(scene, params);
-    return {scene.space,
-            {params.reach_low.x, params.reach_low.y, params.reach_low.z},
-            {params.reach_high.x, params.reach_high.y, params.reach_high.z}};
+std::vector<Bounds> boxesOf(const TargetList& list) {
+    std::vector<Bounds> boxes;
+    for (const Target& each : list.targets) boxes.push_back(each.box);
+    return boxes;
 }
 
 } // namespace
 
 struct TraceScene::State {
-    State(std::shared_ptr<TraceDevice::State> on, const std::vector<std::string>& paths)
-        : owner(std::move(on)), device(workerDevice(owner->device)) {
-        try {
-            open(describe(paths));
-        } catch (...) {
-            destroy();
-            throw;
-        }
-    }
-    ~State() { destroy(); }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
+    State(std::shared_ptr<TraceDevice::State> on, const std::vector<std::string>& paths, const SceneOptions& options)
+        : owner(std::move(on)), device{workerDevice(owner->device)}, programs(device.worker),
+          resident(device.worker, described(paths), options.memory), tree(boxesOf(resident.list())),
+          slots(slotCount(), [this] { return createSlot(device.worker); }) {}
 
-    /// Chunk by chunk, on as many threads as there are slots: work(slot, first ray, count).
+    /// One target, and nothing else: rays need not be sent from here to there.
+    bool isOneTarget() const {
+        return resident.isWhole() && resident.list().targets.size() == 1 && resident.list().shapes.empty();
+    }
+
+    /// Chunk by chunk, on as many threads as there are slots, against the only target: work(slot, first ray, count).
     template <typename Work>
-    void inChunks(std::size_t rays, const Work& work) {
-        const std::size_t chunks = (rays + CastSlot::kRays - 1) / CastSlot::kRays;
+    void inChunks(const CastRequest& request, const Work& work) {
+        const std::size_t rays = request.rays.count, chunks = (rays + CastSlot::kRays - 1) / CastSlot::kRays;
+        const PlacedTarget& target = *resident.find(0);
+        const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            packRays(target.frame, request.rays, request.limits, first, slot.rayRows(count),
+                     std::span(slot.starts).first(count));
+            const CastRun run{&target, 0, static_cast<std::uint32_t>(count)};
+            traceSlot(slot, programs, {&run, 1}, request.any_hit);
+            work(slot, first, count);
+        };
         forAll(
             chunks,
             [&](std::size_t k) {
                 const std::size_t first = k * CastSlot::kRays;
-                slots->with([&](CastSlot& slot) { work(slot, first, std::min(CastSlot::kRays, rays - first)); });
+                slots.with([&](CastSlot& slot) { trace(slot, first, std::min(CastSlot::kRays, rays - first)); });
             },
-            slots->most());
+            slots.most());
     }
 
-    void trace(CastSlot& slot, const RayRows& rays, const RayLimits& limits, std::size_t first, std::size_t count,
-               bool any_hit) const {
-        packRays(frame, rays, limits, first, slot.rayRows(count), slot.starts);
-        traceSlot(slot, scene, programs, count, any_hit);
+    /// Batch by batch, from target to target: work(ray, hit) of each, on all cores.
+    template <typename Work>
+    void inRounds(const CastRequest& request, const Work& work) {
+        for (std::size_t first = 0; first < request.rays.count; first += kBatchRays) {
+            const std::size_t count = std::min(kBatchRays, request.rays.count - first);
+            const std::vector<RayHit> hits = castBatch(request, first, count);
+            const std::size_t part = (count + slots.most() - 1) / slots.most();
+            forAll((count + part - 1) / part, [&](std::size_t k) {
+                for (std::size_t i = k * part; i < std::min(count, (k + 1) * part); ++i) work(first + i, hits[i]);
+            });
+        }
+    }
+
+    std::vector<RayHit> castBatch(const CastRequest& request, std::size_t first, std::size_t count) {
+        const std::unique_lock turn = takeTurn();
+        return CastRounds({resident, tree, programs, slots}, request, first, count).run();
+    }
+
+    /// Where tiles come and go.
+    std::unique_lock<std::mutex> takeTurn() {
+        return resident.isWhole() ? std::unique_lock<std::mutex>() : std::unique_lock(turns);
     }
 
     std::shared_ptr<TraceDevice::State> owner;
-    Device device; ///< a worker of the owner's
-    DeviceScene scene;
+    struct Worker {
+        Device worker;
+        ~Worker() { destroyWorkerDevice(worker); }
+    } device; // what follows goes before it does
     CastPrograms programs;
-    RayFrame frame;
-    std::vector<std::uint32_t> instances; ///< numbers, by their places on the device
-    std::optional<SlotPool> slots;
-
-private:
-    void open(SceneDescription description) {
-        scene = openScene(device, std::move(description), false);
-        for (Instance& instance : scene.instances) {
-            uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
-            instances.push_back(instance.number);
-        }
-        programs = createCastPrograms(device, scene);
-        frame = frameOf(scene);
-        slots.emplace(slotCount(), [this] { return createSlot(device, scene, programs); });
-    }
-
-    void destroy() {
-        slots.reset();
-        destroyCastPrograms(device, programs);
-        destroyDeviceScene(device, scene);
-        destroyWorkerDevice(device);
-    }
+    ResidentTargets resident;
+    TargetTree tree;
+    SlotPool slots;
+    std::mutex turns;
 };
 
-TraceScene::TraceScene(const TraceDevice& device, const std::vector<std::string>& paths)
-    : state_(translated([&] { return std::make_unique<State>(device.state_, paths); })) {}
+TraceScene::TraceScene(const TraceDevice& device, const std::vector<std::string>& paths, const SceneOptions& options)
+    : state_(translated([&] { return std::make_unique<State>(device.state_, paths, options); })) {}
 TraceScene::~TraceScene() = default;
 TraceScene::TraceScene(TraceScene&&) noexcept = default;
 TraceScene& TraceScene::operator=(TraceScene&&) noexcept = default;
@@ -123,9 +120,15 @@ void TraceScene::castRays(RayRows rays, const RayLimits& limits, const HitArrays
     translated([&] {
         requireLimits(limits);
         requireSizes(hits, rays.count);
-        state_->inChunks(rays.count, [&](CastSlot& slot, std::size_t first, std::size_t count) {
-            state_->trace(slot, rays, limits, first, count, false);
-            unpackHits({first, slot.hitRows(count), slot.starts, state_->instances}, rays, limits, hits);
+        const TargetList& list = state_->resident.list();
+        const CastRequest request{rays, limits, false};
+        if (!state_->isOneTarget())
+            return state_->inRounds(request,
+                                    [&](std::size_t ray, const RayHit& hit) { putHit(list, rays, ray, hit, hits); });
+        state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            const std::span<const gpu::CastHit> found = slot.hitRows(count);
+            for (std::size_t i = 0; i < count; ++i)
+                putHit(list, rays, first + i, hitOf(found[i], 0, slot.starts[i], limits, {}), hits);
         });
     });
 }
@@ -134,28 +137,51 @@ void TraceScene::testOcclusions(RayRows rays, const RayLimits& limits, std::span
     translated([&] {
         requireLimits(limits);
         if (occluded.size() != rays.count) throw Error(ExitCode::kBadUsage, "occluded must have a number for each ray");
-        state_->inChunks(rays.count, [&](CastSlot& slot, std::size_t first, std::size_t count) {
-            state_->trace(slot, rays, limits, first, count, true);
+        const CastRequest request{rays, limits, true};
+        if (!state_->isOneTarget())
+            return state_->inRounds(
+                request, [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.target != kNothing; });
+        state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
             const std::span<const std::uint32_t> stopped = slot.stoppedRows(count);
             for (std::size_t i = 0; i < count; ++i) occluded[first + i] = stopped[i] != 0;
         });
     });
 }
 
-std::vector<SceneAttribute> TraceScene::attributes() const { return sceneAttributes(state_->scene); }
+std::vector<SceneAttribute> TraceScene::attributes() const { return sceneAttributes(state_->resident); }
+
+void TraceScene::readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
+                               std::span<const std::uint32_t> instance_ids, std::span<const std::uint32_t> tile_ids,
+                               std::span<std::byte> values) const {
+    translated([&] {
+        const std::unique_lock turn = state_->takeTurn();
+        gatherAttribute(state_->resident, name, {splat_ids, instance_ids, tile_ids}, values);
+    });
+}
 
 void TraceScene::readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
                                std::span<const std::uint32_t> instance_ids, std::span<std::byte> values) const {
-    translated([&] { gatherAttribute(state_->scene, name, splat_ids, instance_ids, values); });
+    readAttribute(name, splat_ids, instance_ids, {}, values);
+}
+
+void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                            std::span<const std::uint32_t> tile_ids, std::span<std::uint8_t> colors) const {
+    translated([&] {
+        const std::unique_lock turn = state_->takeTurn();
+        gatherColors(state_->resident, {splat_ids, instance_ids, tile_ids}, colors);
+    });
 }
 
 void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
                             std::span<std::uint8_t> colors) const {
-    translated([&] { gatherColors(state_->scene, splat_ids, instance_ids, colors); });
+    readColors(splat_ids, instance_ids, {}, colors);
 }
 
-double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->scene); }
-std::uint64_t TraceScene::splatCount() const { return state_->scene.splat_count; }
-std::uint64_t TraceScene::deviceBytes() const { return state_->scene.device_bytes; }
+double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->resident); }
+std::uint64_t TraceScene::splatCount() const { return pointrt::splatCount(state_->resident); }
+std::size_t TraceScene::instanceCount() const { return state_->resident.list().instances.size(); }
+bool TraceScene::hasTiles() const { return !state_->resident.list().sets.empty(); }
+std::uint64_t TraceScene::tileLoads() const { return state_->resident.tileLoads(); }
+std::uint64_t TraceScene::deviceBytes() const { return state_->resident.deviceBytes(); }
 
 } // namespace pointrt

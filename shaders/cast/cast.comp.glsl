@@ -5,18 +5,17 @@
 #include "shaders/cast/cast_rays.glsl"
 
 void main() {
-    uint row = balancedLane();
-    if (row >= ofLane(push.rays)) return;
+    uint row = castRow();
+    if (row == NO_INDEX) return;
     CastRay ray = loadCastRay(row);
     CastHit nearest = CastHit(ray.t_max, NO_INDEX, 0u, 0u);
-    if (!isFirstInstance()) nearest = loadCastHit(row);
-    TraceRay in_cube = instanceRay(ray, nearest.t);
+    TraceRay in_cube = instanceRay(ray);
     TraceHit hit = trace(in_cube);
     if (hit.disc != NO_INDEX) {
         uint splat = loadListed(hit.disc);
         uvec4 words = loadSplat(splat), found = uvec4(floatBitsToUint(hit.t), hit.cell, hit.disc, 0u);
         float t = exactDistance(found, words, in_cube.origin, in_cube.direction);
-        nearest = CastHit(t / cubeScale(), splat, push.place, words.z);
+        nearest = CastHit(t / cubeScale(), splat, words.z, 0u);
     }
     storeCastHit(row, nearest);
 }

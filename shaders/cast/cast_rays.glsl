@@ -9,11 +9,15 @@
 #include "shaders/trace/trace.glsl"
 
 layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels; // CastRay
-layout(rgba32ui, binding = BINDING_CAST_HITS) uniform uimageBuffer cast_hit_texels; // CastHit, t as bits
-layout(r32ui, binding = BINDING_CAST_STOPPED) uniform uimageBuffer cast_stopped;    // 0: it is not
+layout(rgba32ui, binding = BINDING_CAST_HITS) uniform writeonly uimageBuffer cast_hit_texels; // CastHit, t as bits
+layout(r32ui, binding = BINDING_CAST_STOPPED) uniform writeonly uimageBuffer cast_stopped; // 0: it is not
 layout(push_constant) uniform Push { CastPush push; };
 
-bool isFirstInstance() { return ofLane(push.place) == 0u; }
+// Of this lane; NO_INDEX where there is no ray for it.
+uint castRow() {
+    uint lane = balancedLane();
+    return lane < ofLane(push.rays) ? push.first + lane : NO_INDEX;
+}
 
 // A row as it stands, in render space.
 CastRay loadCastRay(uint row) {
@@ -22,18 +26,12 @@ CastRay loadCastRay(uint row) {
     return CastRay(origin.xyz, origin.w, direction.xyz, 0.0);
 }
 
-CastHit loadCastHit(uint row) {
-    uvec4 words = imageLoad(cast_hit_texels, int(row));
-    return CastHit(uintBitsToFloat(words.x), words.y, words.z, words.w);
-}
-
 void storeCastHit(uint row, CastHit hit) {
-    imageStore(cast_hit_texels, int(row), uvec4(floatBitsToUint(hit.t), hit.splat, hit.place, hit.normal));
+    imageStore(cast_hit_texels, int(row), uvec4(floatBitsToUint(hit.t), hit.splat, hit.normal, 0u));
 }
 
-// Up to t_max, in render units.
-TraceRay instanceRay(CastRay ray, float t_max) {
-    return TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), 0.0, t_max * cubeScale(), vec3(0.0), 0.0);
+TraceRay instanceRay(CastRay ray) {
+    return TraceRay(cubePoint(ray.origin), cubeDirection(ray.direction), 0.0, ray.t_max * cubeScale(), vec3(0.0), 0.0);
 }
 
 #endif

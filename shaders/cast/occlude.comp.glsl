@@ -6,11 +6,8 @@
 #include "shaders/cast/cast_rays.glsl"
 
 void main() {
-    uint row = balancedLane();
-    if (row >= ofLane(push.rays)) return;
-    CastRay ray = loadCastRay(row);
-    uint stopped = 0u;
-    if (!isFirstInstance()) stopped = imageLoad(cast_stopped, int(row)).x;
-    bool hits = trace(instanceRay(ray, stopped == 0u ? ray.t_max : -1.0)).disc != NO_INDEX;
-    imageStore(cast_stopped, int(row), uvec4(hits ? 1u : stopped));
+    uint row = castRow();
+    if (row == NO_INDEX) return;
+    bool hits = trace(instanceRay(loadCastRay(row))).disc != NO_INDEX;
+    imageStore(cast_stopped, int(row), uvec4(hits ? 1u : 0u));
 }

@@ -23,13 +23,13 @@ struct CastRay {
 struct CastHit {
     float t;     // to the disc
     uint splat;  // NO_INDEX: nothing is hit
-    uint place;  // of the instance in the scene on the device
     uint normal; // the splat's word that holds it (PRO_NORMAL_BITS)
+    uint unused;
 };
 
 struct CastPush {
     uint rays;
-    uint place; // of the instance; all are asked in turn, the first one finds nothing that was written before
+    uint first; // row; the others follow
     uint unused_0;
     uint unused_1;
 };

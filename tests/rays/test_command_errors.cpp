@@ -80,8 +80,7 @@ TEST_F(CastCommand, FilesThatAreNotThereAreToldByTheirName) {
     expectRefused(1, ".: Is a directory", kCast + ". -o out.npz");
     const std::string rays = " --rays rays.npy -o out.npz";
     expectRefused(1, "missing.pro: No such file or directory", POINTRT_RAYS " cast missing.pro" + rays);
-    expectRefused(1, "site.proset: is a tile set; rays are cast through .pro files, one or several of them",
-                  POINTRT_RAYS " cast site.proset" + rays);
+    expectRefused(1, "site.proset/set.json: No such file or directory", POINTRT_RAYS " cast site.proset" + rays);
     expectRefused(4, "nowhere/hits.npz: the folder does not exist", kCast + "rays.npy -o nowhere/hits.npz");
     expectRefused(4, "nowhere/stats.json: the folder does not exist",
                   kCast + "rays.npy -o out.npz --stats nowhere/stats.json");

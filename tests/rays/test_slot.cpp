@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/trace/cast_slot.h"
+#include "runtime/trace/targets/describe_targets.h"
 #include "shaders/shared/params.h"
 #include "tests/rays/ray_scenes.h"
 #include "tests/support/temporary_folder.h"
@@ -18,30 +19,26 @@ struct Found {
     bool paged = false;
 };
 
-/// Rays straight down at the scan at path, in a grid over its cube.
+/// Rays straight down at the scan at path, in a grid over its cube, in two runs.
 Found castDown(Device& device, const std::string& path) {
     constexpr std::size_t kSide = 64, kCount = kSide * kSide;
-    SceneDescription description;
-    description.instances.push_back({path, {}, {}, {}});
-    DeviceScene scene = openScene(device, description, false);
-    Instance& instance = scene.instances[0];
-    uploadBuffer(device, instance.params_buffer, &instance.params, sizeof instance.params);
-    CastPrograms programs = createCastPrograms(device, scene);
-    CastSlot slot = createSlot(device, scene, programs);
+    ResidentTargets resident(device, describeTargets({path}), 0);
+    const PlacedTarget& target = *resident.find(0);
+    CastPrograms programs(device);
+    CastSlot slot = createSlot(device);
     for (std::size_t i = 0; i < kCount; ++i) {
         const auto place = [](std::size_t k) { return (static_cast<float>(k) + 0.5f) / kSide; };
         slot.rayRows(kCount)[i] = {{place(i % kSide), place(i / kSide), 0.9f}, 1, {0, 0, -1}, 0};
     }
     Found found;
-    found.paged = isPaged(scene.files[0].pages);
-    traceSlot(slot, scene, programs, kCount, false);
+    found.paged = isPaged(target.traits.pages);
+    const CastRun runs[] = {{&target, 0, 1000}, {&target, 1000, kCount - 1000}};
+    traceSlot(slot, programs, runs, false);
     for (const gpu::CastHit& hit : slot.hitRows(kCount)) found.splats.push_back(hit.splat);
-    traceSlot(slot, scene, programs, kCount, true);
+    traceSlot(slot, programs, runs, true);
     const auto stopped = slot.stoppedRows(kCount);
     found.stopped.assign(stopped.begin(), stopped.end());
     destroySlot(slot);
-    destroyCastPrograms(device, programs);
-    destroyDeviceScene(device, scene);
     return found;
 }
 

@@ -49,9 +49,9 @@ template <typename Number>
 void castRays(const TraceScene& scene, const Rays<Number>& rays, double t_min, double t_max, std::uint64_t first_ray,
               const Column<double>& t_hit, const Column<std::uint32_t>& splat_ids,
               const Column<std::uint32_t>& instance_ids, const Triples<float>& normals,
-              const Triples<double>& positions) {
-    const HitArrays hits{numbersOf(t_hit), numbersOf(splat_ids), numbersOf(instance_ids), numbersOf(normals),
-                         numbersOf(positions)};
+              const Triples<double>& positions, const Column<std::uint32_t>& tile_ids) {
+    const HitArrays hits{numbersOf(t_hit),   numbersOf(splat_ids), numbersOf(instance_ids),
+                         numbersOf(normals), numbersOf(positions), numbersOf(tile_ids)};
     numbered(first_ray, [&] { scene.castRays(rowsOf(rays), {t_min, t_max}, hits); });
 }
 
@@ -65,9 +65,10 @@ using Numbers = nb::ndarray<const std::uint32_t, nb::ndim<1>, nb::c_contig, nb::
 
 /// values: attribute.bytes of each hit
 void readAttribute(const TraceScene& scene, const std::string& name, const Numbers& splats, const Numbers& instances,
+                   const std::optional<Numbers>& tiles,
                    const nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& values) {
     const nb::gil_scoped_release others_go_on;
-    scene.readAttribute(name, {splats.data(), splats.size()}, {instances.data(), instances.size()},
+    scene.readAttribute(name, {splats.data(), splats.size()}, {instances.data(), instances.size()}, numbersOf(tiles),
                         std::as_writable_bytes(std::span(values.data(), values.size())));
 }
 
@@ -84,7 +85,7 @@ void bindRays(nb::class_<TraceScene>& scene) {
     scene
         .def("cast_rays", &castRays<Number>, nb::arg("rays"), nb::arg("t_min"), nb::arg("t_max"), nb::arg("first_ray"),
              nb::arg("t_hit").none(), nb::arg("splat_ids").none(), nb::arg("instance_ids").none(),
-             nb::arg("normals").none(), nb::arg("positions").none())
+             nb::arg("normals").none(), nb::arg("positions").none(), nb::arg("tile_ids").none())
         .def("test_occlusions", &testOcclusions<Number>, nb::arg("rays"), nb::arg("t_min"), nb::arg("t_max"),
              nb::arg("first_ray"), nb::arg("occluded"));
 }
@@ -93,18 +94,25 @@ void bindRays(nb::class_<TraceScene>& scene) {
 
 void bindScene(nb::module_& module) {
     module.attr("NO_HIT") = kNoHit;
+    module.attr("DEFAULT_MEMORY") = SceneOptions{}.memory;
     nb::class_<TraceDevice>(
         module, "Device", "A Vulkan device: the best one, or which the selector names, as pointrt-view --device does.")
         .def(nb::init<const std::string&>(), nb::arg("selector") = "", nb::call_guard<nb::gil_scoped_release>())
         .def_prop_ro("name", &TraceDevice::name);
     nb::class_<TraceScene> scene(module, "Scene", "What pointrt.Scene is made on: arrays are made by the caller.");
     scene
-        .def(nb::init<const TraceDevice&, const std::vector<std::string>&>(), nb::arg("device"), nb::arg("paths"),
-             nb::call_guard<nb::gil_scoped_release>())
+        .def(
+            "__init__",
+            [](TraceScene* place, const TraceDevice& device, const std::vector<std::string>& paths,
+               std::uint64_t memory) { new (place) TraceScene(device, paths, {memory}); },
+            nb::arg("device"), nb::arg("paths"), nb::arg("memory"), nb::call_guard<nb::gil_scoped_release>())
         .def("read_attribute", &readAttribute, nb::arg("name"), nb::arg("splat_ids"), nb::arg("instance_ids"),
-             nb::arg("values"))
+             nb::arg("tile_ids").none(), nb::arg("values"))
         .def("attributes", &attributesOf, "(name, PRO_TYPE_*, components, bytes of a splat's) of each.")
         .def_prop_ro("splat_count", &TraceScene::splatCount)
+        .def_prop_ro("instance_count", &TraceScene::instanceCount)
+        .def_prop_ro("has_tiles", &TraceScene::hasTiles)
+        .def_prop_ro("tile_loads", &TraceScene::tileLoads)
         .def_prop_ro("device_bytes", &TraceScene::deviceBytes);
     bindRays<double>(scene);
     bindRays<float>(scene);

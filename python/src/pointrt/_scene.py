@@ -26,6 +26,7 @@ _LAYOUT = {
     "instance_ids": (np.uint32, ()),
     "normals": (np.float32, (3,)),
     "positions": (np.float64, (3,)),
+    "tile_ids": (np.uint32, ()),
 }
 FIELDS = tuple(_LAYOUT)
 
@@ -45,19 +46,25 @@ class Scene:
     """Scans on a device, ready for rays. May be used from several threads at once.
 
     Args:
-        paths: a ``.pro`` file, or several: instance ``i`` is the i-th of them.
+        paths: a ``.pro`` file, a tile set (``.proset``) or a scene file (``.toml``), or several of them. Each file and
+            set is an instance; a scene file has its own, in their order, where it puts them, and rays are in its
+            coordinates. Its shapes are hit as well, with ``instance_ids`` 255 and no ``splat_ids``, but for backdrops
+            and those that cameras do not see; materials and lights mean nothing to rays.
         device: a ``pointrt.Device``; by default the best one of this machine, opened once for all scenes.
+        memory: bytes that tiles of sets may take at once, by default 2 GiB. With less than all of them take, tiles come
+            and go as rays need them, and calls take turns; hits are the same.
 
     Raises:
-        pointrt.Error: a file cannot be read or is no ``.pro`` file, or there is no device; it says which and why.
+        pointrt.Error: a file cannot be read or is none of these, or there is no device; it says which and why.
+        ValueError: no paths, or a tile that takes more than ``memory``.
     """
 
     def __init__(self, paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
-                 device: _core.Device | None = None):
+                 device: _core.Device | None = None, *, memory: int = _core.DEFAULT_MEMORY):
         several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
         self._device = device or _default_device()
         self._paths = [os.fspath(path) for path in several]
-        self._scene = _core.Scene(self._device, self._paths)
+        self._scene = _core.Scene(self._device, self._paths, memory)
         self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
         self._renderer_lock = threading.Lock()
 
@@ -71,26 +78,42 @@ class Scene:
         return self._scene.device_bytes
 
     @property
+    def instance_count(self) -> int:
+        """Files and sets, and instances of scene files: what ``instance_ids`` number."""
+        return self._scene.instance_count
+
+    @property
+    def has_tiles(self) -> bool:
+        """Whether any instance is a tile set."""
+        return self._scene.has_tiles
+
+    @property
+    def tile_loads(self) -> int:
+        """Tiles that were put on the device since the scene was opened, each time counted."""
+        return self._scene.tile_loads
+
+    @property
     def attributes(self) -> tuple[str, ...]:
         """Names of what all files tell of each point besides position, normal and colour."""
         return tuple(name for name, *_ in self._scene.attributes())
 
     def cast_rays(self, rays: ArrayLike, *, t_min: float = 0.0, t_max: float = np.inf,
-                  fields: Sequence[str] = FIELDS, attributes: Sequence[str] = ()) -> Hits:
+                  fields: Sequence[str] | None = None, attributes: Sequence[str] = ()) -> Hits:
         """The first hit of each ray.
 
         Args:
             rays: ``[..., 6]`` float32 or float64, origin and direction in the scan's coordinates; directions may have
                 any length but 0. Anything with ``__dlpack__`` on the CPU will do.
             t_min, t_max: hits from t_min on and before t_max count, in lengths of the direction.
-            fields: what is asked for; the fewer the faster.
+            fields: what is asked for, the fewer the faster; by default all, ``tile_ids`` where there is a tile set.
             attributes: those of ``Scene.attributes`` that the results are to have, too.
 
         Returns:
             Arrays with the rays' shape in front: ``t_hit`` float64, in lengths of the direction, inf for a miss;
             ``splat_ids`` and ``instance_ids`` uint32, 4294967295 for a miss; ``normals`` float32 ``[..., 3]``, unit
-            length, towards the origin, 0 for a miss; ``positions`` float64 ``[..., 3]``, NaN for a miss. Attributes as
-            the scan has them, 0 or NaN for a miss.
+            length, towards the origin, 0 for a miss; ``positions`` float64 ``[..., 3]``, NaN for a miss; ``tile_ids``
+            uint32, places in the ``tiles`` of ``set.json``, in whose file ``splat_ids`` count, 4294967295 but for hits
+            of sets. Attributes as the scan has them, 0 or NaN for a miss.
 
         Raises:
             ValueError: rays of another shape, one with a number that is not finite or without a direction (it says
@@ -98,16 +121,18 @@ class Scene:
             TypeError: rays of another type.
         """
         rows, shape = _rows_of(rays)
+        if fields is None:
+            fields = [name for name in FIELDS if name != "tile_ids" or self.has_tiles]
         names = {_field(name) for name in fields}
         kinds = [self._kind_of(name) for name in attributes]
-        asked = names | ({"splat_ids", "instance_ids"} if kinds else set())
+        asked = names | ({"splat_ids", "instance_ids", "tile_ids"} if kinds else set())
         found = {name: np.empty((len(rows), *_LAYOUT[name][1]), _LAYOUT[name][0]) for name in FIELDS if name in asked}
         for part in _parts(len(rows)):
             arrays = [found[name][part] if name in found else None for name in FIELDS]
             self._scene.cast_rays(rows[part], t_min, t_max, part.start, *arrays)
         hits = Hits({name: found[name].reshape(shape + _LAYOUT[name][1]) for name in FIELDS if name in names})
         for name, dtype, components, size in kinds:
-            values = self._attribute_at(name, size, found["splat_ids"], found["instance_ids"])
+            values = self._attribute_at(name, size, found["splat_ids"], found["instance_ids"], found["tile_ids"])
             hits[name] = values.view(dtype).reshape(shape + ((components,) if components > 1 else ()))
         return hits
 
@@ -164,9 +189,10 @@ class Scene:
             points[name] = values.view(dtype).reshape((-1, components) if components > 1 else (-1,))
         return points
 
-    def _attribute_at(self, name: str, size: int, splat_ids: np.ndarray, instance_ids: np.ndarray) -> np.ndarray:
+    def _attribute_at(self, name: str, size: int, splat_ids: np.ndarray, instance_ids: np.ndarray,
+                      tile_ids: np.ndarray | None = None) -> np.ndarray:
         values = np.empty(len(splat_ids) * size, np.uint8)
-        self._scene.read_attribute(name, splat_ids, instance_ids, values)
+        self._scene.read_attribute(name, splat_ids, instance_ids, tile_ids, values)
         return values
 
     def render(self, camera: Camera | None = None, width: int = 512, height: int = 512, *,

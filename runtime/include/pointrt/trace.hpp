@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against scans: batches of them through .pro files, on any Vulkan device, llvmpipe on plain processors included.
+// Rays against scans: batches of them through .pro files, tile sets and scene files, on any Vulkan device, llvmpipe on
+// plain processors included.
 //
 //   pointrt::TraceDevice device;
-//   pointrt::TraceScene scene(device, {"scan.pro"});
+//   pointrt::TraceScene scene(device, {"scan.pro"});               // or tile sets (.proset), or scene files (.toml)
 //   std::vector<double> rays{500010, 4500020, 300,  0, 0, -1};   // origin, direction; and so on
 //   std::vector<double> t(1);
 //   scene.castRays(std::span<const double>(rays), {}, {.t_hit = t});
@@ -26,6 +27,9 @@ namespace pointrt {
 /// In place of a splat's or an instance's number where nothing is hit.
 constexpr std::uint32_t kNoHit = 4294967295u;
 
+/// In place of an instance's number where a scene file's own shape is hit.
+constexpr std::uint32_t kShapesInstance = 255;
+
 /// What went wrong; what() is one line, "FILE: reason" where it is about a file.
 struct TraceError : std::runtime_error {
     enum class Kind {
@@ -45,7 +49,8 @@ struct RayError : TraceError {
         : TraceError(Kind::kBadInput, "ray " + std::to_string(number) + ": " + why), ray(number), reason(why) {}
 };
 
-/// Rays, six numbers each, one behind the other: origin x y z and direction x y z, in the scan's own coordinates.
+/// Rays, six numbers each, one behind the other: origin x y z and direction x y z, in the scan's own coordinates, or
+/// those of the scene file.
 /// Directions may have any length but 0. In doubles national grids lose nothing.
 struct RayRows {
     /// Throws kBadUsage where the numbers do not come to whole rays.
@@ -75,11 +80,20 @@ struct RayLimits {
 /// Where hits are put, a row for each ray, in their order. What is left empty is not asked for; else the sizes must be
 /// right, or it is kBadUsage.
 struct HitArrays {
-    std::span<double> t_hit = {};               ///< [N], lengths of the direction; +infinity for a miss
-    std::span<std::uint32_t> splat_ids = {};    ///< [N], as the file numbers them; kNoHit for a miss
-    std::span<std::uint32_t> instance_ids = {}; ///< [N], of the scene's files, from 0; kNoHit for a miss
+    std::span<double> t_hit = {};            ///< [N], lengths of the direction; +infinity for a miss
+    std::span<std::uint32_t> splat_ids = {}; ///< [N], as the file, or tile, numbers them; kNoHit for a miss or a shape
+    std::span<std::uint32_t> instance_ids = {}; ///< [N], of the scene's instances, from 0; kNoHit for a miss
     std::span<float> normals = {};              ///< [N][3], of the disc, unit length, towards the origin; 0 for a miss
-    std::span<double> positions = {};           ///< [N][3], the scan's coordinates; NaN for a miss
+    std::span<double> positions = {};           ///< [N][3], the rays' coordinates; NaN for a miss
+    std::span<std::uint32_t> tile_ids = {};     ///< [N], in `tiles` of set.json, from 0; kNoHit but for hits of sets
+};
+
+/// How a scene is held.
+struct SceneOptions {
+    /// Bytes that the tiles of its sets may take at once, in files and on the device: 2 GiB. On a device with memory of
+    /// its own it is no more than three quarters of that. With less than all of them take, tiles come and go as rays
+    /// need them; hits are the same.
+    std::uint64_t memory = std::uint64_t{2} << 30;
 };
 
 /// A number, or a few, that all files of a scene have for each splat.
@@ -112,40 +126,63 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// Scans that stand where their own coordinates put them, ready for rays.
+/// Scans that stand where their own coordinates put them, or where a scene file does, ready for rays.
 class TraceScene {
 public:
-    /// Maps the .pro files and puts them on the device: instance i is paths[i]. Files must not be written in place
-    /// meanwhile. Throws kBadUsage without paths, kBadInput "FILE: reason" for what cannot be read, is no .pro
-    /// file, or is one of a scene or of a tile set, kCannotRun where the device is too small.
-    TraceScene(const TraceDevice& device, const std::vector<std::string>& paths);
+    /// Maps files and puts them on the device. Each path is one of
+    ///  - a .pro file, or a tile set (NAME.proset): the next instance, where its coordinates put it. Of a set its
+    ///    original tiles are asked, each for what lies in its core;
+    ///  - a scene file (NAME.toml, docs/SCENES.md): its instances in their order, where it puts them, in its
+    ///    coordinates. Its shapes are hit as well, but for those that cameras do not see and backdrops: as the
+    ///    instance kShapesInstance, without splat_ids, as pictures have it. Materials, lights, cameras and rooms mean
+    ///    nothing.
+    /// Files must not be written in place meanwhile. Throws kBadUsage without paths, or where a tile takes more than
+    /// options.memory, kBadInput "FILE: reason" for what cannot be read or is none of these, kCannotRun where the
+    /// device is too small.
+    TraceScene(const TraceDevice& device, const std::vector<std::string>& paths, const SceneOptions& options = {});
     ~TraceScene();
     TraceScene(TraceScene&&) noexcept;
     TraceScene& operator=(TraceScene&&) noexcept;
 
     /// The first hit of each ray. Any number of rays: they go to the device in chunks, in a memory of some tens of MiB
-    /// that stays with the scene. Throws RayError for the first ray that it met which is no ray (the arrays are
-    /// undefined then), kBadUsage for limits and arrays that are none, kCannotRun for a lost device.
+    /// that stays with the scene. Where tiles come and go, calls take turns. Throws RayError for the first ray that it
+    /// met which is no ray (the arrays are undefined then), kBadUsage for limits and arrays that are none, kBadInput
+    /// for a tile that cannot be read, kCannotRun for a lost device.
     void castRays(RayRows rays, const RayLimits& limits, const HitArrays& hits) const;
 
     /// Whether anything at all stands in each ray's way: 1 or 0 [N]. Sooner done than a first hit. Throws the same.
     void testOcclusions(RayRows rays, const RayLimits& limits, std::span<std::uint8_t> occluded) const;
 
-    /// What all files have for their splats, in the first one's order.
+    /// What all files and sets have for their splats, in the first one's order.
     std::vector<SceneAttribute> attributes() const;
     /// The attribute's numbers for the splats of hits, as castRays tells them: attribute.bytes each. Misses get zeros,
-    /// floats NaN. Throws kBadUsage where the scene has none of that name, or sizes differ.
+    /// floats NaN; so do shapes. tile_ids may be empty where the scene has no sets. Throws kBadUsage where the scene
+    /// has none of that name, or sizes differ.
+    void readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
+                       std::span<const std::uint32_t> instance_ids, std::span<const std::uint32_t> tile_ids,
+                       std::span<std::byte> values) const;
+    /// Of a scene without sets.
     void readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
                        std::span<const std::uint32_t> instance_ids, std::span<std::byte> values) const;
-    /// Colours of the splats of hits, as castRays tells them: sRGB bytes [N][3], 0 for misses; those of a scan without
-    /// colours are white. Throws kBadUsage where sizes differ.
+    /// Colours of the splats of hits, as castRays tells them: sRGB bytes [N][3], 0 for misses and shapes; those of a
+    /// scan without colours are white. tile_ids may be empty where the scene has no sets. Throws kBadUsage where sizes
+    /// differ.
+    void readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                    std::span<const std::uint32_t> tile_ids, std::span<std::uint8_t> colors) const;
+    /// Of a scene without sets.
     void readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
                     std::span<std::uint8_t> colors) const;
 
     /// How long a unit of the scans' coordinates is; 0 where they do not say, or differ.
     double metresPerUnit() const;
+    /// Of all instances; of sets the original ones, once.
     std::uint64_t splatCount() const;
-    /// Of what the scene takes on the device, without rays under way.
+    std::size_t instanceCount() const;
+    /// Whether any instance is a tile set.
+    bool hasTiles() const;
+    /// How many tiles were put on the device since the scene was opened, each time counted.
+    std::uint64_t tileLoads() const;
+    /// Of what the scene takes on the device now, without rays under way.
     std::uint64_t deviceBytes() const;
 
     struct State;

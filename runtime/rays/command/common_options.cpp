@@ -5,11 +5,20 @@
 
 #include "format/base/command_line.h"
 #include "format/base/same_file.h"
+#include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
 
 [[noreturn]] void refuseUsage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
+
+std::uint64_t bytesOf(const std::string& text) {
+    try {
+        return parseBytes(text);
+    } catch (const std::invalid_argument& reason) {
+        refuseUsage(std::string("--memory: ") + reason.what());
+    }
+}
 
 void checkStandardOutput(const CommonOptions& options, const std::string& what) {
     if (options.output != "-") return;
@@ -22,7 +31,9 @@ void checkStandardOutput(const CommonOptions& options, const std::string& what) 
 
 void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string& output_help) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    app.add_option("SCENE", options.scene, "One or more .pro files: instance_ids count them from 0")
+    app.add_option("SCENE", options.scene,
+                   "One or more .pro files, tile sets (.proset) and scene files (.toml): instance_ids count them, of a "
+                   "scene file its instances, from 0")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -30,6 +41,10 @@ void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string&
 }
 
 void addDeviceAndReport(CLI::App& app, CommonOptions& options) {
+    app.add_option_function<std::string>(
+           "--memory", [&options](const std::string& text) { options.held.memory = bytesOf(text); },
+           "What the tiles of sets may take at once, such as 4G or 500M; with less than all take they come and go (2G)")
+        ->type_name("SIZE");
     app.add_option("--device", options.device,
                    "Vulkan device, by index or a part of its name (the best one); "
                    "pointrt-view --device list lists them")

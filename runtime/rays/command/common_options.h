@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pointrt/trace.hpp"
+
 namespace CLI {
 class App;
 }
@@ -12,16 +14,17 @@ class App;
 namespace pointrt {
 
 struct CommonOptions {
-    std::vector<std::string> scene; ///< .pro files
-    std::string output;             ///< a file, or "-"
-    std::string device;             ///< a selector, see DeviceRequest
-    std::string stats;              ///< file for the report, "-" for standard output, empty for none
+    std::vector<std::string> scene; ///< .pro files, tile sets, scene files
+    SceneOptions held;
+    std::string output; ///< a file, or "-"
+    std::string device; ///< a selector, see DeviceRequest
+    std::string stats;  ///< file for the report, "-" for standard output, empty for none
     bool quiet = false, verbose = false;
 };
 
 /// SCENE, and -o with this help.
 void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string& output_help);
-/// --device, --stats, -q, -v.
+/// --memory, --device, --stats, -q, -v.
 void addDeviceAndReport(CLI::App& app, CommonOptions& options);
 
 /// Throws Error kBadUsage where options exclude each other, standard output is asked for twice or is a terminal, or an

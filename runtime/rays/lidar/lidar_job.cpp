@@ -110,7 +110,7 @@ Outcome simulate(const LidarOptions& options) {
         const TraceScene scene = timed(outcome.seconds.open, [&] {
             const TraceDevice device(options.device);
             outcome.device = device.name();
-            return TraceScene(device, options.scene);
+            return TraceScene(device, options.scene, options.held);
         });
         outcome.splats = scene.splatCount();
         simulateInto(options, scene, file.sensor, run, outcome);

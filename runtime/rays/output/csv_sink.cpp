@@ -14,6 +14,7 @@ std::string namesOf(const HitColumn& column) {
     if (column.name == "positions") return "x,y,z";
     if (column.name == "splat_ids") return "splat_id";
     if (column.name == "instance_ids") return "instance_id";
+    if (column.name == "tile_ids") return "tile_id";
     if (column.components == 1) return headerName(column);
     std::string names;
     for (std::uint32_t c = 0; c < column.components; ++c)

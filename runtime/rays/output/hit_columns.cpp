@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-constexpr const char* kHit = "hit";
+constexpr const char *kHit = "hit", *kTileIds = "tile_ids";
 
 HitColumn attributeColumn(const std::vector<SceneAttribute>& all, const std::string& name) {
     const auto found =
@@ -23,8 +23,12 @@ HitColumn attributeColumn(const std::vector<SceneAttribute>& all, const std::str
                 "--attributes: there is no " + name + ", but " + (there.empty() ? "none at all" : there));
 }
 
-HitColumn& mutableColumn(std::span<HitColumn> columns, const std::string& name) {
-    return *std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
+/// Empty where there is no such column.
+template <typename Number>
+std::span<Number> numbersOf(std::span<HitColumn> columns, const std::string& name) {
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&](const HitColumn& each) { return each.name == name; });
+    return found == columns.end() ? std::span<Number>() : found->template as<Number>();
 }
 
 std::size_t fillAny(const TraceScene& scene, const RayRows& rays, const RayLimits& limits, HitColumn& hit) {
@@ -38,11 +42,11 @@ std::size_t fillAny(const TraceScene& scene, const RayRows& rays, const RayLimit
 std::size_t HitColumn::rowBytes() const { return std::size_t{pro_type_bytes(type)} * components; }
 
 std::vector<HitColumn> hitColumns(const TraceScene& scene, const std::vector<std::string>& attributes) {
-    std::vector<HitColumn> columns{{"t_hit", PRO_TYPE_F64},
-                                   {"splat_ids", PRO_TYPE_U32},
-                                   {"instance_ids", PRO_TYPE_U32},
-                                   {"normals", PRO_TYPE_F32, 3},
-                                   {"positions", PRO_TYPE_F64, 3}};
+    std::vector<HitColumn> columns{
+        {"t_hit", PRO_TYPE_F64}, {"splat_ids", PRO_TYPE_U32}, {"instance_ids", PRO_TYPE_U32}};
+    if (scene.hasTiles()) columns.push_back({kTileIds, PRO_TYPE_U32});
+    columns.push_back({"normals", PRO_TYPE_F32, 3});
+    columns.push_back({"positions", PRO_TYPE_F64, 3});
     const std::vector<SceneAttribute> all = scene.attributes();
     for (const std::string& name : attributes) {
         const bool twice =
@@ -70,14 +74,18 @@ std::size_t fillColumns(const TraceScene& scene, const RayRows& rays, const RayL
                         std::span<HitColumn> columns) {
     for (HitColumn& column : columns) column.resize(rays.count);
     if (columns[0].name == kHit) return fillAny(scene, rays, limits, columns[0]);
-    const HitArrays arrays{
-        mutableColumn(columns, "t_hit").as<double>(), mutableColumn(columns, "splat_ids").as<std::uint32_t>(),
-        mutableColumn(columns, "instance_ids").as<std::uint32_t>(), mutableColumn(columns, "normals").as<float>(),
-        mutableColumn(columns, "positions").as<double>()};
+    const HitArrays arrays{numbersOf<double>(columns, "t_hit"),
+                           numbersOf<std::uint32_t>(columns, "splat_ids"),
+                           numbersOf<std::uint32_t>(columns, "instance_ids"),
+                           numbersOf<float>(columns, "normals"),
+                           numbersOf<double>(columns, "positions"),
+                           numbersOf<std::uint32_t>(columns, kTileIds)};
     scene.castRays(rays, limits, arrays);
     for (HitColumn& column : columns)
-        if (column.is_attribute) scene.readAttribute(column.name, arrays.splat_ids, arrays.instance_ids, column.values);
-    return rays.count - static_cast<std::size_t>(std::count(arrays.splat_ids.begin(), arrays.splat_ids.end(), kNoHit));
+        if (column.is_attribute)
+            scene.readAttribute(column.name, arrays.splat_ids, arrays.instance_ids, arrays.tile_ids, column.values);
+    const auto misses = std::count(arrays.instance_ids.begin(), arrays.instance_ids.end(), kNoHit);
+    return rays.count - static_cast<std::size_t>(misses);
 }
 
 } // namespace pointrt

@@ -34,8 +34,8 @@ struct HitColumn {
     }
 };
 
-/// t_hit, splat_ids, instance_ids, normals, positions, then the scene's attributes of these names. Throws Error
-/// kBadUsage where it has none of a name.
+/// t_hit, splat_ids, instance_ids, where the scene has sets tile_ids, normals, positions, then the scene's attributes
+/// of these names. Throws Error kBadUsage where it has none of a name.
 std::vector<HitColumn> hitColumns(const TraceScene& scene, const std::vector<std::string>& attributes);
 /// hit alone.
 std::vector<HitColumn> anyColumns();

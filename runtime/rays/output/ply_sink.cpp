@@ -15,6 +15,7 @@ PointColumn pointColumn(const HitColumn& column) {
     if (column.name == "normals") return {column.name, column.type, column.components, PointRole::kNormal};
     if (column.name == "splat_ids") return {"splat_id", column.type};
     if (column.name == "instance_ids") return {"instance_id", column.type};
+    if (column.name == "tile_ids") return {"tile_id", column.type};
     return {column.name, column.type, column.components};
 }
 
@@ -40,13 +41,13 @@ public:
     }
 
     void add(std::span<const HitColumn> columns, std::uint64_t first) override {
-        const std::span<const std::uint32_t> splats = columnNamed(columns, "splat_ids").as<std::uint32_t>();
-        if (first + splats.size() > std::uint64_t{UINT32_MAX} + 1)
+        const std::span<const std::uint32_t> instances = columnNamed(columns, "instance_ids").as<std::uint32_t>();
+        if (first + instances.size() > std::uint64_t{UINT32_MAX} + 1)
             throw Error(ExitCode::kCannotWrite, path_ + ": PLY numbers no more than 2^32 rays; take .npz");
         block_.positions.clear();
         for (std::vector<std::byte>& values : block_.columns) values.clear();
-        for (std::size_t i = 0; i < splats.size(); ++i)
-            if (splats[i] != kNoHit) addHit(columns, i, static_cast<std::uint32_t>(first + i));
+        for (std::size_t i = 0; i < instances.size(); ++i)
+            if (instances[i] != kNoHit) addHit(columns, i, static_cast<std::uint32_t>(first + i));
         points_->add(block_);
     }
 
