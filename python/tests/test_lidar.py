@@ -83,6 +83,14 @@ def test_sensors_that_are_none(scene, change, text):
         scene.simulate_lidar({**SENSOR, **change}, pose=MIDDLE)
 
 
+def test_tile_sets(hills_in_tiles):
+    scene = pointrt.Scene(hills_in_tiles)
+    points = scene.simulate_lidar(SENSOR, pose=GRID + [50, 50, 15])
+    assert (points["tile_ids"] != pointrt.NO_HIT).all() and len(set(points["tile_ids"].tolist())) > 1
+    at = points["positions"] - GRID
+    np.testing.assert_allclose(at[:, 2], 5 * np.sin(at[:, 0] / 8) * np.cos(at[:, 1] / 9), atol=0.1)
+
+
 def test_what_is_wrong_with_the_rest(scene, tmp_path):
     def refused(error, text, *args, **options):
         with pytest.raises(error, match=text):

@@ -51,7 +51,7 @@ nb::object rowsOf(const std::vector<LidarPose>& poses) {
     return arrayOf(std::move(numbers), kPoseNumbers);
 }
 
-nb::dict arraysOf(LidarPoints points) {
+nb::dict arraysOf(LidarPoints points, bool has_tiles) {
     nb::dict arrays;
     arrays["positions"] = arrayOf(std::move(points.positions), 3);
     arrays["times"] = arrayOf(std::move(points.times));
@@ -66,6 +66,7 @@ nb::dict arraysOf(LidarPoints points) {
     arrays["pulses"] = arrayOf(std::move(points.pulses));
     arrays["splat_ids"] = arrayOf(std::move(points.splat_ids));
     arrays["instance_ids"] = arrayOf(std::move(points.instance_ids));
+    if (has_tiles) arrays["tile_ids"] = arrayOf(std::move(points.tile_ids));
     return arrays;
 }
 
@@ -92,7 +93,7 @@ nb::dict simulate(const TraceScene& scene, const LidarSensorFile& file, const Po
             lookForSignals();
         });
     }
-    return arraysOf(std::move(all));
+    return arraysOf(std::move(all), scene.hasTiles());
 }
 
 } // namespace

@@ -169,7 +169,8 @@ class Scene:
             ``ranges`` float64, in units of the scan; ``intensities`` uint16; ``powers`` float32, 1 as of a white surface
             at the reference range; ``incidences_deg`` float32; ``scan_angles_deg`` float32, of an oscillating mirror;
             ``return_numbers`` and ``numbers_of_returns`` uint8; ``rings`` uint16; ``pulses`` uint64; ``splat_ids`` and
-            ``instance_ids`` uint32, of what was hit.
+            ``instance_ids`` uint32, of what was hit, and ``tile_ids`` where there is a tile set, all as ``cast_rays``
+            has them.
 
         Raises:
             pointrt.Error: a file that cannot be read, or is none: it says where and why.
@@ -185,12 +186,12 @@ class Scene:
         for name, dtype, components, size in kinds:
             if name in points:
                 raise ValueError(f"the points have {name!r} already")
-            values = self._attribute_at(name, size, points["splat_ids"], points["instance_ids"])
+            values = self._attribute_at(name, size, points["splat_ids"], points["instance_ids"], points.get("tile_ids"))
             points[name] = values.view(dtype).reshape((-1, components) if components > 1 else (-1,))
         return points
 
     def _attribute_at(self, name: str, size: int, splat_ids: np.ndarray, instance_ids: np.ndarray,
-                      tile_ids: np.ndarray | None = None) -> np.ndarray:
+                      tile_ids: np.ndarray | None) -> np.ndarray:
         values = np.empty(len(splat_ids) * size, np.uint8)
         self._scene.read_attribute(name, splat_ids, instance_ids, tile_ids, values)
         return values

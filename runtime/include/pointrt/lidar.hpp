@@ -67,7 +67,7 @@ using LidarPattern = std::variant<LidarSpinning, LidarFlash, LidarOscillating, L
 /// Which of a pulse's returns are kept; their numbers are counted among those.
 enum class LidarKept { kAll, kFirst, kLast, kStrongest };
 
-/// How much of the light a surface sends back, 0 to 1, as of a perfectly white one.
+/// How much of the light a surface sends back, 0 to 1, as of a perfectly white one. Shapes of scene files have value.
 struct LidarReflectance {
     enum class Source {
         kScan,      ///< the attribute "intensity" where the scene has it, else colour
@@ -76,7 +76,7 @@ struct LidarReflectance {
         kConstant,  ///< value
     };
     Source source = Source::kScan;
-    double value = 1;      ///< of kConstant
+    double value = 1;      ///< of kConstant, and of shapes
     std::string attribute; ///< of kAttribute
     double white = 0;      ///< the attribute's number for 1; 0: the highest that the scan has
 };
@@ -139,8 +139,9 @@ struct LidarPoints {
     std::vector<std::uint8_t> numbers_of_returns; ///< [N]
     std::vector<std::uint16_t> rings;             ///< [N]
     std::vector<std::uint64_t> pulses;            ///< [N], from 0
-    std::vector<std::uint32_t> splat_ids;         ///< [N], of the splat that sent back most of it
+    std::vector<std::uint32_t> splat_ids;         ///< [N], of the splat that sent back most of it; kNoHit for a shape
     std::vector<std::uint32_t> instance_ids;      ///< [N]
+    std::vector<std::uint32_t> tile_ids; ///< [N], as castRays tells them; empty where the scene has no tile sets
 
     std::uint64_t pulses_done = 0, pulses_total = 0; ///< of the run, these included
 

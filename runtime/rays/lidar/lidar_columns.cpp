@@ -11,6 +11,7 @@ namespace pointrt {
 namespace {
 
 constexpr double kLasAngleStep = 0.006; // degrees; LAS 1.4, scan_angle of formats 6 to 10
+constexpr const char* kTile = "tile_id";
 constexpr const char *kLasAngle = "scan_angle", *kAngle = "scan_angle_deg";
 
 /// What all sensors tell. Names that laspy knows have fields of their own in LAS.
@@ -56,6 +57,7 @@ std::vector<std::byte> valuesOf(const std::string& name, const LidarPoints& poin
     if (name == "pulse") return bytesOf(points.pulses);
     if (name == "splat_id") return bytesOf(points.splat_ids);
     if (name == "instance_id") return bytesOf(points.instance_ids);
+    if (name == kTile) return bytesOf(points.tile_ids);
     return name == kLasAngle ? lasAngles(points.scan_angles_deg) : bytesOf(points.scan_angles_deg);
 }
 
@@ -64,6 +66,7 @@ std::vector<std::byte> valuesOf(const std::string& name, const LidarPoints& poin
 LidarColumns::LidarColumns(const TraceScene& scene, const LidarSensor& sensor, bool for_las,
                            const std::vector<std::string>& attributes)
     : scene_(scene), columns_(ownColumns(sensor)) {
+    if (scene.hasTiles()) columns_.push_back({kTile, PRO_TYPE_U32});
     if (std::holds_alternative<LidarOscillating>(sensor.pattern))
         columns_.push_back(for_las ? PointColumn{kLasAngle, PRO_TYPE_I16} : PointColumn{kAngle, PRO_TYPE_F32});
     for (const std::string& name : attributes) add(name);
@@ -93,7 +96,8 @@ void LidarColumns::fill(const LidarPoints& points, PointBlock& block) const {
     for (std::size_t c = 0; c < own; ++c) block.columns[c] = valuesOf(columns_[c].name, points);
     for (std::size_t c = own; c < columns_.size(); ++c) {
         block.columns[c].resize(points.size() * columns_[c].rowBytes());
-        scene_.readAttribute(columns_[c].name, points.splat_ids, points.instance_ids, block.columns[c]);
+        scene_.readAttribute(columns_[c].name, points.splat_ids, points.instance_ids, points.tile_ids,
+                             block.columns[c]);
     }
 }
 

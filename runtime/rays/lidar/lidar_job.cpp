@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "format/base/report_file.h"
 #include "format/points/point_sink.h"
+#include "format/set/tile_set.h"
 #include "pointrt/lidar.hpp"
 #include "pointrt/pro.hpp"
 #include "runtime/rays/command/usage.h"
@@ -51,24 +53,29 @@ LidarRun runOf(const LidarOptions& options, const LidarSensorFile& file) {
 /// Finer than any scanner tells ranges.
 constexpr double kPositionStep_m = 1e-4;
 
-PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, const LidarColumns& columns) {
+/// The first scan's coordinate system and records are the points'.
+std::string metadataOf(const std::string& path) {
+    if (isTileSet(path)) return nlohmann::json{{"world", {{"crs", readTileSet(path).crs}}}}.dump();
+    if (path.ends_with(".toml")) return {};                                // which may stand anywhere
+    return std::string(ProFile(path, PRO_OPEN_SKIP_CHECKSUMS).metadata()); // the scene has checked what it reads
+}
+
+/// Points lie around the trajectory, and LAS lays its offset by it.
+PointOutline outlineOf(const LidarOptions& options, const TraceScene& scene, const LidarColumns& columns,
+                       const LidarRun& run) {
     PointOutline outline;
     outline.columns = columns.columns();
     outline.metres_per_unit = options.metres_per_unit > 0 ? options.metres_per_unit : scene.metresPerUnit();
     outline.position_step = kPositionStep_m / (outline.metres_per_unit > 0 ? outline.metres_per_unit : 1);
     outline.keeps_source_scale = false;
+    outline.metadata = metadataOf(options.scene.front());
     outline.program = "pointrt-rays " POINTRT_VERSION;
-    bool is_first = true;
-    for (const std::string& path : options.scene) {
-        const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS); // the scene has checked what it reads
-        if (is_first) outline.metadata = file.metadata();
+    outline.bounds_min = outline.bounds_max = run.trajectory.front().position;
+    for (const LidarPose& pose : run.trajectory)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double low = file.info().bounds_min[axis], high = file.info().bounds_max[axis];
-            outline.bounds_min[axis] = is_first ? low : std::min(outline.bounds_min[axis], low);
-            outline.bounds_max[axis] = is_first ? high : std::max(outline.bounds_max[axis], high);
+            outline.bounds_min[axis] = std::min(outline.bounds_min[axis], pose.position[axis]);
+            outline.bounds_max[axis] = std::max(outline.bounds_max[axis], pose.position[axis]);
         }
-        is_first = false;
-    }
     return outline;
 }
 
@@ -77,7 +84,7 @@ void simulateInto(const LidarOptions& options, const TraceScene& scene, const Li
     const PointFormat format = pointFormat(options.output);
     const LidarColumns columns(scene, sensor, format == PointFormat::kLas || format == PointFormat::kLaz,
                                options.attributes);
-    const std::unique_ptr<PointSink> sink = openPointSink(options.output, outlineOf(options, scene, columns));
+    const std::unique_ptr<PointSink> sink = openPointSink(options.output, outlineOf(options, scene, columns, run));
     RenderProgress progress(options.quiet, options.verbose, false);
     PointBlock block;
     double both = 0;

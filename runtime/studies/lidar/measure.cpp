@@ -24,6 +24,7 @@ void forColumns(A& a, B& b, const Act& act) {
     act(a.pulses, b.pulses);
     act(a.splat_ids, b.splat_ids);
     act(a.instance_ids, b.instance_ids);
+    act(a.tile_ids, b.tile_ids);
 }
 
 double squared(double x) { return x * x; }
@@ -46,19 +47,20 @@ void LidarMeter::measure(const LidarShot& shot, const LidarHits& hits, LidarPoin
     gather(shot, hits);
     findReturns(touches_, sensor_.range_resolution_m / metres_per_unit_, returns_);
     keep();
-    for (std::size_t i = 0; i < returns_.size(); ++i) append(shot, i, points);
+    for (std::size_t i = 0; i < returns_.size(); ++i) append(shot, i, !hits.tile_ids.empty(), points);
 }
 
 void LidarMeter::gather(const LidarShot& shot, const LidarHits& hits) {
     touches_.clear();
     const double share = 1.0 / static_cast<double>(hits.t.size());
     for (std::size_t i = 0; i < hits.t.size(); ++i) {
-        if (hits.splat_ids[i] == kNoHit || hits.t[i] < sensor_.min_range_m / metres_per_unit_) continue;
+        if (hits.instance_ids[i] == kNoHit || hits.t[i] < sensor_.min_range_m / metres_per_unit_) continue;
         const float* n = &hits.normals[3 * i];
         const double cosine = std::min(1.0, std::abs(dot(shot.axis, {n[0], n[1], n[2]})));
         const double near = squared(reference_range_ / std::max(hits.t[i], 1e-9 * reference_range_)); // of t 0, too
         touches_.push_back({hits.t[i], share * static_cast<double>(hits.reflectances[i]) * cosine * near,
-                            static_cast<float>(cosine), hits.splat_ids[i], hits.instance_ids[i]});
+                            static_cast<float>(cosine), hits.splat_ids[i], hits.instance_ids[i],
+                            hits.tile_ids.empty() ? kNoHit : hits.tile_ids[i]});
     }
 }
 
@@ -75,7 +77,7 @@ void LidarMeter::keep() {
     returns_.assign(1, one);
 }
 
-void LidarMeter::append(const LidarShot& shot, std::size_t number, LidarPoints& points) const {
+void LidarMeter::append(const LidarShot& shot, std::size_t number, bool has_tiles, LidarPoints& points) const {
     const LidarReturn& each = returns_[number];
     const double sigma = sensor_.range_noise_m / metres_per_unit_ + sensor_.range_noise_per_m * each.range;
     double range = each.range;
@@ -97,6 +99,7 @@ void LidarMeter::append(const LidarShot& shot, std::size_t number, LidarPoints& 
     points.pulses.push_back(shot.number);
     points.splat_ids.push_back(each.strongest.splat);
     points.instance_ids.push_back(each.strongest.instance);
+    if (has_tiles) points.tile_ids.push_back(each.strongest.tile);
 }
 
 void LidarPoints::append(const LidarPoints& other) {

@@ -16,7 +16,8 @@ namespace pointrt {
 struct LidarHits {
     std::span<const double> t;
     std::span<const std::uint32_t> splat_ids, instance_ids;
-    std::span<const float> normals; ///< [rays][3]
+    std::span<const std::uint32_t> tile_ids; ///< empty where the scene has no tile sets
+    std::span<const float> normals;          ///< [rays][3]
     std::span<const float> reflectances;
 };
 
@@ -32,7 +33,7 @@ public:
 private:
     void gather(const LidarShot& shot, const LidarHits& hits);
     void keep();
-    void append(const LidarShot& shot, std::size_t number, LidarPoints& points) const;
+    void append(const LidarShot& shot, std::size_t number, bool has_tiles, LidarPoints& points) const;
 
     const LidarSensor& sensor_;
     LidarRandom random_;

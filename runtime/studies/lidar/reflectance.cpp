@@ -54,21 +54,21 @@ LidarSurface::LidarSurface(const TraceScene& scene, const LidarReflectance& refl
     if (reflectance_.white == 0) reflectance_.white = attribute_.high > 0 ? attribute_.high : 1;
 }
 
-void LidarSurface::look(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
-                        std::span<float> reflectances) {
-    switch (reflectance_.source) {
-    case Source::kConstant:
-        std::fill(reflectances.begin(), reflectances.end(), static_cast<float>(reflectance_.value));
-        return;
-    case Source::kAttribute:
-        room_.resize(splat_ids.size() * attribute_.bytes);
-        scene_.readAttribute(attribute_.name, splat_ids, instance_ids, room_);
-        return lookAtAttribute(reflectances);
-    default:
-        room_.resize(splat_ids.size() * 3);
-        scene_.readColors(splat_ids, instance_ids, {reinterpret_cast<std::uint8_t*>(room_.data()), room_.size()});
-        return lookAtColors(reflectances);
+void LidarSurface::look(const LidarHitIds& hits, std::span<float> reflectances) {
+    const auto value = static_cast<float>(reflectance_.value);
+    if (reflectance_.source == Source::kConstant) return std::fill(reflectances.begin(), reflectances.end(), value);
+    if (reflectance_.source == Source::kAttribute) {
+        room_.resize(reflectances.size() * attribute_.bytes);
+        scene_.readAttribute(attribute_.name, hits.splats, hits.instances, hits.tiles, room_);
+        lookAtAttribute(reflectances);
+    } else {
+        room_.resize(reflectances.size() * 3);
+        scene_.readColors(hits.splats, hits.instances, hits.tiles,
+                          {reinterpret_cast<std::uint8_t*>(room_.data()), room_.size()});
+        lookAtColors(reflectances);
     }
+    for (std::size_t i = 0; i < reflectances.size(); ++i)
+        if (hits.instances[i] == kShapesInstance) reflectances[i] = value;
 }
 
 void LidarSurface::lookAtColors(std::span<float> reflectances) const {

@@ -11,14 +11,19 @@
 
 namespace pointrt {
 
+/// What was hit, as castRays tells it.
+struct LidarHitIds {
+    std::span<const std::uint32_t> splats, instances;
+    std::span<const std::uint32_t> tiles; ///< empty where the scene has no tile sets
+};
+
 class LidarSurface {
 public:
     /// Throws TraceError kBadUsage where the scene has not the attribute that reflectance names.
     LidarSurface(const TraceScene& scene, const LidarReflectance& reflectance);
 
-    /// Reflectances of hit splats, as castRays tells them; those of misses mean nothing.
-    void look(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
-              std::span<float> reflectances);
+    /// Reflectances of what was hit; those of misses mean nothing.
+    void look(const LidarHitIds& hits, std::span<float> reflectances);
 
 private:
     void lookAtColors(std::span<float> reflectances) const;

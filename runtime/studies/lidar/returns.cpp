@@ -26,7 +26,7 @@ LidarReturn returnOf(std::span<const LidarTouch> touches) {
 void findReturns(std::span<LidarTouch> touches, double resolution, std::vector<LidarReturn>& returns) {
     returns.clear();
     std::sort(touches.begin(), touches.end(), [](const LidarTouch& a, const LidarTouch& b) {
-        return std::tie(a.range, a.splat, a.instance) < std::tie(b.range, b.splat, b.instance);
+        return std::tie(a.range, a.splat, a.instance, a.tile) < std::tie(b.range, b.splat, b.instance, b.tile);
     });
     for (std::size_t first = 0, end = 0; first < touches.size(); first = end) {
         end = first + 1;

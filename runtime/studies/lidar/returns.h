@@ -13,7 +13,7 @@ struct LidarTouch {
     double range = 0;
     double power = 0;
     float cosine = 0; ///< of the incidence
-    std::uint32_t splat = 0, instance = 0;
+    std::uint32_t splat = 0, instance = 0, tile = 0;
 };
 
 struct LidarReturn {

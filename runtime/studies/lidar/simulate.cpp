@@ -41,16 +41,17 @@ double unitOf(const TraceScene& scene, const LidarRun& run) {
 struct Block {
     std::vector<LidarShot> shots;
     std::vector<double> rays, t;
-    std::vector<std::uint32_t> splat_ids, instance_ids;
+    std::vector<std::uint32_t> splat_ids, instance_ids, tile_ids;
     std::vector<float> normals, reflectances;
 
-    void resize(std::size_t pulses, std::size_t rays_per_pulse) {
+    void resize(std::size_t pulses, std::size_t rays_per_pulse, bool has_tiles) {
         const std::size_t count = pulses * rays_per_pulse;
         shots.resize(pulses);
         rays.resize(6 * count);
         t.resize(count);
         splat_ids.resize(count);
         instance_ids.resize(count);
+        if (has_tiles) tile_ids.resize(count);
         normals.resize(3 * count);
         reflectances.resize(count);
     }
@@ -59,7 +60,8 @@ struct Block {
         const auto part = [&](const auto& all, std::size_t width) {
             return std::span(all).subspan(width * first, width * rays_per_pulse);
         };
-        return {part(t, 1), part(splat_ids, 1), part(instance_ids, 1), part(normals, 3), part(reflectances, 1)};
+        const auto tiles = tile_ids.empty() ? std::span<const std::uint32_t>() : part(tile_ids, 1);
+        return {part(t, 1), part(splat_ids, 1), part(instance_ids, 1), tiles, part(normals, 3), part(reflectances, 1)};
     }
 };
 
@@ -77,11 +79,11 @@ public:
 
     void fire(std::uint64_t first, std::size_t pulses, LidarPoints& points) {
         const std::size_t rays = aim_.raysPerPulse();
-        block_.resize(pulses, rays);
+        block_.resize(pulses, rays, scene_.hasTiles());
         inSlices(pulses, [&](std::size_t from, std::size_t end, std::size_t) { aim(first, from, end); });
         scene_.castRays(std::span<const double>(block_.rays), {0, sensor_.max_range_m / unit_},
-                        {block_.t, block_.splat_ids, block_.instance_ids, block_.normals, {}});
-        surface_.look(block_.splat_ids, block_.instance_ids, block_.reflectances);
+                        {block_.t, block_.splat_ids, block_.instance_ids, block_.normals, {}, block_.tile_ids});
+        surface_.look({block_.splat_ids, block_.instance_ids, block_.tile_ids}, block_.reflectances);
         inSlices(pulses, [&](std::size_t from, std::size_t end, std::size_t slice) {
             parts_[slice].clear();
             for (std::size_t i = from; i < end; ++i)

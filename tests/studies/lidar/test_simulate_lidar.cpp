@@ -346,18 +346,18 @@ TEST_F(Lidar, SurfacesAreAsBrightAsTheirColorsOrTheirNumbers) {
     const std::vector<std::uint32_t> ids{0, 1, 2, 3}, none(4, 0);
     std::vector<float> seen(4);
     const TraceScene scene(device, {folder.file("colored.pro")});
-    LidarSurface(scene, {}).look(ids, none, seen);
+    LidarSurface(scene, {}).look({ids, none, {}}, seen);
     std::sort(seen.begin(), seen.end()); // splats of a file lie in their leaves' order
     EXPECT_FLOAT_EQ(seen[0], 0.2126f);
     EXPECT_NEAR(static_cast<double>(seen[3]), std::pow((200 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
-    LidarSurface(scene, {LidarReflectance::Source::kConstant, 0.25, "", 0}).look(ids, none, seen);
+    LidarSurface(scene, {LidarReflectance::Source::kConstant, 0.25, "", 0}).look({ids, none, {}}, seen);
     EXPECT_EQ(seen, std::vector<float>(4, 0.25f));
 
     const TraceScene numbered(device, {POINTRT_GOLDEN_DIR "/tiny_v1_2.pro"}); // tests/format/tiny_attributes.h
     const std::vector<std::uint32_t> some{3, 1, 0, kNoHit}, first{0, 0, 0, kNoHit};
-    LidarSurface(numbered, {}).look(some, first, seen);
+    LidarSurface(numbered, {}).look({some, first, {}}, seen);
     EXPECT_EQ(seen, (std::vector<float>{300.0f / 65535, 1, 0, 0}));
-    LidarSurface(numbered, {LidarReflectance::Source::kAttribute, 1, "intensity", 400}).look(some, first, seen);
+    LidarSurface(numbered, {LidarReflectance::Source::kAttribute, 1, "intensity", 400}).look({some, first, {}}, seen);
     EXPECT_EQ(seen, (std::vector<float>{0.75f, 1, 0, 0}));
     try {
         LidarSurface(numbered, {LidarReflectance::Source::kAttribute, 1, "gloss", 0});
