@@ -5,8 +5,10 @@ namespace pointrt {
 namespace {
 
 std::string asWord(std::string name, const std::string& separators) {
-    for (char& letter : name)
-        if (letter <= ' ' || letter > '~' || separators.find(letter) != std::string::npos) letter = '_';
+    for (char& letter : name) {
+        const bool is_blank = (static_cast<unsigned char>(letter) <= ' ') || letter == 0x7f;
+        if (is_blank || separators.find(letter) != std::string::npos) letter = '_';
+    }
     return name;
 }
 

@@ -9,8 +9,8 @@
 
 namespace pointrt {
 
-/// One for each component. The names of attributes may hold anything: what is no printable character of ASCII, or among
-/// separators, becomes '_'.
+/// One for each component. The names of attributes may hold anything: blanks, control characters, and what is among
+/// separators, become '_'.
 std::vector<std::string> componentNames(const PointColumn& column, const std::string& separators);
 
 } // namespace pointrt

@@ -7,6 +7,8 @@
 #include "runtime/rays/cast_job.h"
 #include "runtime/rays/command/command_table.h"
 #include "runtime/rays/lidar/lidar_job.h"
+#include "runtime/rays/study/sun_command.h"
+#include "runtime/rays/study/viewshed_command.h"
 
 namespace {
 
@@ -15,6 +17,8 @@ using namespace pointrt;
 constexpr RayCommand kCommands[] = {
     {"cast", "first hits, or occlusion, of any rays", castCommand},
     {"lidar", "what a laser scanner would measure", lidarCommand},
+    {"sun", "hours of direct sun on points, and how much of the sky they see", sunCommand},
+    {"viewshed", "which points observers see", viewshedCommand},
 };
 
 int run(int argc, const char* const* argv) {

@@ -91,8 +91,8 @@ TEST_F(CastCommand, WrongUsageIsExitTwo) {
     const auto refused = [&](const std::string& reason, const std::string& words) {
         expectRefused(2, reason + " (see --help)", POINTRT_RAYS " " + words);
     };
-    refused("a command is missing: cast, lidar", "");
-    refused("throw: no command; there is cast, lidar", "throw plane.pro");
+    refused("a command is missing: cast, lidar, sun, viewshed", "");
+    refused("throw: no command; there is cast, lidar, sun, viewshed", "throw plane.pro");
     refused("--rays is required", "cast plane.pro -o out.npz");
     refused("unknown option --ray, did you mean --rays?", "cast plane.pro --ray rays.npy -o out.npz");
     const std::string cast = "cast plane.pro --rays rays.npy ";

@@ -33,5 +33,6 @@ NB_MODULE(_core, module) {
     pointrt::python::bindScene(module);
     pointrt::python::bindLidar(module);
     pointrt::python::bindRenderer(module);
+    pointrt::python::bindStudies(module);
     pointrt::python::bindScanFile(module);
 }

@@ -12,6 +12,8 @@ void bindScene(nanobind::module_& module);
 void bindLidar(nanobind::module_& module);
 /// Renderer.
 void bindRenderer(nanobind::module_& module);
+/// Lights, and what they and observers reach.
+void bindStudies(nanobind::module_& module);
 /// ScanFile.
 void bindScanFile(nanobind::module_& module);
 

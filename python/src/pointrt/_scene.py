@@ -18,6 +18,7 @@ from ._camera import Camera
 from ._hits import ALIASES, Hits
 from ._picture import ALIASES as LAYER_ALIASES
 from ._picture import Picture, setting_text
+from ._studies import Studies
 
 #: All that hits can tell, in the order of the results, with type and shape behind the rays' own.
 _LAYOUT = {
@@ -42,7 +43,7 @@ def _default_device() -> _core.Device:
     return _core.Device()
 
 
-class Scene:
+class Scene(Studies):
     """Scans on a device, ready for rays. May be used from several threads at once.
 
     Args:

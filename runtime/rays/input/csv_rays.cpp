@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <string_view>
 #include <utility>
@@ -12,14 +13,14 @@
 namespace pointrt {
 namespace {
 
-constexpr std::size_t kNumbers = 6;            // of a ray
+constexpr std::size_t kNumbersMost = 6;        // of a row
 constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading takes no time beside parsing then
 constexpr std::size_t kLongestLine = 1u << 16; // what has no line ends is no list of rays
 constexpr std::string_view kBetween = " ,;\t\r";
 
 /// The numbers of a line; error is where it stops being numbers, or empty.
 struct Parsed {
-    std::array<double, kNumbers> numbers{};
+    std::array<double, kNumbersMost> numbers{};
     std::size_t count = 0; ///< may be more than there is room for
     std::string_view error;
 };
@@ -37,15 +38,33 @@ Parsed parse(std::string_view line) {
             parsed.error = line.substr(0, line.find_first_of(kBetween));
             return parsed;
         }
-        if (parsed.count < kNumbers) parsed.numbers[parsed.count] = number;
+        if (parsed.count < kNumbersMost) parsed.numbers[parsed.count] = number;
         ++parsed.count;
         line.remove_prefix(length);
     }
 }
 
+/// The words of a line.
+std::vector<std::string_view> wordsOf(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (std::size_t start = 0; (start = line.find_first_not_of(kBetween, start)) != line.npos;) {
+        const std::size_t end = std::min(line.find_first_of(kBetween, start), line.size());
+        words.push_back(line.substr(start, end - start));
+        start = end;
+    }
+    return words;
+}
+
+bool isWord(std::string_view text, std::string_view lower) {
+    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
+                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
 class CsvRays final : public RaySource {
 public:
-    explicit CsvRays(std::unique_ptr<ByteInput> input) : input_(std::move(input)) {}
+    CsvRays(std::unique_ptr<ByteInput> input, const RowKind& kind) : input_(std::move(input)), kind_(kind) {}
+
+    std::size_t width() const override { return width_ > 0 ? width_ : kind_.widths[0]; }
 
     bool next(RayBlock& block) override {
         block.first = done_;
@@ -73,12 +92,37 @@ private:
         if (start == line.npos || line[start] == '#') return;
         const bool may_name_columns = !std::exchange(met_any_, true);
         const Parsed parsed = parse(line);
-        if (!parsed.error.empty() && may_name_columns && parsed.count == 0) return;
+        if (!parsed.error.empty() && may_name_columns && parsed.count == 0) return requireNames(line);
         if (!parsed.error.empty()) fail("\"" + std::string(parsed.error) + "\" is no number");
-        if (parsed.count != kNumbers)
-            fail("there are " + std::to_string(parsed.count) + " numbers, where a ray has 6: origin and direction");
-        block.doubles.insert(block.doubles.end(), parsed.numbers.begin(), parsed.numbers.end());
+        requireWidth(parsed.count);
+        block.doubles.insert(block.doubles.end(), parsed.numbers.begin(),
+                             parsed.numbers.begin() + static_cast<std::ptrdiff_t>(width_));
         block.lines.push_back(line_);
+    }
+
+    /// The first row decides.
+    void requireWidth(std::size_t count) {
+        const auto& widths = kind_.widths;
+        if (std::find(widths.begin(), widths.end(), count) == widths.end())
+            fail("there are " + std::to_string(count) + " numbers, where a " + kind_.row + " has " + kind_.numbers);
+        if (width_ == 0) width_ = count;
+        if (width_ != count)
+            fail("there are " + std::to_string(count) + " numbers, where the first " + kind_.row + " has " +
+                 std::to_string(width_));
+    }
+
+    void requireNames(std::string_view line) const {
+        const std::vector<std::string_view> words = wordsOf(line);
+        const auto named = [&](std::size_t count) {
+            return words.size() == count && std::equal(words.begin(), words.end(), kind_.names.begin(), isWord);
+        };
+        if (kind_.names.empty() || std::any_of(kind_.widths.begin(), kind_.widths.end(), named)) return;
+        std::string wanted;
+        for (const std::size_t width : kind_.widths) {
+            wanted += wanted.empty() ? "" : ", or ";
+            for (std::size_t k = 0; k < width; ++k) wanted += (k > 0 ? "," : "") + kind_.names[k];
+        }
+        fail("its columns are not " + wanted);
     }
 
     /// Valid until the next call; false at the end.
@@ -86,7 +130,8 @@ private:
         ++line_;
         std::size_t end = text_.find('\n', at_);
         if (end == text_.npos && more()) end = text_.find('\n', at_);
-        if (end == text_.npos && text_.size() - at_ > kLongestLine) fail("a line without end: no list of rays");
+        if (end == text_.npos && text_.size() - at_ > kLongestLine)
+            fail("a line without end: no list of " + kind_.rows);
         if (end == text_.npos && at_ == text_.size()) return false;
         if (end == text_.npos) end = text_.size();
         line = std::string_view(text_).substr(at_, end - at_);
@@ -106,6 +151,8 @@ private:
     }
 
     std::unique_ptr<ByteInput> input_;
+    const RowKind& kind_;
+    std::size_t width_ = 0;
     std::string text_;
     std::size_t at_ = 0;
     std::uint64_t line_ = 0, done_ = 0;
@@ -114,8 +161,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<RaySource> csvRays(std::unique_ptr<ByteInput> input) {
-    return std::make_unique<CsvRays>(std::move(input));
+std::unique_ptr<RaySource> csvRays(std::unique_ptr<ByteInput> input, const RowKind& kind) {
+    return std::make_unique<CsvRays>(std::move(input), kind);
 }
 
 } // namespace pointrt

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays as text, one a line: six numbers, apart by commas, semicolons or blanks. Empty lines, those that begin with #,
-// and a first one that names columns are passed over.
+// Rays as text, one a line: six numbers, or as many as its kind of rows has, apart by commas, semicolons or blanks.
+// Empty lines, those that begin with #, and a first one that names columns are passed over.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,6 @@
 
 namespace pointrt {
 
-std::unique_ptr<RaySource> csvRays(std::unique_ptr<ByteInput> input);
+std::unique_ptr<RaySource> csvRays(std::unique_ptr<ByteInput> input, const RowKind& kind);
 
 } // namespace pointrt

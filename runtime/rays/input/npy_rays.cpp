@@ -13,8 +13,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are read as they lie in the file");
 
-constexpr std::uint64_t kNumbers = 6; // of a ray
-
 std::string shapeText(const std::vector<std::uint64_t>& shape) {
     std::string text = "(";
     for (std::size_t i = 0; i < shape.size(); ++i) text += (i > 0 ? ", " : "") + std::to_string(shape[i]);
@@ -22,19 +20,21 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
 }
 
 /// Why the array holds no rays; empty where it does.
-std::string refusalOf(const NpyHeader& header) {
+std::string refusalOf(const NpyHeader& header, const RowKind& kind) {
     if (header.descr != "<f4" && header.descr != "<f8")
-        return "its numbers are '" + header.descr + "', where rays are float32 ('<f4') or float64 ('<f8')";
-    if (header.shape.size() != 2 || header.shape[1] != kNumbers)
-        return "its shape is " + shapeText(header.shape) + ", where rays are (N, 6): origin and direction";
+        return "its numbers are '" + header.descr + "', where " + kind.rows + " are float32 ('<f4') or float64 ('<f8')";
+    if (header.shape.size() != 2 ||
+        std::find(kind.widths.begin(), kind.widths.end(), header.shape[1]) == kind.widths.end())
+        return "its shape is " + shapeText(header.shape) + ", where " + kind.rows + " are " + kind.shape;
     if (header.fortran_order) return "it is in Fortran order: save numpy.ascontiguousarray of it";
     return {};
 }
 
 class NpyRays final : public RaySource {
 public:
-    explicit NpyRays(std::unique_ptr<ByteInput> input) : input_(std::move(input)), header_(readNpyHeader(*input_)) {
-        const std::string refusal = refusalOf(header_);
+    NpyRays(std::unique_ptr<ByteInput> input, const RowKind& kind)
+        : input_(std::move(input)), kind_(kind), header_(readNpyHeader(*input_)) {
+        const std::string refusal = refusalOf(header_, kind_);
         if (!refusal.empty()) throw Error(ExitCode::kBadInput, input_->name() + ": " + refusal);
     }
 
@@ -50,20 +50,21 @@ public:
         return rays > 0;
     }
 
+    std::size_t width() const override { return header_.shape[1]; }
     std::optional<std::uint64_t> count() const override { return header_.shape[0]; }
 
     std::string placeOf(const RayBlock& block, std::size_t ray) const override {
-        return input_->name() + ": ray " + std::to_string(block.first + ray);
+        return input_->name() + ": " + kind_.row + " " + std::to_string(block.first + ray);
     }
 
 private:
     template <typename Number>
     void read(std::vector<Number>& numbers, std::size_t rays) {
-        numbers.resize(kNumbers * rays);
+        numbers.resize(width() * rays);
         const std::size_t bytes = numbers.size() * sizeof(Number), got = input_->read(numbers.data(), bytes);
         if (got < bytes)
-            throw Error(ExitCode::kBadInput, input_->name() + ": ends in ray " +
-                                                 std::to_string(done_ + got / (kNumbers * sizeof(Number))) + " of " +
+            throw Error(ExitCode::kBadInput, input_->name() + ": ends in " + kind_.row + " " +
+                                                 std::to_string(done_ + got / (width() * sizeof(Number))) + " of " +
                                                  std::to_string(header_.shape[0]));
     }
 
@@ -71,18 +72,19 @@ private:
         std::uint8_t more = 0;
         if (input_->read(&more, 1) > 0)
             throw Error(ExitCode::kBadInput,
-                        input_->name() + ": goes on behind its " + std::to_string(header_.shape[0]) + " rays");
+                        input_->name() + ": goes on behind its " + std::to_string(header_.shape[0]) + " " + kind_.rows);
     }
 
     std::unique_ptr<ByteInput> input_;
+    const RowKind& kind_;
     NpyHeader header_;
     std::uint64_t done_ = 0;
 };
 
 } // namespace
 
-std::unique_ptr<RaySource> npyRays(std::unique_ptr<ByteInput> input) {
-    return std::make_unique<NpyRays>(std::move(input));
+std::unique_ptr<RaySource> npyRays(std::unique_ptr<ByteInput> input, const RowKind& kind) {
+    return std::make_unique<NpyRays>(std::move(input), kind);
 }
 
 } // namespace pointrt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays in a NumPy array, (N, 6), of float32 or float64.
+// Rays in a NumPy array, (N, 6), or as wide as its kind of rows is, of float32 or float64.
 #pragma once
 
 #include <memory>
@@ -10,6 +10,6 @@
 namespace pointrt {
 
 /// input is at the array's first byte. Throws Error kBadInput "NAME: reason" where it does not hold rays.
-std::unique_ptr<RaySource> npyRays(std::unique_ptr<ByteInput> input);
+std::unique_ptr<RaySource> npyRays(std::unique_ptr<ByteInput> input, const RowKind& kind);
 
 } // namespace pointrt

@@ -10,10 +10,12 @@
 
 namespace pointrt {
 
-std::unique_ptr<RaySource> openRays(const std::string& path) {
+const RowKind kRayRows{"ray", "rays", {6}, "6: origin and direction", "(N, 6): origin and direction"};
+
+std::unique_ptr<RaySource> openRays(const std::string& path, const RowKind& kind) {
     auto input = std::make_unique<ByteInput>(path);
     const bool is_array = input->beginsWith(kNpyMagic);
-    return is_array ? npyRays(std::move(input)) : csvRays(std::move(input));
+    return is_array ? npyRays(std::move(input), kind) : csvRays(std::move(input), kind);
 }
 
 } // namespace pointrt

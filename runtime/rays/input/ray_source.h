@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays as they come, block by block, so that no number of them has to fit in memory.
+// Rays, or other rows of numbers, as they come, block by block, so that no number of them has to fit in memory.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,18 @@
 
 namespace pointrt {
 
-/// Consecutive rays. One of the two arrays holds them, six numbers each.
+/// What rows of an input are, for readers and their messages.
+struct RowKind {
+    std::string row, rows;           ///< "ray", "rays"
+    std::vector<std::size_t> widths; ///< numbers that a row may have
+    std::string numbers;             ///< which these are: "6: origin and direction"
+    std::string shape;               ///< the same of arrays: "(N, 6): origin and direction"
+    /// Where text names its columns, they must be the first ones of these; empty: any names will do.
+    std::vector<std::string> names = {};
+};
+extern const RowKind kRayRows;
+
+/// Consecutive rays. One of the two arrays holds them, six numbers each, or as many as a row has.
 struct RayBlock {
     /// Four chunks of the library's, which keep its slots at work; 48 MiB of doubles.
     static constexpr std::size_t kRays = std::size_t{1} << 20;
@@ -34,6 +45,8 @@ public:
     /// The next rays, up to RayBlock::kRays, in place of those in block; false where there are none any more. Throws
     /// Error kBadInput "NAME[:LINE]: reason".
     virtual bool next(RayBlock& block) = 0;
+    /// Numbers of a row; of text, of those read so far.
+    virtual std::size_t width() const = 0;
     /// How many there are in all, where that is known beforehand.
     virtual std::optional<std::uint64_t> count() const = 0;
     /// "NAME: ray 17" or "NAME:18", for messages.
@@ -42,6 +55,7 @@ public:
 
 /// Rays of a file, or of standard input for "-": a NumPy array (.npy) where the first bytes are of one, else text.
 /// Throws Error kBadInput "NAME: reason" for an array that does not hold rays.
-std::unique_ptr<RaySource> openRays(const std::string& path);
+/// @param kind lives as long as what is returned
+std::unique_ptr<RaySource> openRays(const std::string& path, const RowKind& kind = kRayRows);
 
 } // namespace pointrt

@@ -3,6 +3,7 @@
 // simulated scanner, a picture, then an error.
 #include <pointrt/lidar.hpp>
 #include <pointrt/render.hpp>
+#include <pointrt/studies.hpp>
 #include <pointrt/trace.hpp>
 
 #include <cmath>
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
     if (std::abs(range - 0.5) > 1e-5) return 5;
     pointrt::PictureRenderer renderer(device, {argv[1]});
     if (renderer.render(pointrt::LookAt{}, 8, 4, {"depth"}).layer("depth").floats.size() != 32) return 6;
+    if (pointrt::sunLights({{80, 0}, {2026, 6, 21}, {2026, 6, 21}, 60, {}}, {}).weights.size() != 24) return 7;
     try {
         pointrt::TraceScene(device, {argv[2]});
     } catch (const pointrt::TraceError& error) {

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Studies of scans: how long the sun shines on points, how much of the sky they see, who sees them."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+
+#: Points of a block: each direction's rays off all of them are cast together.
+_POINTS_AT_ONCE = 1 << 19
+#: Rays that are cast between two looks at whether Ctrl-C was pressed: about a second on two cores.
+_RAYS_AT_ONCE = 1 << 21
+
+
+class _Points:
+    """What a study asks about: rows of positions, and of what else is known."""
+
+    def __init__(self, positions: np.ndarray, normals: np.ndarray | None, radii: np.ndarray | None,
+                 noise: np.ndarray | None, shape: tuple[int, ...]):
+        self.positions, self.normals, self.radii, self.noise, self.shape = positions, normals, radii, noise, shape
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+    def blocks(self) -> Iterator[tuple[slice, tuple]]:
+        for begin in range(0, len(self), _POINTS_AT_ONCE):
+            part = slice(begin, begin + _POINTS_AT_ONCE)
+            rows = (self.positions, self.normals, self.radii, self.noise)
+            yield part, tuple(None if each is None else each[part] for each in rows)
+
+
+class Studies:
+    """The studies that a ``Scene`` of ``.pro`` files offers; it has ``_scene`` and ``_paths``."""
+
+    _scene: _core.Scene
+    _paths: list[str]
+
+    def sun_hours(self, at: tuple[float, float], date: datetime.date | str, to: datetime.date | str | None = None, *,
+                  every: float = 15.0, points: ArrayLike | None = None, normals: ArrayLike | None = None,
+                  radii: ArrayLike | float | None = None, sides: str = "auto", utc_offset: float | None = None,
+                  up: Sequence[float] | None = None, north: Sequence[float] | None = None) -> np.ndarray:
+        """Hours that the sun shines on each point, of all days together.
+
+        The sun's place is NOAA's (within 0.02 degrees from 1900 to 2100), with refraction. It shines while its centre is
+        above the level horizon and nothing of the scene is in the way.
+
+        Args:
+            at: latitude and longitude in degrees, north and east above 0.
+            date, to: the first and the last day (the same), ``datetime.date`` or ``"2026-06-21"``.
+            every: minutes between instants, each of which stands for the time around it.
+            points: ``[..., 3]`` in the scan's coordinates; the scene's own splats, file by file in their order, where
+                none are given.
+            normals: ``[..., 3]``, any length, of the points' discs; without them points lie level and count from both
+                sides.
+            radii: of the points' discs, ``[...]`` or one number, in the scan's unit: hits on discs alike that are nearer
+                than 3 radii over the point's own are its own surface. By default the median of the scene's radii.
+            sides: ``"front"``: what comes from behind a disc does not count; ``"both"``; ``"auto"``: front where the
+                files' normals are oriented.
+            utc_offset: hours; days begin at its midnight. By default 15 degrees of longitude are one hour.
+            up, north: directions in the scan's coordinates, 3 numbers. By default what the file says of up, else +Z; and
+                true north by the file's coordinate system, else +Y (-Z where Y is up).
+
+        Returns:
+            float64 with the points' shape in front; ``[len(scene)]`` for the scene's own.
+
+        Raises:
+            ValueError: arrays of another shape, a place, date or number that is none.
+            pointrt.Error: points that are not finite, a scene of other than ``.pro`` files.
+        """
+        frame = _core.study_frame(self._paths[0], *_place(at), _vector(up, "up"), _vector(north, "north"))
+        first = _date(date)
+        last = first if to is None else _date(to)
+        lights = _core.sun_lights(*_place(at), first, last, every, utc_offset, frame[0], frame[1])
+        return self._sum_lights(self._points(points, normals, radii), lights, sides, frame[0])
+
+    def sky_view(self, *, directions: int = 256, points: ArrayLike | None = None, normals: ArrayLike | None = None,
+                 radii: ArrayLike | float | None = None, sides: str = "auto",
+                 up: Sequence[float] | None = None) -> np.ndarray:
+        """The share of an evenly bright sky's light that reaches level ground at each point: 1 in the open.
+
+        That is the sky view factor of urban climate; directions are weighted by the cosine from up. The sky is
+        divided into ``directions`` (1 to 65536) that are always the same. Other arguments, shapes and errors are those
+        of ``sun_hours``.
+        """
+        place_is_of_no_account = (0.0, 0.0)
+        if up is None:
+            up = _core.scan_up(self._paths[0])
+        vector = _vector(up, "up")
+        aside = [0.0, 1.0, 0.0] if abs(vector[1]) < 0.9 * np.linalg.norm(vector) else [0.0, 0.0, -1.0]
+        frame = _core.study_frame(self._paths[0], *place_is_of_no_account, vector, aside)
+        lights = _core.sky_lights(directions, frame[0], frame[1])
+        return self._sum_lights(self._points(points, normals, radii), lights, sides, frame[0])
+
+    def visible_from(self, observers: ArrayLike, *, height: float = 0.0, radius: float = np.inf,
+                     points: ArrayLike | None = None, normals: ArrayLike | None = None,
+                     radii: ArrayLike | float | None = None, sides: str = "auto",
+                     up: Sequence[float] | None = None) -> np.ndarray:
+        """Which points each observer sees.
+
+        Lines of sight end at the observer, and nothing there is left out: one within a wall sees nothing but it.
+
+        Args:
+            observers: ``[..., 3]`` in the scan's coordinates.
+            height: observers are that far up of where they are said to be.
+            radius: nothing farther is seen.
+
+        Other arguments and errors are those of ``sun_hours``.
+
+        Returns:
+            bool, the observers' shape and behind it the points': ``[N]`` for one observer ``[3]``, ``[M, N]`` for
+            ``[M, 3]``; ``.sum(axis=0)`` is how many see each point.
+        """
+        eyes = _array(observers, "observers", np.float64)
+        vector = _vector(up, "up") or _core.scan_up(self._paths[0])
+        vector = np.asarray(vector) / np.linalg.norm(vector)
+        asked = self._points(points, normals, radii)
+        rules = self._both(sides), list(vector), 0.0
+        visible = np.empty((int(np.prod(eyes.shape[:-1])), len(asked)), np.uint8)
+        for row, eye in zip(visible, eyes.reshape(-1, 3) + height * vector):
+            for part, rows in asked.blocks():
+                _core.find_visible(self._scene, *rows, *rules, list(eye), radius, row[part])
+        return visible.view(np.bool_).reshape(eyes.shape[:-1] + asked.shape)
+
+    def _both(self, sides: str) -> bool:
+        if sides not in ("auto", "front", "both"):
+            raise ValueError(f"sides must be 'auto', 'front' or 'both', not {sides!r}")
+        return sides == "both" or (sides == "auto" and not _core.are_oriented(self._paths))
+
+    def _sum_lights(self, points: _Points, lights: tuple, sides: str, up: Any) -> np.ndarray:
+        directions, weights = lights
+        both = self._both(sides)
+        sums = np.zeros(len(points))
+        for part, rows in points.blocks():
+            some = max(1, _RAYS_AT_ONCE // len(rows[0]))
+            for begin in range(0, len(weights), some):
+                _core.add_lights(self._scene, *rows, both, up, 0.0, directions[begin:begin + some],
+                                 weights[begin:begin + some], sums[part])
+        return sums.reshape(points.shape)
+
+    def _points(self, points: ArrayLike | None, normals: ArrayLike | None, radii: ArrayLike | float | None) -> _Points:
+        if points is None:
+            if normals is not None or radii is not None:
+                raise ValueError("normals and radii go with points: the scene has its own")
+            return self._own_points()
+        positions = _array(points, "points", np.float64)
+        shape = positions.shape[:-1]
+        rows = _array(normals, "normals", np.float32) if normals is not None else None
+        if rows is not None and rows.shape != positions.shape:
+            raise ValueError(f"normals must have the shape of points, {list(positions.shape)}, not {list(rows.shape)}")
+        sizes = np.asarray(self._median_radius() if radii is None else radii, dtype=np.float32)
+        if sizes.ndim > 0 and sizes.shape != shape:
+            raise ValueError(f"radii must have the shape {list(shape)}, or be one number, not {list(sizes.shape)}")
+        return _Points(np.ascontiguousarray(positions.reshape(-1, 3)),
+                       None if rows is None else np.ascontiguousarray(rows.reshape(-1, 3)),
+                       np.ascontiguousarray(np.broadcast_to(sizes, shape).reshape(-1)), None, shape)
+
+    def _own_points(self) -> _Points:
+        files = [_core.scan_points(path) for path in self._paths]
+
+        def joined(name: str) -> np.ndarray:
+            return np.concatenate([file[name] for file in files])
+
+        noise = None
+        if any("noise" in file for file in files):
+            noise = np.concatenate([file.get("noise", np.zeros(len(file["radii"]), np.float32)) for file in files])
+        positions = joined("positions")
+        return _Points(positions, joined("normals"), joined("radii"), noise, (len(positions),))
+
+    def _median_radius(self) -> float:
+        return float(np.median(_core.scan_points(self._paths[0])["radii"]))
+
+
+def _array(values: ArrayLike, name: str, kind: type) -> np.ndarray:
+    array = np.asarray(values, dtype=kind)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise ValueError(f"{name} must have the shape [..., 3], not {list(array.shape)}")
+    return array
+
+
+def _vector(values: Sequence[float] | None, name: str) -> list[float] | None:
+    if values is None:
+        return None
+    array = np.asarray(values, dtype=np.float64)
+    if array.shape != (3,) or not np.isfinite(array).all() or not array.any():
+        raise ValueError(f"{name} must be a direction: three finite numbers that are not all 0")
+    return array.tolist()
+
+
+def _place(at: tuple[float, float]) -> tuple[float, float]:
+    latitude_deg, longitude_deg = at
+    return float(latitude_deg), float(longitude_deg)
+
+
+def _date(date: datetime.date | str) -> tuple[int, int, int]:
+    day = datetime.date.fromisoformat(date) if isinstance(date, str) else date
+    return day.year, day.month, day.day

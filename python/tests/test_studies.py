@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+import datetime
+
+import numpy as np
+import pytest
+from conftest import GRID, plane_points
+
+import pointrt
+
+PLACE = (47.4, 15.0)
+
+
+@pytest.fixture(scope="module")
+def wall(field, tmp_path_factory):
+    """A wall along the field's middle, 4 m high, from the west to the east, facing south."""
+    x, z = np.meshgrid((np.arange(200) + 0.5) * 0.1, 10 + (np.arange(40) + 0.5) * 0.1)
+    points = GRID + np.stack([x.ravel(), np.full(x.size, 10.0), z.ravel()], axis=1)
+    normals = np.tile([0.0, -1.0, 0.0], (len(points), 1))
+    return pointrt.bake(points, normals, output=tmp_path_factory.mktemp("scans") / "wall.pro", clean="off")
+
+
+def test_an_open_field_has_all_of_the_day(scene):
+    hours = scene.sun_hours(PLACE, "2026-06-21", every=60)
+    assert hours.shape == (len(scene),) and hours.dtype == np.float64
+    np.testing.assert_array_equal(hours, 16)
+    np.testing.assert_array_equal(scene.sun_hours(PLACE, datetime.date(2026, 6, 21), "2026-06-22", every=60), 32)
+    np.testing.assert_allclose(scene.sky_view(directions=64), 1)
+
+
+def test_a_wall_shades_what_lies_north_of_it(field, wall):
+    scene = pointrt.Scene([field, wall])
+    points = GRID + [[10, 9, 10], [10, 10.5, 10], [10, 19, 10]]
+    hours = scene.sun_hours(PLACE, "2026-12-21", every=30, points=points)
+    assert hours[0] == pointrt.Scene(field).sun_hours(PLACE, "2026-12-21", every=30, points=points)[0] > 7.5
+    assert hours[1] == 0
+    # at noon the sun stands 19 degrees high: the shadow is 12 m long
+    assert hours[2] < 6
+    assert scene.sky_view(points=points)[1] < 0.6
+    both = scene.sun_hours(PLACE, "2026-12-21", every=30, points=points.reshape(3, 1, 3), radii=0.1)
+    assert both.shape == (3, 1)
+
+
+def test_normals_decide_which_side_is_lit(scene):
+    points = np.tile(GRID + [10, 10, 10.5], (2, 1))
+    normals = [[0, 0, 1], [0, 0, -3]]
+    hours = scene.sun_hours(PLACE, "2026-06-21", every=60, points=points, normals=normals, sides="front")
+    np.testing.assert_array_equal(hours, [16, 0])
+    assert scene.sun_hours(PLACE, "2026-06-21", every=60, points=points[1], sides="both").shape == ()
+
+
+def test_who_sees_what(field, wall):
+    scene = pointrt.Scene([field, wall])
+    points = GRID + [[10, 5, 10], [10, 12, 10], [10, 10, 15]]
+    observers = GRID + [[10, 2, 12], [10, 18, 12]]
+    visible = scene.visible_from(observers, points=points, radii=0.1)
+    np.testing.assert_array_equal(visible, [[True, False, True], [False, True, True]])
+    np.testing.assert_array_equal(scene.visible_from(observers[0], points=points, radius=5), [True, False, False])
+    assert scene.visible_from(observers[0] - [0, 0, 8], height=40, points=points).all()
+    own = scene.visible_from(observers[:1])
+    assert own.shape == (1, len(scene)) and own.dtype == np.bool_ and own.any() and not own.all()
+
+
+@pytest.mark.parametrize("arguments, text", [
+    (dict(at=(91, 0), date="2026-06-21"), "latitude"),
+    (dict(at=(0, 181), date="2026-06-21"), "longitude"),
+    (dict(at=PLACE, date="2026-02-30"), "day is out of range"),
+    (dict(at=PLACE, date="2026-06-21", to="2026-06-20"), "the last day lies before the first one"),
+    (dict(at=PLACE, date="2026-06-21", every=0), "minutes"),
+    (dict(at=PLACE, date="2026-06-21", sides="left"), "sides must be"),
+    (dict(at=PLACE, date="2026-06-21", north=[0, 0, 1]), "north must not be along up"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 2))), r"points must have the shape \[..., 3\], not \[3, 2\]"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), normals=np.zeros((2, 3))), "normals must have the shape"),
+    (dict(at=PLACE, date="2026-06-21", points=np.zeros((3, 3)), radii=np.zeros(2)), "radii must have the shape"),
+    (dict(at=PLACE, date="2026-06-21", radii=1.0), "normals and radii go with points"),
+])
+def test_what_is_wrong_with_a_study(scene, arguments, text):
+    with pytest.raises(ValueError, match=text):
+        scene.sun_hours(**arguments)
+
+
+def test_points_and_observers_that_are_nowhere(scene):
+    with pytest.raises(pointrt.Error, match="point 1: the position is not finite"):
+        scene.sun_hours(PLACE, "2026-06-21", points=[[0, 0, 0], [0, np.nan, 0]])
+    with pytest.raises(ValueError, match="finite"):
+        scene.visible_from([0, np.inf, 0])
+    with pytest.raises(ValueError, match="radius"):
+        scene.visible_from([0, 0, 0], radius=0)
+
+
+def test_studies_are_the_same_in_parts(scene, monkeypatch):
+    whole = scene.sky_view(directions=16), scene.visible_from(GRID + [3, 3, 30])
+    monkeypatch.setattr("pointrt._studies._POINTS_AT_ONCE", 777)
+    monkeypatch.setattr("pointrt._studies._RAYS_AT_ONCE", 3000)
+    np.testing.assert_array_equal(whole[0], scene.sky_view(directions=16))
+    np.testing.assert_array_equal(whole[1], scene.visible_from(GRID + [3, 3, 30]))
+    assert len(plane_points()) == len(whole[0])

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of a list: text, or a NumPy array.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runtime/rays/study/point_source.h"
+
+namespace pointrt {
+
+/// x, y, z, or these and a normal, in the scan's coordinates; all of them are held in memory. Coordinate system and the
+/// steps of coordinates are those of scan, a .pro. Throws Error kBadInput "FILE[:LINE]: reason".
+std::unique_ptr<PointSource> listedPoints(const std::string& file, const std::string& scan);
+
+} // namespace pointrt

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cmath>
+
+#include "pointrt/studies.hpp"
+#include "runtime/scene/sun.h"
+#include "runtime/util/vec.h"
+
+namespace pointrt {
+namespace {
+
+constexpr double kDayMinutes = 1440;
+constexpr double kMostInstants = 1e6; // two years, minute by minute; 32 MB of directions
+
+[[noreturn]] void refuse(const std::string& reason) { throw TraceError(TraceError::Kind::kBadUsage, reason); }
+
+/// Days since 1970.
+double dayNumber(CalendarDate date) {
+    const std::chrono::year_month_day day{std::chrono::year(date.year), std::chrono::month(date.month),
+                                          std::chrono::day(date.day)};
+    if (!day.ok()) refuse("there is no such day: a date must be one of the calendar");
+    if (date.year < 1900 || date.year > 2100) refuse("a date must be from 1900 to 2100, for which the sun is known");
+    return static_cast<double>(std::chrono::sys_days(day).time_since_epoch().count());
+}
+
+void requireStudy(const SunStudy& study) {
+    if (!(std::abs(study.place.latitude_deg) <= 90)) refuse("the latitude must be from -90 to 90 degrees");
+    if (!(std::abs(study.place.longitude_deg) <= 180)) refuse("the longitude must be from -180 to 180 degrees");
+    if (!(study.every_min > 0 && study.every_min <= kDayMinutes))
+        refuse("minutes between instants must be above 0 and up to 1440");
+    if (study.utc_offset_h && !(std::abs(*study.utc_offset_h) <= 24))
+        refuse("the offset from UTC must be from -24 to 24 hours");
+}
+
+Vec3 vectorOf(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
+
+} // namespace
+
+double utcOffsetOf(GeoPlace place) {
+    constexpr double kDegreesPerHour = 15;
+    return std::round(place.longitude_deg / kDegreesPerHour);
+}
+
+Lights sunLights(const SunStudy& study, const StudyFrame& frame) {
+    requireStudy(study);
+    const double first = dayNumber(study.first), last = dayNumber(study.last);
+    if (last < first) refuse("the last day lies before the first one");
+    const double minutes = kDayMinutes * (last - first + 1);
+    if (minutes / study.every_min > kMostInstants)
+        refuse("more than a million instants: fewer days, or more minutes between");
+    const double start = 60 * (kDayMinutes * first - 60 * study.utc_offset_h.value_or(utcOffsetOf(study.place)));
+    Lights lights;
+    for (double k = 0; k * study.every_min < minutes; ++k) {
+        const double from = k * study.every_min, to = std::min(minutes, from + study.every_min);
+        SunPosition sun = sunPosition(start + 30 * (from + to), study.place.latitude_deg, study.place.longitude_deg);
+        sun.elevation_deg += refraction(sun.elevation_deg);
+        if (!(sun.elevation_deg > 0)) continue;
+        const Vec3 towards = sunDirection(sun, vectorOf(frame.up), vectorOf(frame.north));
+        lights.directions.insert(lights.directions.end(), {towards.x, towards.y, towards.z});
+        lights.weights.push_back((to - from) / 60);
+    }
+    return lights;
+}
+
+} // namespace pointrt

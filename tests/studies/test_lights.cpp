@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sun over days and the sky as directions. Where the sun stands at an instant is
+// tests/runtime/scene/test_sun.cpp's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "pointrt/studies.hpp"
+
+namespace pointrt {
+namespace {
+
+double sumOf(const Lights& lights) { return std::accumulate(lights.weights.begin(), lights.weights.end(), 0.0); }
+
+double hoursOf(GeoPlace place, CalendarDate first, CalendarDate last, double every_min = 1) {
+    return sumOf(sunLights({place, first, last, every_min, {}}, {}));
+}
+
+/// Degrees over the horizon of light k.
+double elevationOf(const Lights& lights, std::size_t k) {
+    return std::asin(lights.directions[3 * k + 2]) * 180 / std::numbers::pi;
+}
+
+/// Hours between the rise and the set of the centre, which the air lifts by 34 minutes of arc: the almanacs'
+/// convention.
+double dayLength(double latitude_deg, double declination_deg) {
+    constexpr double kDegree = std::numbers::pi / 180;
+    const double a = latitude_deg * kDegree, d = declination_deg * kDegree;
+    const double cosine = (std::sin(-34.0 / 60 * kDegree) - std::sin(a) * std::sin(d)) / (std::cos(a) * std::cos(d));
+    return 2 * std::acos(cosine) / kDegree / 15;
+}
+
+TEST(SunLights, DaysAreAsLongAsTheyAre) {
+    constexpr double kObliquity = 23.436; // the declination of the solstices
+    EXPECT_NEAR(hoursOf({0, 0}, {2026, 3, 20}, {2026, 3, 20}), dayLength(0, 0), 0.03);
+    EXPECT_NEAR(hoursOf({47.37, 8.54}, {2026, 6, 21}, {2026, 6, 21}), dayLength(47.37, kObliquity), 0.03);
+    EXPECT_NEAR(hoursOf({-33.87, 151.21}, {2026, 6, 21}, {2026, 6, 21}), dayLength(-33.87, kObliquity), 0.03);
+    EXPECT_NEAR(hoursOf({60, -150}, {2026, 12, 21}, {2026, 12, 21}), dayLength(60, -kObliquity), 0.04);
+    EXPECT_NEAR(hoursOf({80, 20}, {2026, 6, 21}, {2026, 6, 21}), 24, 1e-9);
+    EXPECT_EQ(hoursOf({80, 20}, {2026, 12, 21}, {2026, 12, 21}), 0);
+}
+
+TEST(SunLights, WeightsAreTheStretchesAndTheLastOneMayBeShort) {
+    const Lights polar = sunLights({{80, 20}, {2026, 6, 21}, {2026, 6, 22}, 7, {}}, {});
+    EXPECT_EQ(polar.weights.size(), 412u); // 2880 / 7 = 411.4
+    EXPECT_NEAR(polar.weights[0], 7.0 / 60, 1e-12);
+    EXPECT_NEAR(polar.weights.back(), 3.0 / 60, 1e-9);
+    EXPECT_NEAR(sumOf(polar), 48, 1e-9);
+}
+
+TEST(SunLights, StandInTheSouthAtNoonAndTurnWithNorth) {
+    const SunStudy study{{47.37, 8.54}, {2026, 6, 21}, {2026, 6, 21}, 1, {}};
+    const Lights sun = sunLights(study, {});
+    std::size_t highest = 0;
+    for (std::size_t k = 0; k < sun.weights.size(); ++k)
+        if (elevationOf(sun, k) > elevationOf(sun, highest)) highest = k;
+    EXPECT_NEAR(elevationOf(sun, highest), 90 - 47.37 + 23.43, 0.03); // the solstice's declination, and some refraction
+    EXPECT_NEAR(sun.directions[3 * highest], 0, 0.01);
+    EXPECT_LT(sun.directions[3 * highest + 1], 0);
+    EXPECT_GT(sun.directions[0], 0.5) << "it rises in the east";
+    const Lights turned = sunLights(study, {{0, 0, 1}, {1, 0, 0}, ""}); // +X is north, so -Y is east
+    EXPECT_NEAR(turned.directions[3 * highest], sun.directions[3 * highest + 1], 1e-12);
+    EXPECT_NEAR(turned.directions[1], -sun.directions[0], 1e-12);
+    const Lights upright = sunLights(study, {{0, 1, 0}, {0, 0, -1}, ""});
+    EXPECT_NEAR(upright.directions[3 * highest + 1], sun.directions[3 * highest + 2], 1e-12);
+}
+
+TEST(SunLights, DaysBeginWhereTheZoneSays) {
+    EXPECT_EQ(utcOffsetOf({0, 8.54}), 1);
+    EXPECT_EQ(utcOffsetOf({0, -123}), -8);
+    EXPECT_EQ(utcOffsetOf({0, 7.4}), 0);
+    // at UTC a day in Auckland begins in the middle of the sunshine, and has parts of two of the sun's days
+    const SunStudy day{{-36.85, 174.76}, {2026, 3, 20}, {2026, 3, 20}, 30, {}};
+    SunStudy utc = day;
+    utc.utc_offset_h = 0;
+    const Lights here = sunLights(day, {}), there = sunLights(utc, {});
+    EXPECT_LT(elevationOf(here, 0), 10);
+    EXPECT_GT(elevationOf(there, 0), 40);
+    EXPECT_NEAR(sumOf(here), sumOf(there), 0.5);
+}
+
+std::string refusalOf(const SunStudy& study) {
+    try {
+        sunLights(study, {});
+    } catch (const TraceError& error) {
+        EXPECT_EQ(error.kind, TraceError::Kind::kBadUsage);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SunLights, WhatIsNoPlaceOrDateIsRefused) {
+    const SunStudy good{{47, 8}, {2026, 2, 28}, {2026, 3, 1}, 15, {}};
+    EXPECT_EQ(refusalOf(good), "");
+    const auto with = [&](auto change) {
+        SunStudy study = good;
+        change(study);
+        return refusalOf(study);
+    };
+    EXPECT_EQ(with([](SunStudy& s) { s.first.day = 30; }), "there is no such day: a date must be one of the calendar");
+    EXPECT_EQ(with([](SunStudy& s) { s.first.month = 13; }),
+              "there is no such day: a date must be one of the calendar");
+    EXPECT_EQ(with([](SunStudy& s) { s.first.year = 1600; }),
+              "a date must be from 1900 to 2100, for which the sun is known");
+    EXPECT_EQ(with([](SunStudy& s) { s.last = {2026, 2, 27}; }), "the last day lies before the first one");
+    EXPECT_EQ(with([](SunStudy& s) { s.every_min = 0; }), "minutes between instants must be above 0 and up to 1440");
+    EXPECT_EQ(with([](SunStudy& s) { s.every_min = std::nan(""); }),
+              "minutes between instants must be above 0 and up to 1440");
+    EXPECT_EQ(with([](SunStudy& s) { s.every_min = 1e-9; }),
+              "more than a million instants: fewer days, or more minutes between");
+    EXPECT_EQ(with([](SunStudy& s) { s.place.latitude_deg = 91; }), "the latitude must be from -90 to 90 degrees");
+    EXPECT_EQ(with([](SunStudy& s) { s.place.longitude_deg = std::nan(""); }),
+              "the longitude must be from -180 to 180 degrees");
+    EXPECT_EQ(with([](SunStudy& s) { s.utc_offset_h = 25; }), "the offset from UTC must be from -24 to 24 hours");
+}
+
+TEST(SkyLights, AreUpAndEvenOverTheDisc) {
+    const Lights sky = skyLights(256, {});
+    ASSERT_EQ(sky.weights.size(), 256u);
+    EXPECT_NEAR(sumOf(sky), 1, 1e-12);
+    double mean_up = 0;
+    for (std::size_t k = 0; k < 256; ++k) {
+        const double* d = sky.directions.data() + 3 * k;
+        EXPECT_NEAR(std::hypot(d[0], d[1], d[2]), 1, 1e-12);
+        EXPECT_GT(d[2], 0);
+        mean_up += d[2] / 256;
+    }
+    EXPECT_NEAR(mean_up, 2.0 / 3, 0.002); // of directions that are as many as their cosine
+    EXPECT_EQ(sky.directions, skyLights(256, {}).directions);
+    EXPECT_THROW(skyLights(0, {}), TraceError);
+    EXPECT_THROW(skyLights(65537, {}), TraceError);
+}
+
+/// The sky over a round basin whose horizon stands at an angle is the cosine's square of the whole.
+TEST(SkyLights, CountWhatTheFormulaOfABasinSays) {
+    const Lights sky = skyLights(4096, {});
+    for (const double horizon_deg : {10.0, 30.0, 45.0, 70.0}) {
+        double open = 0;
+        for (std::size_t k = 0; k < sky.weights.size(); ++k)
+            if (elevationOf(sky, k) > horizon_deg) open += sky.weights[k];
+        EXPECT_NEAR(open, std::pow(std::cos(horizon_deg * std::numbers::pi / 180), 2), 0.005) << horizon_deg;
+    }
+}
+
+} // namespace
+} // namespace pointrt
