@@ -23,6 +23,7 @@ struct TileHeader {
     std::uint32_t splats = 0;
     TileCube cube;
     float radius_max = 0, radius_step = 0;
+    std::array<double, 3> bounds_min{}, bounds_max{};
 };
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
@@ -42,7 +43,9 @@ TileHeader loadHeader(const std::byte* header, std::uint64_t bytes) {
             load<std::uint32_t>(header, PRO_OFF_SPLAT_COUNT),
             {load<std::array<double, 3>>(header, PRO_OFF_ORIGIN), load<double>(header, PRO_OFF_SCALE)},
             load<float>(header, PRO_OFF_RADIUS_MAX),
-            load<float>(header, PRO_OFF_RADIUS_STEP)};
+            load<float>(header, PRO_OFF_RADIUS_STEP),
+            load<std::array<double, 3>>(header, PRO_OFF_BOUNDS_MIN),
+            load<std::array<double, 3>>(header, PRO_OFF_BOUNDS_MAX)};
 }
 
 /// Closes when it goes.
@@ -124,6 +127,19 @@ void describeTile(const std::string& folder, SetTile& tile) {
 void requireTile(const TileSet& set, const SetTile& tile, const std::string& folder) {
     const std::string path = tilePath(folder, tile);
     requireSame(set, tile, readHeader(path), path);
+}
+
+TileBox discBoundsOf(const TileSet& set, const SetTile& tile, const std::string& folder) {
+    const std::string path = tilePath(folder, tile);
+    const TileHeader header = readHeader(path);
+    requireSame(set, tile, header, path);
+    const double radius = static_cast<double>(header.radius_max) * header.cube.scale;
+    TileBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = header.bounds_min[axis] - radius;
+        box.high[axis] = header.bounds_max[axis] + radius;
+    }
+    return box;
 }
 
 ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& folder, std::uint32_t open_flags) {

@@ -23,7 +23,11 @@ void describeTile(const std::string& folder, SetTile& tile);
 /// read.
 void requireTile(const TileSet& set, const SetTile& tile, const std::string& folder);
 
-/// The same, and opens it; flags and attributes are held against the set as well.
+/// The same, and a box around all discs of the file, those repeated from neighbours too, in input coordinates: around
+/// their centres, with the largest radius that the header allows.
+TileBox discBoundsOf(const TileSet& set, const SetTile& tile, const std::string& folder);
+
+/// As requireTile, and opens it; flags and attributes are held against the set as well.
 /// @param open_flags PRO_OPEN_*. Throws Error, its code as that of the format's library
 ProFile openTile(const TileSet& set, const SetTile& tile, const std::string& folder, std::uint32_t open_flags);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/trace/targets/describe_targets.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -14,6 +15,17 @@ namespace {
 
 /// How far a tile's hits lie outside of where they count, in position steps: what rounding takes (placeCore), twice.
 constexpr double kBoxSteps = 8;
+/// How far cells' discs, which are rounded, reach out of their own, in radii: a hundredth, with room.
+constexpr double kRoundedRadii = 1.0 / 32;
+
+/// What two boxes have in common, with what rounding makes of the discs.
+TileBox common(const TileBox& core, TileBox discs, double margin) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        discs.low[axis] = std::max(core.low[axis], discs.low[axis] - margin);
+        discs.high[axis] = std::min(core.high[axis], discs.high[axis] + margin);
+    }
+    return discs;
+}
 
 /// Original tiles are those without finer ones. Looks at the header of each.
 TargetSet openTargetSet(const std::string& folder) {
@@ -25,9 +37,12 @@ TargetSet openTargetSet(const std::string& folder) {
     for (std::uint32_t tile = 0; tile < children.size(); ++tile) original[tile] = children[tile].empty();
     for (std::uint32_t tile = 0; tile < original.size(); ++tile) {
         if (!original[tile]) continue;
-        requireTile(opened.set, opened.set.tiles[tile], folder);
+        const SetTile& row = opened.set.tiles[tile];
+        const double radius = opened.set.levels[row.level].radius_max * cubeOf(opened.set, row).scale;
         opened.tiles.push_back(tile);
         opened.cores.push_back(hitBox(opened.set, original, tile));
+        opened.boxes.push_back(
+            common(opened.cores.back(), discBoundsOf(opened.set, row, folder), kRoundedRadii * radius));
     }
     return opened;
 }
@@ -85,7 +100,7 @@ private:
             Target& target = addTarget(file, placement);
             target.tile = set.tiles[i];
             target.core = set.cores[i];
-            target.box = worldBox(set.cores[i], cubeOf(set.set, tile), placement);
+            target.box = worldBox(set.boxes[i], cubeOf(set.set, tile), placement);
         }
     }
 

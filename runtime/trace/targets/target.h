@@ -30,6 +30,7 @@ struct TargetSet {
     TileSet set;
     std::vector<std::uint32_t> tiles; ///< its original ones, rising
     std::vector<TileBox> cores;       ///< of each: where its hits count
+    std::vector<TileBox> boxes;       ///< of each: where they can lie, which may be much less
 };
 
 /// A .pro, however often it stands in the scene.
