@@ -2,6 +2,7 @@
 import pathlib
 import re
 import shutil
+import signal
 import threading
 
 import numpy as np
@@ -123,6 +124,33 @@ def test_threads_share_a_scene(scene):
         thread.join()
     for each in found:
         np.testing.assert_array_equal(each, expected)
+
+
+def test_ctrl_c_ends_a_picture_and_leaves_the_scene_usable(scene):
+    settings = {"spp": 512, "integrator": "path", "lights": 1}
+    first = scene.render(width=2, height=2, **settings)  # what comes first takes longer
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):  # minutes of samples
+        scene.render(width=512, height=512, **settings)
+    timer.join()
+    np.testing.assert_array_equal(scene.render(width=2, height=2, **settings)["rgba"], first["rgba"])
+
+
+def test_settings_that_come_and_go_leave_nothing_behind(field):
+    scene = pointrt.Scene(field)
+
+    def resident():
+        with open("/proc/self/statm") as statm:
+            return int(statm.read().split()[1]) * 4096
+
+    before = 0
+    for k in range(30):
+        if k == 10:  # by then pools of all kinds are as large as they get
+            before = resident()
+        scene.render(width=16, height=16, layers=["depth"], lights=1 + k % 2)
+    grown = resident() - before
+    assert grown < 5 * scene.device_bytes, f"20 scenes of {scene.device_bytes} bytes left {grown}"
 
 
 def test_the_example_of_the_docs(field, tmp_path, monkeypatch):

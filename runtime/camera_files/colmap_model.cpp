@@ -10,7 +10,7 @@
 namespace pointrt {
 namespace {
 
-/// As src/colmap/sensor/models.h of COLMAP numbers them.
+/// As src/colmap/sensor/models.h of COLMAP 4.2 numbers them.
 constexpr ColmapModel kModels[] = {{0, "SIMPLE_PINHOLE", 3, 1, true},
                                    {1, "PINHOLE", 4, 2, true},
                                    {2, "SIMPLE_RADIAL", 4, 1, true},
@@ -22,7 +22,13 @@ constexpr ColmapModel kModels[] = {{0, "SIMPLE_PINHOLE", 3, 1, true},
                                    {8, "SIMPLE_RADIAL_FISHEYE", 4, 1, false},
                                    {9, "RADIAL_FISHEYE", 5, 1, false},
                                    {10, "THIN_PRISM_FISHEYE", 12, 2, false},
-                                   {11, "RAD_TAN_THIN_PRISM_FISHEYE", 16, 2, false}};
+                                   {11, "RAD_TAN_THIN_PRISM_FISHEYE", 16, 2, false},
+                                   {12, "SIMPLE_DIVISION", 4, 1, true},
+                                   {13, "DIVISION", 5, 2, true},
+                                   {14, "SIMPLE_FISHEYE", 3, 1, false},
+                                   {15, "FISHEYE", 4, 2, false},
+                                   {16, "EUCM", 6, 2, false},
+                                   {17, "EQUIRECTANGULAR", 2, 0, false}};
 
 template <typename Holds>
 const ColmapModel* modelWhere(const Holds& holds) {

@@ -65,6 +65,8 @@ TEST_F(CameraListErrors, OfColmapsText) {
     expectColmap(good, "# nothing\n", "images.txt: has no cameras with pictures");
     expectColmap("1 OPENCV_FISHEYE 640 480 500 510 320 240 0 0 0 0\n", image,
                  "images.txt:1: its camera is of the model OPENCV_FISHEYE, which is no pinhole's");
+    expectColmap("1 EQUIRECTANGULAR 640 480 640 480\n", image, "EQUIRECTANGULAR, which is no pinhole's");
+    expectColmap("1 DIVISION 640 480 500 510 320 240 0.1\n", image, "distortion (DIVISION 0.1)");
     expectColmap("1 PINHOLE 640 480 0 510 320 240\n", image, "images.txt:1: the camera of a.png: its focal lengths");
     expectColmap("1 PINHOLE 64000 480 500 510 320 240\n", image, "images.txt:1: a picture of 64000 x 480 pixels");
     expectColmap("1 PINHOLE 640 480 500 510 nan 240\n", image, "its principal point is not finite");
