@@ -145,12 +145,13 @@ def test_settings_that_come_and_go_leave_nothing_behind(field):
             return int(statm.read().split()[1]) * 4096
 
     before = 0
-    for k in range(30):
+    for k in range(310):
         if k == 10:  # by then pools of all kinds are as large as they get
             before = resident()
         scene.render(width=16, height=16, layers=["depth"], lights=1 + k % 2)
     grown = resident() - before
-    assert grown < 5 * scene.device_bytes, f"20 scenes of {scene.device_bytes} bytes left {grown}"
+    # What allocators keep comes and goes by 8 MB, seldom 30; a renderer that stayed would take a scene's memory, at least.
+    assert grown < 60 * scene.device_bytes, f"300 scenes of {scene.device_bytes} bytes left {grown}"
 
 
 def test_the_example_of_the_docs(field, tmp_path, monkeypatch):
