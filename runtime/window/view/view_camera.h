@@ -72,8 +72,8 @@ ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy);
 /// the pivot's depth stays there. Ends at 1e-4 and 1e3 scene radii.
 ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y);
 
-/// Goes by direction (x right, y along the axis, z forward; each -1 to 1) for seconds, half a scene radius in one. In
-/// an orthographic view, where going forward shows nothing, it zooms.
+/// Goes by direction (x right, y along the axis, z forward; each -1 to 1) for seconds, in one as far as it is to the
+/// pivot, half a scene radius at most. In an orthographic view, where going forward shows nothing, it zooms.
 ViewCamera flown(const ViewCamera& view, Vec3 direction, double seconds);
 
 /// Turns the eye where it stands, the way the cursor goes, a quarter turn for the picture's height.

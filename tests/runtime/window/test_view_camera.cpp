@@ -242,6 +242,14 @@ TEST(ViewCamera, CentringOnWhatIsBehindKeepsTheDistance) {
     EXPECT_EQ(centredOn(ortho, {0.5, 0.5, 0.5}).ortho_height, ortho.ortho_height);
 }
 
+TEST(ViewCamera, FliesAsSlowlyAsItsViewIsNear) {
+    const ViewCamera far = slantedView(kNationalGrid, {0, 0, 1});
+    ViewCamera near = far;
+    near.pivot = far.eye + axesOf(far).forward * 2.0; // 2 m, in a scene of 65
+    expectNear(flown(near, {0, 0, 1}, 0.5).eye, near.eye + axesOf(near).forward * 1.0, 1e-7);
+    expectNear(flown(near, {1, 0, 0}, 0.5).eye, near.eye + axesOf(near).right * 1.0, 1e-7);
+}
+
 TEST(ViewCamera, FliesByTheSizeOfTheScene) {
     for (const Vec3& up : kUps) {
         const ViewCamera view = slantedView(kNationalGrid, up);
