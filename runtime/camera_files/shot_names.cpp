@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <string_view>
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
+#include "runtime/util/words.h"
 
 namespace pointrt {
 namespace {
@@ -22,8 +22,7 @@ constexpr std::size_t kMaxBytes = 200;
 std::string withoutSuffix(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || dot == 0) return name;
-    std::string suffix = name.substr(dot);
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string suffix = lowerCase(name.substr(dot));
     return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end() ? name : name.substr(0, dot);
 }
 

@@ -2,12 +2,12 @@
 #include "runtime/gpu/device_choice.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
 
 #include "format/base/error.h"
+#include "runtime/util/words.h"
 
 namespace pointrt {
 namespace {
@@ -85,11 +85,6 @@ int typeRank(VkPhysicalDeviceType type) {
     default:
         return 0;
     }
-}
-
-std::string lowerCase(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
 }
 
 /// Whether the user's selector means candidate, which stands at index of the list.

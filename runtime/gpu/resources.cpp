@@ -8,6 +8,7 @@
 #include <string>
 
 #include "format/base/error.h"
+#include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -20,8 +21,6 @@ constexpr std::uint64_t kStagingBytes = 64ull << 20;
 
 constexpr VkBufferUsageFlags kTransfer = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 constexpr VkMemoryPropertyFlags kReachable = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB"; }
 
 /// The first memory type among allowed (a bit each) with all of the wanted properties.
 std::optional<std::uint32_t> memoryType(const Device& device, std::uint32_t allowed, VkMemoryPropertyFlags wanted) {

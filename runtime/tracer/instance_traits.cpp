@@ -3,10 +3,12 @@
 
 namespace pointrt {
 
+InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile) {
+    return {file.index.uneven != 0, oriented, file.noisy, is_tile, isPaged(file.pages) ? file.pages : PageCounts{}};
+}
+
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
-    const DeviceScan& file = scene.files[instance.file];
-    return {file.index.uneven != 0, instance.oriented, file.noisy, instance.tile.has_value(),
-            isPaged(file.pages) ? file.pages : PageCounts{}};
+    return traitsOf(scene.files[instance.file], instance.oriented, instance.tile.has_value());
 }
 
 std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {

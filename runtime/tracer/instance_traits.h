@@ -19,6 +19,8 @@ struct InstanceTraits {
     auto operator<=>(const InstanceTraits&) const = default;
 };
 
+/// is_tile: its hits count in a core alone.
+InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile);
 InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance);
 
 /// What programs are specialized by for them; those of pages only where there are several.

@@ -14,5 +14,7 @@ std::uint64_t availableMemory();
 
 /// "1.5 GiB", rounded up to a tenth.
 std::string gibibytes(std::uint64_t bytes);
+/// "1536 MiB", rounded up.
+std::string mebibytes(std::uint64_t bytes);
 
 } // namespace pointrt

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "runtime/util/words.h"
 
 namespace pointrt {
 namespace {
@@ -16,7 +17,6 @@ namespace {
 constexpr std::size_t kNumbersMost = 6;        // of a row
 constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading takes no time beside parsing then
 constexpr std::size_t kLongestLine = 1u << 16; // what has no line ends is no list of rays
-constexpr std::string_view kBetween = " ,;\t\r";
 
 /// The numbers of a line; error is where it stops being numbers, or empty.
 struct Parsed {
@@ -28,31 +28,21 @@ struct Parsed {
 Parsed parse(std::string_view line) {
     Parsed parsed;
     while (true) {
-        const std::size_t start = line.find_first_not_of(kBetween);
+        const std::size_t start = line.find_first_not_of(kBetweenWords);
         if (start == line.npos) return parsed;
         line.remove_prefix(line[start] == '+' ? start + 1 : start);
         double number = 0;
         const auto [rest, failure] = std::from_chars(line.data(), line.data() + line.size(), number);
         const auto length = static_cast<std::size_t>(rest - line.data());
-        if (failure != std::errc() || (length < line.size() && kBetween.find(line[length]) == kBetween.npos)) {
-            parsed.error = line.substr(0, line.find_first_of(kBetween));
+        if (failure != std::errc() ||
+            (length < line.size() && kBetweenWords.find(line[length]) == kBetweenWords.npos)) {
+            parsed.error = line.substr(0, line.find_first_of(kBetweenWords));
             return parsed;
         }
         if (parsed.count < kNumbersMost) parsed.numbers[parsed.count] = number;
         ++parsed.count;
         line.remove_prefix(length);
     }
-}
-
-/// The words of a line.
-std::vector<std::string_view> wordsOf(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (std::size_t start = 0; (start = line.find_first_not_of(kBetween, start)) != line.npos;) {
-        const std::size_t end = std::min(line.find_first_of(kBetween, start), line.size());
-        words.push_back(line.substr(start, end - start));
-        start = end;
-    }
-    return words;
 }
 
 bool isWord(std::string_view text, std::string_view lower) {
@@ -88,7 +78,7 @@ private:
     }
 
     void addLine(std::string_view line, RayBlock& block) {
-        const std::size_t start = line.find_first_not_of(kBetween);
+        const std::size_t start = line.find_first_not_of(kBetweenWords);
         if (start == line.npos || line[start] == '#') return;
         const bool may_name_columns = !std::exchange(met_any_, true);
         const Parsed parsed = parse(line);

@@ -75,6 +75,10 @@ void addStudyReport(CLI::App& app, StudyOptions& options) {
     app.remove_option(app.get_option("--memory")); // of tile sets, which studies do not take
 }
 
+std::optional<int> parseStudyLine(CLI::App& app, int argc, const char* const* argv) {
+    return parseCommandLine(app, argc, argv, {{".ply", "-o"}, {".las", "-o"}, {".laz", "-o"}, {".csv", "--points"}});
+}
+
 void checkStudyOptions(const StudyOptions& options) {
     if (options.points == "-" && isatty(STDIN_FILENO) == 1)
         throw Error(ExitCode::kBadUsage, "--points -: standard input is a terminal");

@@ -26,6 +26,8 @@ void addStudyReport(CLI::App& app, StudyOptions& options);
 /// @param many it may be given several times
 void addValue(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
               const std::function<void(const std::string&)>& set, bool required = false, bool many = false);
+/// As parseCommandLine, which knows what files of studies are for.
+std::optional<int> parseStudyLine(CLI::App& app, int argc, const char* const* argv);
 /// As checkCommonOptions.
 void checkStudyOptions(const StudyOptions& options);
 

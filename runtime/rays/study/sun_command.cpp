@@ -143,9 +143,7 @@ int sunCommand(int argc, const char* const* argv) {
     SunOptions options;
     CLI::App app("Hours of direct sun on the points of a scan, and how much of the sky they see.", "pointrt-rays sun");
     addOptions(app, options);
-    if (const auto done =
-            parseCommandLine(app, argc, argv, {{".ply", "-o"}, {".las", "-o"}, {".laz", "-o"}, {".csv", "--points"}}))
-        return *done;
+    if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
     runSun(options);
     return 0;

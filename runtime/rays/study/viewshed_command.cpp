@@ -100,9 +100,7 @@ int viewshedCommand(int argc, const char* const* argv) {
     ViewshedOptions options;
     CLI::App app("Which points of a scan observers see, and how many observers see each.", "pointrt-rays viewshed");
     addOptions(app, options);
-    if (const auto done =
-            parseCommandLine(app, argc, argv, {{".ply", "-o"}, {".las", "-o"}, {".laz", "-o"}, {".csv", "--points"}}))
-        return *done;
+    if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
     runViewshed(options);
     return 0;

@@ -11,6 +11,7 @@
 #include "format/base/parallel.h"
 #include "format/set/open_tile.h"
 #include "runtime/device_scene/scene_tiles.h"
+#include "runtime/util/available_memory.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -43,13 +44,6 @@ RenderSpace spaceOf(const Target& target, const DeviceScan& scan) {
     alone.instances.push_back({scan.path, target.placement, {}, {}});
     return chooseRenderSpace(alone, {&scan.info, 1});
 }
-
-InstanceTraits traitsOf(const DeviceScan& scan, bool tile) {
-    return {scan.index.uneven != 0, (scan.info.flags & PRO_FLAG_ORIENTED) != 0, scan.noisy, tile,
-            isPaged(scan.pages) ? scan.pages : PageCounts{}};
-}
-
-std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; }
 
 } // namespace
 
@@ -196,7 +190,7 @@ void ResidentTargets::place(std::uint32_t number) {
     if (!target.core) target.box = boxOf(scan, target.placement);
     const RenderSpace space = spaceOf(target, scan);
     placed->frame = {space, renderPoint(space, target.box.lo), renderPoint(space, target.box.hi)};
-    placed->traits = traitsOf(scan, target.core.has_value());
+    placed->traits = traitsOf(scan, (scan.info.flags & PRO_FLAG_ORIENTED) != 0, target.core.has_value());
     gpu::InstanceParams params = placeInstance(space, scan, target.placement, target.instance);
     if (target.core) placeCore(scan, *target.core, params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

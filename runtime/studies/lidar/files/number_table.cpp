@@ -2,37 +2,19 @@
 #include "runtime/studies/lidar/files/number_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "runtime/util/input_file.h"
 #include "runtime/util/parse.h"
+#include "runtime/util/words.h"
 
 namespace pointrt {
 namespace {
 
-constexpr std::string_view kBetween = " ,;\t\r";
-
 [[noreturn]] void refuseLine(const std::string& path, std::uint32_t line, const std::string& reason) {
     throw Error(ExitCode::kBadInput, path + ":" + std::to_string(line) + ": " + reason);
-}
-
-std::vector<std::string_view> wordsOf(std::string_view line) {
-    std::vector<std::string_view> words;
-    while (true) {
-        line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
-        if (line.empty()) return words;
-        words.push_back(line.substr(0, line.find_first_of(kBetween)));
-        line.remove_prefix(words.back().size());
-    }
-}
-
-std::string lowerCase(std::string_view word) {
-    std::string lower(word);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
 }
 
 void takeNames(const std::vector<std::string_view>& words, std::uint32_t line, NumberTable& table) {
