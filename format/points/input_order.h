@@ -12,4 +12,7 @@ namespace pointrt {
 /// gaps between points are left out.
 std::vector<std::uint32_t> inputOrder(const ProFile& file);
 
+/// How many these are.
+std::uint64_t inputCount(const ProFile& file);
+
 } // namespace pointrt

@@ -18,8 +18,8 @@ PointColumn columnOf(const pro_attribute& attribute, std::uint64_t splats) {
 }
 
 /// What a splat has itself.
-void putSplat(const pro_splat& splat, double scale, PointRole role, std::byte* to) {
-    const auto radius = static_cast<float>(splat.radius * scale);
+void putSplat(const ProFile& file, const pro_splat& splat, PointRole role, std::byte* to) {
+    const auto radius = static_cast<float>(file.radius(splat));
     if (role == PointRole::kNormal) std::memcpy(to, splat.normal, sizeof splat.normal);
     if (role == PointRole::kRadius) std::memcpy(to, &radius, sizeof radius);
     if (role == PointRole::kColor) std::memcpy(to, splat.color, sizeof splat.color);
@@ -56,7 +56,6 @@ PointOutline outlineOf(const ProFile& file) {
 
 void gatherPoints(const ProFile& file, std::span<const std::uint32_t> splats, std::span<const PointColumn> columns,
                   PointBlock& block) {
-    const pro_info& info = file.info();
     block.positions.resize(3 * splats.size());
     block.columns.resize(columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -65,10 +64,9 @@ void gatherPoints(const ProFile& file, std::span<const std::uint32_t> splats, st
     }
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const pro_splat splat = file.splat(splats[i]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            block.positions[3 * i + axis] = info.origin[axis] + info.scale * splat.position[axis];
+        std::ranges::copy(file.position(splat), block.positions.begin() + static_cast<std::ptrdiff_t>(3 * i));
         for (std::size_t k = 0; k < columns.size(); ++k)
-            putSplat(splat, info.scale, columns[k].role, block.columns[k].data() + i * columns[k].rowBytes());
+            putSplat(file, splat, columns[k].role, block.columns[k].data() + i * columns[k].rowBytes());
     }
 }
 

@@ -44,13 +44,12 @@ bool read(std::ifstream& file, std::uint64_t offset, char* to, std::size_t bytes
     return static_cast<bool>(file.read(to, static_cast<std::streamsize>(bytes)));
 }
 
-/// A core is the middle half of its file's cube, half open.
+} // namespace
+
 bool isInCore(const pro_splat& splat) {
     return std::all_of(std::begin(splat.position), std::end(splat.position),
                        [](float at) { return at >= 0.25f && at < 0.75f; });
 }
-
-} // namespace
 
 std::vector<pro_splat> coreSplats(const TileSet& set, const SetTile& tile, const std::string& folder,
                                   std::uint64_t first, std::uint64_t step) {

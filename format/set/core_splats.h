@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some splats of a tile, read without opening its file: for what is to be known of a whole set, about.
+// Splats of a tile's core; some of them, read without opening its file: for what is to be known of a whole set, about.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,9 @@
 #include "pointrt/pro.h"
 
 namespace pointrt {
+
+/// Whether the centre lies in the core of the tile whose file the splat is of: the middle half of its cube, half open.
+bool isInCore(const pro_splat& splat);
 
 /// Of the splats number first, first + step, ... of a tile's file those whose centres lie in its core, in cube units of
 /// cubeOf(set, tile). Besides them only the header is read: no section is checked, and what is wrong in one gives other

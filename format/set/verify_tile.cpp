@@ -202,9 +202,9 @@ void checkRanges(Tile& tile, const ProFile& file) {
     const double step = file.info().scale / double{PRO_POSITION_STEPS};
     for (std::size_t i = 0; i < file.info().splat_count; ++i) {
         if (offsetOf(codeOf(wordsOf(file, i))) != Offset{}) continue;
-        const pro_splat splat = file.splat(i);
+        const std::array<double, 3> place = file.position(file.splat(i));
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double at = file.info().origin[axis] + file.info().scale * double{splat.position[axis]};
+            const double at = place[axis];
             if (at >= tile.set.bounds_min[axis] - step && at <= tile.set.bounds_max[axis] + step) continue;
             return tile.add("its splats go beyond set.json's bounds");
         }

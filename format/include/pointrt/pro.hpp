@@ -2,6 +2,7 @@
 // C++20 over pro.h: spans, and exceptions instead of results.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -92,12 +93,21 @@ public:
         return {static_cast<const std::byte*>(data), size};
     }
 
-    /// In cube units. @param index below info().splat_count
+    /// In cube units: position and radius have those of the input. @param index below info().splat_count
     pro_splat splat(std::size_t index) const {
         pro_splat result;
         pro_splat_decode(view_.splats + index * PRO_SPLAT_WORDS, info_.radius_max, info_.radius_step, &result);
         return result;
     }
+    /// Where a splat of this file lies, in input coordinates.
+    std::array<double, 3> position(const pro_splat& splat) const {
+        std::array<double, 3> at{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            at[axis] = info_.origin[axis] + info_.scale * double{splat.position[axis]};
+        return at;
+    }
+    /// A splat's radius in input units.
+    double radius(const pro_splat& splat) const { return info_.scale * double{splat.radius}; }
 
 private:
     struct Close {
