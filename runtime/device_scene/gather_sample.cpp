@@ -26,15 +26,6 @@ float linearOf(std::uint8_t byte) {
     return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
-Vec3 turned(const Placement& placement, Vec3 input) {
-    const std::array<Vec3, 3>& r = placement.rotation;
-    return {dot(r[0], input), dot(r[1], input), dot(r[2], input)};
-}
-
-Vec3 placed(const Placement& placement, Vec3 input) {
-    return placement.translation + placement.scale * turned(placement, input);
-}
-
 /// Reflectance by the file: its material's, times the splat's colour where there are colours.
 std::array<float, 3> colorOf(const DeviceScan& file, const pro_splat& splat) {
     const std::uint32_t row = std::min<std::uint32_t>(splat.material, file.info.material_count - 1);

@@ -20,10 +20,6 @@ Rows transposed(const Rows& r) {
 
 Vec3 vecOf(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-Vec3 placed(const Placement& placement, Vec3 input) {
-    return placement.translation + placement.scale * applied(placement.rotation, input);
-}
-
 /// Half edges of the box around the ellipsoid (or ellipse) that u, v and w span.
 Vec3 roundHalf(Vec3 u, Vec3 v, Vec3 w) {
     return {std::hypot(u.x, v.x, w.x), std::hypot(u.y, v.y, w.y), std::hypot(u.z, v.z, w.z)};
@@ -74,6 +70,12 @@ gpu::Shape placedForm(const RenderSpace& space, const LampSurface& surface, std:
 }
 
 } // namespace
+
+Vec3 turned(const Placement& placement, Vec3 input) { return applied(placement.rotation, input); }
+
+Vec3 placed(const Placement& placement, Vec3 input) {
+    return placement.translation + placement.scale * turned(placement, input);
+}
 
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos) {
     if (!scene.instances.empty() && !infos.empty()) {

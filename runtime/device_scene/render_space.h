@@ -33,6 +33,10 @@ struct Bounds {
 /// infos: of the instances' files, in their order.
 RenderSpace chooseRenderSpace(const SceneDescription& scene, std::span<const pro_info> infos);
 
+/// A direction, and a point, of an instance's input in the world.
+Vec3 turned(const Placement& placement, Vec3 input);
+Vec3 placed(const Placement& placement, Vec3 input);
+
 Vec3 renderPoint(const RenderSpace& space, Vec3 world);
 Vec3 worldPoint(const RenderSpace& space, Vec3 point);
 

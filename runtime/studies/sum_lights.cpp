@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "pointrt/studies.hpp"
 #include "runtime/studies/occlusion/open_rays.h"
+#include "runtime/studies/occlusion/point_rays.h"
 #include "runtime/studies/occlusion/point_rows.h"
 
 namespace pointrt {
@@ -9,34 +12,43 @@ namespace {
 /// Rays towards lights until there are enough of them to be cast.
 class LightRays {
 public:
-    LightRays(const TraceScene& scene, std::span<double> sums) : scene_(scene), sums_(sums) {}
+    LightRays(const TraceScene& scene, const std::vector<StudyDisc>& discs, std::span<double> sums)
+        : scene_(scene), discs_(discs), sums_(sums) {}
 
-    void add(std::size_t point, double weight, const Departure& ray) {
-        rays_.push_back(ray);
-        targets_.push_back({point, weight});
-        if (rays_.size() == kDeparturesAtOnce) cast();
+    /// towards: unit length
+    void add(Vec3 towards, double weight) {
+        const auto wanted = [&](std::size_t i) { return isFaced(discs_[i], towards); };
+        const auto make = [&](std::size_t i) { return leaveTowards(discs_[i], towards); };
+        for (std::size_t first = 0; first < discs_.size();) {
+            const std::size_t last = std::min(discs_.size(), first + kDeparturesAtOnce - rays_.rays.size());
+            addRays(first, last, wanted, make, rays_);
+            weights_.resize(rays_.rays.size(), weight);
+            first = last;
+            if (kDeparturesAtOnce - rays_.rays.size() < kLeastRoom) cast();
+        }
     }
 
     void cast() {
-        open_.resize(rays_.size());
-        cast_ += findOpen(scene_, rays_, open_);
-        for (std::size_t i = 0; i < rays_.size(); ++i)
-            if (open_[i] != 0) sums_[targets_[i].point] += targets_[i].weight;
-        rays_.clear();
-        targets_.clear();
+        open_.resize(rays_.rays.size());
+        cast_ += findOpen(scene_, rays_.rays, open_);
+        for (std::size_t i = 0; i < open_.size(); ++i)
+            if (open_[i] != 0) sums_[rays_.points[i]] += weights_[i];
+        rays_.rays.clear();
+        rays_.points.clear();
+        weights_.clear();
     }
 
     std::uint64_t castCount() const { return cast_; }
 
 private:
-    struct Target {
-        std::size_t point;
-        double weight;
-    };
+    /// A batch need not be full to the last ray: what is left of a light goes with the next one.
+    static constexpr std::size_t kLeastRoom = kDeparturesAtOnce / 8;
+
     const TraceScene& scene_;
+    const std::vector<StudyDisc>& discs_;
     std::span<double> sums_;
-    std::vector<Departure> rays_;
-    std::vector<Target> targets_;
+    PointRays rays_;
+    std::vector<double> weights_; ///< of the rays' lights
     std::vector<std::uint8_t> open_;
     std::uint64_t cast_ = 0;
 };
@@ -52,16 +64,15 @@ std::uint64_t sumLights(const TraceScene& scene, const StudyPoints& points, cons
                         const StudyRules& rules, std::span<double> sums) {
     requireRows(points, sums.size(), rules);
     requireLights(lights);
-    std::vector<StudyDisc> discs;
-    discs.reserve(sums.size());
-    for (std::size_t i = 0; i < sums.size(); ++i) discs.push_back(discAt(points, i, rules));
-    LightRays rays(scene, sums);
+    std::vector<StudyDisc> discs(sums.size());
+    forSlices(discs.size(), [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) discs[i] = discAt(points, i, rules);
+    });
+    LightRays rays(scene, discs, sums);
     // light by light: neighbours' rays run beside each other, which is how they are traced fastest
     for (std::size_t k = 0; k < lights.weights.size(); ++k) {
         const double* d = lights.directions.data() + 3 * k;
-        const Vec3 towards{d[0], d[1], d[2]};
-        for (std::size_t i = 0; i < discs.size(); ++i)
-            if (isFaced(discs[i], towards)) rays.add(i, lights.weights[k], leaveTowards(discs[i], towards));
+        rays.add({d[0], d[1], d[2]}, lights.weights[k]);
     }
     rays.cast();
     return rays.castCount();

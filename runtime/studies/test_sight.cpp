@@ -4,6 +4,7 @@
 
 #include "pointrt/studies.hpp"
 #include "runtime/studies/occlusion/open_rays.h"
+#include "runtime/studies/occlusion/point_rays.h"
 #include "runtime/studies/occlusion/point_rows.h"
 
 namespace pointrt {
@@ -16,20 +17,6 @@ void requireObserver(const Observer& observer) {
     if (!(observer.radius > 0)) throw TraceError(TraceError::Kind::kBadUsage, "an observer's radius must be above 0");
 }
 
-/// Lines of sight of some points.
-struct Sights {
-    std::vector<Departure> rays;
-    std::vector<std::size_t> points;
-};
-
-std::uint64_t castSights(const TraceScene& scene, Sights& sights, std::span<std::uint8_t> visible) {
-    std::vector<std::uint8_t> open(sights.rays.size());
-    const std::uint64_t cast = findOpen(scene, sights.rays, open);
-    for (std::size_t i = 0; i < open.size(); ++i) visible[sights.points[i]] = open[i];
-    sights = {};
-    return cast;
-}
-
 } // namespace
 
 std::uint64_t testSight(const TraceScene& scene, const StudyPoints& points, const Observer& observer,
@@ -37,18 +24,22 @@ std::uint64_t testSight(const TraceScene& scene, const StudyPoints& points, cons
     requireRows(points, visible.size(), rules);
     requireObserver(observer);
     const Vec3 eye{observer.eye[0], observer.eye[1], observer.eye[2]};
-    std::uint64_t cast = 0;
-    Sights sights;
-    for (std::size_t i = 0; i < visible.size(); ++i) {
+    const auto wanted = [&](std::size_t i) {
         const StudyDisc disc = discAt(points, i, rules);
         const double distance = length(eye - disc.center);
         visible[i] = distance == 0; // an eye on the very point
-        if (distance == 0 || distance > observer.radius || !isFaced(disc, eye - disc.center)) continue;
-        sights.rays.push_back(leaveFor(disc, eye));
-        sights.points.push_back(i);
-        if (sights.rays.size() == kDeparturesAtOnce) cast += castSights(scene, sights, visible);
+        return distance > 0 && distance <= observer.radius && isFaced(disc, eye - disc.center);
+    };
+    const auto make = [&](std::size_t i) { return leaveFor(discAt(points, i, rules), eye); };
+    std::uint64_t cast = 0;
+    for (std::size_t first = 0; first < visible.size(); first += kDeparturesAtOnce) {
+        PointRays sights;
+        addRays(first, std::min(visible.size(), first + kDeparturesAtOnce), wanted, make, sights);
+        std::vector<std::uint8_t> open(sights.rays.size());
+        cast += findOpen(scene, sights.rays, open);
+        for (std::size_t i = 0; i < open.size(); ++i) visible[sights.points[i]] = open[i];
     }
-    return cast + castSights(scene, sights, visible);
+    return cast;
 }
 
 } // namespace pointrt

@@ -95,6 +95,29 @@ TEST_F(StudyCommand, ListedPointsAreAnswered) {
     EXPECT_EQ(table("out.csv").size(), 4u);
 }
 
+TEST_F(StudyCommand, PointsOfScanFilesKeepTheirColumns) {
+    // each point again with its disc: the same hours as of the scan's own
+    ASSERT_EQ(sun("plane.pro tower.pro" + kDay + "--every 60 -q -o own.ply").code, 0);
+    ASSERT_EQ(sun("plane.pro tower.pro --points own.ply" + kDay + "--every 60 -q -o again.ply").code, 0);
+    EXPECT_EQ(text("again.ply"), text("own.ply"));
+    ASSERT_EQ(sun("plane.pro" + kDay + "--every 60 -q -o own.csv").code, 0);
+    ASSERT_EQ(sun("plane.pro" + kDay + "--every 60 -q -o own.las").code, 0);
+    ASSERT_EQ(viewshed("plane.pro --points own.las --from 500064,4500064,180 -q -o seen.csv").code, 0);
+    const auto rows = table("seen.csv");
+    ASSERT_EQ(rows.size(), 401u);
+    const auto column = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin());
+    };
+    ASSERT_LT(column("classification"), rows[0].size());
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i][column("sun_hours")], "16");
+        EXPECT_EQ(rows[i][column("observer_0")], "1");
+        EXPECT_NEAR(std::stod(rows[i][0]), std::stod(table("own.csv")[i][0]), 1e-4);
+    }
+    ASSERT_EQ(sun("plane.pro --points own.las" + kDay + "--every 60 -q -o again.las").code, 0);
+    EXPECT_EQ(text("again.las").size(), text("own.las").size()); // the old hours are gone
+}
+
 TEST_F(StudyCommand, AttributesStayAndAnOldResultIsReplaced) {
     const std::string tiny = POINTRT_GOLDEN_DIR "/tiny_v1_2.pro";
     ASSERT_EQ(sun(tiny + kDay + "--every 60 -q -o out.ply").code, 0);
@@ -185,12 +208,13 @@ TEST_F(StudyCommand, PointsThatAreNoneAreToldByTheirPlace) {
     refused(
         "asked.npy: its shape is (2, 2), where points are (N, 3): positions, or (N, 6): and normals", "asked.npy",
         arrayBytes("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }", std::string(32, '\0').data(), 32));
-    refused("asked.ply: is a scan: points are a list of text, an array (.npy), or a .pro, which pointrt-bake makes",
-            "asked.ply", "ply\nformat ascii 1.0\n");
+    refused("asked.ply: ends within the header", "asked.ply", "ply\nformat ascii 1.0\n");
+    refused("asked.ply: point 1: the position is not finite", "asked.ply",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+            "end_header\n1 2 3\n1 nan 3\n");
+    refused("asked.las: ends within the header", "asked.las", "LASF and no more");
     expectRefused(1, "missing.csv: No such file or directory",
                   POINTRT_RAYS " sun plane.pro -q -o out.csv --points missing.csv" + kDay);
-    expectRefused(1, "site.proset: is a tile set: studies take .pro files, one or several",
-                  POINTRT_RAYS " sun site.proset -o out.csv" + kDay);
     expectRefused(1, "missing.pro: No such file or directory", POINTRT_RAYS " sun missing.pro -q -o out.csv" + kDay);
     expectRefused(4, "nowhere/out.csv: the folder does not exist",
                   POINTRT_RAYS " sun plane.pro -q -o nowhere/out.csv" + kDay);

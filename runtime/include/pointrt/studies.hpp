@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,8 +48,41 @@ struct ScanPoints {
     StudyPoints rows() const { return {positions, normals, radii, noise}; }
 };
 
-/// Throws TraceError kBadInput "FILE: reason".
+/// Throws TraceError "FILE: reason": kBadInput, or kCannotRun where memory lacks.
 ScanPoints scanPoints(const std::string& path);
+
+/// Points of a scene, with where each comes from, as castRays tells hits.
+struct ScenePoints : ScanPoints {
+    std::vector<std::uint32_t> splat_ids, instance_ids;
+    std::vector<std::uint32_t> tile_ids; ///< kNoHit but for those of sets
+};
+
+/// The points of a scene as TraceScene takes it, some at a time, so that memory has to hold no more of it: instance by
+/// instance, in the world's coordinates. Of a .pro all splats in its order; of a tile set those of its original tiles'
+/// cores, each once, tile by tile. One file is open at a time. For one thread.
+class ScenePointReader {
+public:
+    /// A block of this many is traced fast.
+    static constexpr std::size_t kPoints = std::size_t{1} << 19;
+
+    /// Throws as TraceScene does for its paths.
+    explicit ScenePointReader(const std::vector<std::string>& paths);
+    ~ScenePointReader();
+    ScenePointReader(ScenePointReader&&) noexcept;
+    ScenePointReader& operator=(ScenePointReader&&) noexcept;
+
+    /// The next ones, up to most, in place of those in points; false where there are none any more. oriented is left
+    /// out: sidesOf tells of all. Throws kBadInput for a file that cannot be read.
+    bool next(ScenePoints& points, std::size_t most = kPoints);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Half of the radii of a scene's splats are smaller, of some ten thousand of them: for points that have none. 0 where
+/// there are none. Throws as ScenePointReader.
+double medianRadius(const std::vector<std::string>& paths);
 
 /// Which side of a point's disc counts.
 enum class Sides {
@@ -56,10 +90,11 @@ enum class Sides {
     kBoth,  ///< either: for leaves, wires, and scans whose normals are not oriented
 };
 
-/// kFront where the normals of all of these .pro files are oriented, else kBoth. Throws as scanPoints.
+/// kFront where the normals of all files of the scene are oriented, else kBoth. Throws as ScenePointReader.
 Sides sidesOf(const std::vector<std::string>& paths);
 
-/// Up by a .pro file: a unit vector, +Z where the file does not say. Throws as scanPoints.
+/// Up by a .pro file, a tile set or a scene file, of whose instances the first one counts that says where the scene
+/// does not: a unit vector, +Z where nothing says. Throws as ScenePointReader.
 std::array<double, 3> scanUp(const std::string& path);
 
 struct StudyRules {
@@ -81,8 +116,9 @@ struct StudyFrame {
     std::string note; ///< how north was found: for people, no full stop
 };
 
-/// Of a .pro file. up: what is given, else the file's, else +Z. north: what is given (its horizontal part counts); else
-/// by the coordinate system that the file names, whose grid north is turned to true north by the convergence of
+/// Of a .pro file, a tile set or a scene file. up: what is given, else as scanUp has it. north: what is given (its
+/// horizontal part counts); else by the coordinate system that the file, or the first instance with one as it stands,
+/// names, whose grid north is turned to true north by the convergence of
 /// meridians at the place (UTM and other transverse Mercators, Mercator, Lambert's and Albers' conics, polar
 /// stereographic); else what scene files take: +Y, or -Z where Y is up. Throws kBadInput for the file, kBadUsage for a
 /// place that is none or lies 30 degrees or more beside the system's central meridian, for vectors that are not finite,

@@ -6,8 +6,6 @@
 #include <limits>
 
 #include "format/base/error.h"
-#include "format/points/pro_points.h"
-#include "runtime/rays/input/byte_input.h"
 #include "runtime/rays/input/ray_source.h"
 
 namespace pointrt {
@@ -20,25 +18,13 @@ const RowKind kPointRows{"point",
                          "(N, 3): positions, or (N, 6): and normals",
                          {"x", "y", "z", "nx", "ny", "nz"}};
 
-/// Says no to what would be read as a list of text.
-void requireList(const std::string& file) {
-    if (file == "-") return;
-    std::string first(8, '\0'); // the longest of these
-    first.resize(ByteInput(file).read(first.data(), first.size()));
-    for (const char* start : {"ply\n", "ply\r", "LASF", "ASTM-E57"})
-        if (first.starts_with(start))
-            throw Error(ExitCode::kBadInput, file + ": is a scan: points are a list of text, an array (.npy), or a "
-                                                    ".pro, which pointrt-bake makes");
-}
-
 class ListedPoints final : public PointSource {
 public:
-    ListedPoints(const std::string& file, const std::string& scan) {
-        requireList(file);
+    ListedPoints(const std::string& file, const PointOutline& scene) {
         const std::unique_ptr<RaySource> rows = openRays(file, kPointRows);
         RayBlock block;
         while (rows->next(block)) take(*rows, block);
-        describe(ProFile(scan, PRO_OPEN_SKIP_CHECKSUMS));
+        describe(scene);
     }
 
     const PointOutline& outline() const override { return outline_; }
@@ -78,14 +64,13 @@ private:
         add(block.floats);
     }
 
-    void describe(const ProFile& scan) {
-        const PointOutline of_scan = outlineOf(scan);
-        outline_.metadata = of_scan.metadata;
-        outline_.metres_per_unit = of_scan.metres_per_unit;
-        outline_.position_step = of_scan.position_step;
+    void describe(const PointOutline& scene) {
+        outline_.metadata = scene.metadata;
+        outline_.metres_per_unit = scene.metres_per_unit;
+        outline_.position_step = scene.position_step;
         outline_.count = positions_.size() / 3;
         if (!normals_.empty()) outline_.columns = {{"normals", PRO_TYPE_F32, 3, PointRole::kNormal}};
-        outline_.bounds_min = outline_.bounds_max = of_scan.bounds_min;
+        outline_.bounds_min = outline_.bounds_max = scene.bounds_min;
         for (std::size_t i = 0; i < positions_.size(); ++i) {
             double& low = outline_.bounds_min[i % 3];
             double& high = outline_.bounds_max[i % 3];
@@ -102,8 +87,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<PointSource> listedPoints(const std::string& file, const std::string& scan) {
-    return std::make_unique<ListedPoints>(file, scan);
+std::unique_ptr<PointSource> listedPoints(const std::string& file, const PointOutline& scene) {
+    return std::make_unique<ListedPoints>(file, scene);
 }
 
 } // namespace pointrt

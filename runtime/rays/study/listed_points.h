@@ -9,8 +9,9 @@
 
 namespace pointrt {
 
-/// x, y, z, or these and a normal, in the scan's coordinates; all of them are held in memory. Coordinate system and the
-/// steps of coordinates are those of scan, a .pro. Throws Error kBadInput "FILE[:LINE]: reason".
-std::unique_ptr<PointSource> listedPoints(const std::string& file, const std::string& scan);
+/// x, y, z, or these and a normal, in the scan's coordinates; all of them are held in memory.
+/// @param scene what is said of the scene's points: coordinate system and the steps of coordinates are theirs
+/// Throws Error kBadInput "FILE[:LINE]: reason".
+std::unique_ptr<PointSource> listedPoints(const std::string& file, const PointOutline& scene);
 
 } // namespace pointrt

@@ -22,7 +22,7 @@ struct StudyBlock {
 class PointSource {
 public:
     /// A block is traced as one batch; some 200 MB with all that is made of it.
-    static constexpr std::size_t kPointsAtOnce = std::size_t{1} << 19;
+    static constexpr std::size_t kPointsAtOnce = ScenePointReader::kPoints;
 
     virtual ~PointSource() = default;
     /// With the number of points; positions are in the bounds.
@@ -31,8 +31,11 @@ public:
     virtual bool next(StudyBlock& block) = 0;
 };
 
-/// The points of file, which is a .pro, a list of text or an array; of all files of the scene where it is "".
-/// Throws Error kBadInput "FILE: reason".
+/// Whether a column is an attribute of one of these names.
+bool isLeftOut(const PointColumn& column, const std::vector<std::string>& names);
+
+/// The points of file: a .pro, a tile set, a scene file, LAS, LAZ, PLY, a list of text or an array; of the scene where
+/// it is "". What a file does not say of its coordinates is as in the scene. Throws Error kBadInput "FILE: reason".
 /// @param left_out columns that the results bring anew
 std::unique_ptr<PointSource> openPoints(const std::string& file, const std::vector<std::string>& scene,
                                         const std::vector<std::string>& left_out);

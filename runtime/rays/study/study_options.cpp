@@ -53,10 +53,10 @@ void addStudyOptions(CLI::App& app, StudyOptions& options) {
         app, options,
         "Points, with the columns that they had and the results, by the suffix: .ply, .las, .laz, .csv; - "
         "is PLY to standard output; what is there is replaced");
-    app.get_option("SCENE")->description("One or more .pro files");
-    app.add_option("--points", options.points,
-                   "Points to ask about instead of the scene's own: a .pro, an array (.npy) or text, x y z or "
-                   "x y z nx ny nz; - is standard input")
+    app.add_option(
+           "--points", options.points,
+           "Points to ask about instead of the scene's own: a .pro, a set or a scene file, LAS, LAZ or PLY with "
+           "their columns, an array (.npy) or text, x y z or x y z nx ny nz; - is standard input")
         ->type_name("FILE");
     addValue(app, "--sides", "SIDES",
              "Sides of a point's disc that count: front, both, auto (front where the scans' normals are oriented)",
@@ -68,11 +68,6 @@ void addStudyOptions(CLI::App& app, StudyOptions& options) {
              });
     addValue(app, "--up", "X,Y,Z", "Up in the scan's coordinates (what its file says, else +Z)",
              [&](const std::string& text) { options.up = parseTriple(text); });
-}
-
-void addStudyReport(CLI::App& app, StudyOptions& options) {
-    addDeviceAndReport(app, options);
-    app.remove_option(app.get_option("--memory")); // of tile sets, which studies do not take
 }
 
 std::optional<int> parseStudyLine(CLI::App& app, int argc, const char* const* argv) {

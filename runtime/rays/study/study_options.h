@@ -20,8 +20,6 @@ struct StudyOptions : CommonOptions {
 
 /// SCENE, -o, --points, --sides, --up.
 void addStudyOptions(CLI::App& app, StudyOptions& options);
-/// --device, --stats, -q, -v.
-void addStudyReport(CLI::App& app, StudyOptions& options);
 /// An option with a value that set takes; what set throws as std::invalid_argument becomes "NAME: reason".
 /// @param many it may be given several times
 void addValue(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,

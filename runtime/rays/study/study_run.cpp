@@ -5,9 +5,7 @@
 #include <cstdio>
 
 #include "format/base/report_file.h"
-#include "format/base/require_pro.h"
 #include "format/points/point_sink.h"
-#include "pointrt/pro.hpp"
 #include "runtime/rays/command/usage.h"
 #include "runtime/util/render_progress.h"
 
@@ -24,37 +22,13 @@ struct Outcome {
     Seconds seconds;
 };
 
-/// Half of the radii are smaller: of points that have none. Of every so many splats, enough for that.
-double medianRadius(const std::string& path) {
-    constexpr std::size_t kAsked = 10000;
-    const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
-    const std::size_t splats = file.info().splat_count, step = std::max<std::size_t>(1, splats / kAsked);
-    std::vector<double> radii;
-    for (std::size_t i = 0; i < splats; i += step) radii.push_back(file.splat(i).radius * file.info().scale);
-    if (radii.empty()) return 0;
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    return *middle;
-}
-
-/// Rays go through sets and scene files, too; what points of them there are, and where north is, only .pro files tell.
-void requireScans(const StudyOptions& options) {
-    for (const std::string& path : options.scene) {
-        const char* kind = path.ends_with(".proset") || path.ends_with(".proset/") ? "a tile set"
-                           : path.ends_with(".toml")                               ? "a scene file"
-                                                                                   : nullptr;
-        if (kind) throw Error(ExitCode::kBadInput, path + ": is " + kind + ": studies take .pro files, one or several");
-        requirePro(path);
-    }
-}
-
 OpenStudy openStudy(const StudyOptions& options, std::string& device_name) {
     const TraceDevice device(options.device);
     device_name = device.name();
     OpenStudy study{TraceScene(device, options.scene, options.held), {}};
     study.rules.sides = options.sides ? *options.sides : sidesOf(options.scene);
     study.rules.up = options.up ? *options.up : scanUp(options.scene.front());
-    if (!options.points.empty()) study.rules.radius = medianRadius(options.scene.front());
+    if (!options.points.empty()) study.rules.radius = medianRadius(options.scene);
     return study;
 }
 
@@ -103,7 +77,6 @@ void report(const StudyOptions& options, const StudyWork& work, const Outcome& o
 
 void runInto(const StudyOptions& options, StudyWork& work, Outcome& outcome) {
     pointFormat(options.output); // before anything takes time
-    requireScans(options);
     if (!options.stats.empty()) requireReportWritable(options.stats);
     OpenStudy study = timed(outcome.seconds.open, [&] { return openStudy(options, outcome.device); });
     outcome.splats = study.scene.splatCount();

@@ -38,7 +38,8 @@ struct StudyWork {
     std::vector<std::pair<std::string, std::uint64_t>> counts;
 };
 
-/// Memory does not grow with the number of the scene's points, but for 4 bytes of each. Throws Error with one line;
+/// Memory does not grow with the number of the scene's points, but for 4 bytes of each of the largest file or tile.
+/// Throws Error with one line;
 /// then no output is there that was not.
 void runStudy(const StudyOptions& options, StudyWork& work);
 

@@ -57,7 +57,7 @@ void addOptions(CLI::App& app, SunOptions& options) {
         options.sky_rays = parseCount(text, 1, 65536);
         options.sky_rays_given = true;
     });
-    addStudyReport(app, options);
+    addDeviceAndReport(app, options);
     addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
 }
 

@@ -36,7 +36,7 @@ void addOptions(CLI::App& app, ViewshedOptions& options) {
              [&](const std::string& text) { options.height = parseReal(text, -kFarthest, kFarthest); });
     addValue(app, "--radius", "R", "Nothing farther from an observer is seen (inf)",
              [&](const std::string& text) { options.radius = parseRealAbove(text, 0, kFarthest); });
-    addStudyReport(app, options);
+    addDeviceAndReport(app, options);
     addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "pointrt/pro.hpp"
 #include "pointrt/studies.hpp"
+#include "runtime/device_scene/render_space.h"
 #include "runtime/scene/sun.h"
 #include "runtime/studies/north/meridians.h"
+#include "runtime/studies/points/scene_world.h"
+#include "runtime/trace/translated.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/vec.h"
 
@@ -24,29 +25,6 @@ using Numbers = std::array<double, 3>;
 
 Vec3 vectorOf(const Numbers& n) { return {n[0], n[1], n[2]}; }
 Numbers numbersOf(Vec3 v) { return {v.x, v.y, v.z}; }
-
-/// What a file says of the world.
-struct FileWorld {
-    Vec3 up;         ///< 0: it does not say
-    std::string crs; ///< or ""
-};
-
-std::string crsOf(std::string_view metadata) {
-    const auto json = nlohmann::json::parse(metadata, nullptr, false);
-    if (!json.is_object() || !json.contains("world") || !json["world"].is_object()) return {};
-    const auto crs = json["world"].find("crs");
-    return crs != json["world"].end() && crs->is_string() ? crs->get<std::string>() : std::string();
-}
-
-FileWorld worldOf(const std::string& path) {
-    try {
-        const ProFile file(path, PRO_OPEN_SKIP_CHECKSUMS);
-        const float* up = file.world().up;
-        return {{up[0], up[1], up[2]}, crsOf(file.metadata())};
-    } catch (const ProError& error) {
-        throw TraceError(TraceError::Kind::kBadInput, error.what());
-    }
-}
 
 Vec3 unitOf(const Numbers& numbers, const char* name) {
     const Vec3 vector = vectorOf(numbers);
@@ -77,16 +55,17 @@ std::string shortName(const std::string& crs) {
 }
 
 /// By the coordinate system, or as scene files take it.
-Vec3 defaultNorth(const FileWorld& world, Vec3 up, GeoPlace place, std::string& note) {
+Vec3 defaultNorth(const SceneWorld& world, Vec3 up, GeoPlace place, std::string& note) {
     const auto meridians = meridiansOf(world.crs);
-    const bool lies_level = up.z > 0.999; // within 2.6 degrees: the grid's plane is the ground
+    // within 2.6 degrees: the grid's plane is the ground
+    const bool lies_level = dot(up, turned(world.placement, {0, 0, 1})) > 0.999;
     if (meridians && lies_level) {
         requireNear(*meridians, place);
         const double convergence = convergenceDeg(*meridians, place.latitude_deg, place.longitude_deg);
         char degrees[32];
         std::snprintf(degrees, sizeof degrees, "%.2f", convergence);
         note = std::string("grid north is ") + degrees + " degrees clockwise of true north in " + shortName(world.crs);
-        return {-std::sin(convergence * kDegree), std::cos(convergence * kDegree), 0};
+        return turned(world.placement, {-std::sin(convergence * kDegree), std::cos(convergence * kDegree), 0});
     }
     const Vec3 north = defaultNorth(up);
     note = std::string("north is taken for ") + (north.y > 0.9    ? "+Y"
@@ -102,9 +81,9 @@ Vec3 defaultNorth(const FileWorld& world, Vec3 up, GeoPlace place, std::string& 
 StudyFrame studyFrame(const std::string& path, GeoPlace place, std::optional<Numbers> given_up,
                       std::optional<Numbers> given_north) {
     requirePlace(place);
-    const FileWorld world = worldOf(path);
+    const SceneWorld world = translated([&] { return sceneWorld(path); });
     StudyFrame frame;
-    const Vec3 up = given_up ? unitOf(*given_up, "up") : length(world.up) > 0 ? normalize(world.up) : Vec3{0, 0, 1};
+    const Vec3 up = given_up ? unitOf(*given_up, "up") : length(world.up) > 0 ? world.up : Vec3{0, 0, 1};
     frame.note = "north is as given";
     const Vec3 ahead = given_north ? unitOf(*given_north, "north") : defaultNorth(world, up, place, frame.note);
     const Vec3 level = ahead - up * dot(ahead, up);

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "runtime/studies/occlusion/slices.h"
 
 namespace pointrt {
 namespace {
@@ -13,8 +17,18 @@ constexpr int kOwnHitsMost = 32;
 /// Behind a disc that was met, so that it is not met again: discs in cells are rounded to a hundredth of their radius.
 constexpr double kBehind = 0.02;
 
-void addRay(std::vector<double>& numbers, Vec3 origin, Vec3 direction) {
-    numbers.insert(numbers.end(), {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z});
+/// Six numbers of each ray, origin and direction, on all cores. put(ray) gives both.
+template <typename Put>
+std::vector<double> numbersOf(std::size_t rays, const Put& put) {
+    std::vector<double> numbers(6 * rays);
+    forSlices(rays, [&](std::size_t, std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const auto [origin, direction] = put(i);
+            const double row[] = {origin.x, origin.y, origin.z, direction.x, direction.y, direction.z};
+            std::copy(std::begin(row), std::end(row), numbers.begin() + static_cast<std::ptrdiff_t>(6 * i));
+        }
+    });
+    return numbers;
 }
 
 /// What is left of a ray's way out of its own surface.
@@ -26,14 +40,13 @@ struct WayOut {
 
 /// Beyond the own surface: whether anything is hit tells all. Lengths are those of the directions.
 std::uint64_t testFar(const TraceScene& scene, std::span<const Departure> rays, std::span<std::uint8_t> open) {
-    std::vector<double> numbers;
-    numbers.reserve(6 * rays.size());
     const bool ends = !rays.empty() && std::isfinite(rays[0].length);
-    for (const Departure& ray : rays) {
+    const std::vector<double> numbers = numbersOf(rays.size(), [&](std::size_t i) {
+        const Departure& ray = rays[i];
         const double rest = ends ? ray.length - ray.own_reach : 1;
         // of nothing a direction, which the limit makes nothing of again
-        addRay(numbers, ray.start + ray.own_reach * ray.direction, (rest > 0 ? rest : 1e-300) * ray.direction);
-    }
+        return std::pair(ray.start + ray.own_reach * ray.direction, (rest > 0 ? rest : 1e-300) * ray.direction);
+    });
     RayLimits limits;
     if (ends) limits.t_max = 1;
     scene.testOcclusions(std::span<const double>(numbers), limits, open);
@@ -44,10 +57,11 @@ std::uint64_t testFar(const TraceScene& scene, std::span<const Departure> rays, 
 /// First hits on the ways out; those that go on behind an own surface stay in ways.
 void passOwn(const TraceScene& scene, std::span<const Departure> rays, std::vector<WayOut>& ways,
              std::span<std::uint8_t> open) {
-    std::vector<double> numbers, t(ways.size());
+    const std::vector<double> numbers = numbersOf(ways.size(), [&](std::size_t i) {
+        return std::pair(ways[i].from, ways[i].left * rays[ways[i].ray].direction);
+    });
+    std::vector<double> t(ways.size());
     std::vector<float> normals(3 * ways.size());
-    numbers.reserve(6 * ways.size());
-    for (const WayOut& way : ways) addRay(numbers, way.from, way.left * rays[way.ray].direction);
     scene.castRays(std::span<const double>(numbers), {0, 1}, {.t_hit = t, .normals = normals});
     std::size_t kept = 0;
     for (std::size_t i = 0; i < ways.size(); ++i) {
