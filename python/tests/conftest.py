@@ -34,12 +34,21 @@ def scene(field):
     return pointrt.Scene(field)
 
 
-@pytest.fixture(scope="session")
-def hills_in_tiles(tmp_path_factory):
-    """Hills as a tile set of several tiles."""
+def baked_hills(output, **options):
     if not (os.environ.get("POINTRT_BAKE") or shutil.which("pointrt-bake")):
         pytest.skip("there is no pointrt-bake")
     x, y = np.meshgrid(np.arange(250) * 0.4, np.arange(250) * 0.4)
     points = GRID + np.stack([x.ravel(), y.ravel(), (5 * np.sin(x / 8) * np.cos(y / 9)).ravel()], axis=1)
-    folder = tmp_path_factory.mktemp("sets")
-    return pointrt.bake(points, output=folder / "hills.proset", tile_splats=8000, clean="off")
+    return pointrt.bake(points, output=output, clean="off", **options)
+
+
+@pytest.fixture(scope="session")
+def hills(tmp_path_factory):
+    """Hills as a .pro."""
+    return baked_hills(tmp_path_factory.mktemp("scans") / "hills.pro")
+
+
+@pytest.fixture(scope="session")
+def hills_in_tiles(tmp_path_factory):
+    """The same as a tile set of several tiles."""
+    return baked_hills(tmp_path_factory.mktemp("sets") / "hills.proset", tile_splats=8000)

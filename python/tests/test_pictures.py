@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+import json
 import pathlib
 import re
 import shutil
@@ -27,6 +28,17 @@ def test_layers_have_their_shapes_and_types(scene):
     assert list(scene.render(width=2, height=2, layers=["Z"], lights=2)) == ["depth"]
     with pytest.raises(KeyError):
         picture["nothing"]
+
+
+def test_pictures_have_the_memory_of_the_scene(hills_in_tiles):
+    tiles = json.loads((pathlib.Path(hills_in_tiles) / "set.json").read_text())["tiles"]
+    small = 2 * max(tile["bytes"] for tile in tiles)
+    taken = pointrt.Scene(hills_in_tiles, memory=small).render(width=64, height=64, layers=["tile_id"], lights=1)
+    whole = pointrt.Scene(hills_in_tiles)
+    given = whole.render(width=64, height=64, layers=["tile_id"], lights=1, memory=small)
+    np.testing.assert_array_equal(taken["tile_id"], given["tile_id"])
+    full = whole.render(width=64, height=64, layers=["tile_id"], lights=1, detail=0)
+    assert (full["tile_id"] != taken["tile_id"]).any()
 
 
 def test_a_point_is_in_the_pixel_where_it_should_be(scene):

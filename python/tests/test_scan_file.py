@@ -38,17 +38,20 @@ def test_attributes_come_with_the_hits(tmp_path):
     points = plane_points(60, 12.0)
     scan = tmp_path / "heat.csv"
     heat = np.arange(len(points)) % 7
-    np.savetxt(scan, np.column_stack([points, heat]), "%.3f,%.3f,%.3f,%d", header="x,y,z,heat", comments="")
+    np.savetxt(scan, np.column_stack([points, 200 + heat, heat / 8]), "%.3f,%.3f,%.3f,%d,%.3f",
+               header="x,y,z,heat,share", comments="")
     path = pointrt.bake(scan, output=tmp_path / "heat.pro", clean="off")
     scene = pointrt.Scene(path)
-    assert scene.attributes == ("heat",)
+    assert scene.attributes == ("heat", "share")
     rays = np.column_stack([points + [0, 0, 5], np.tile([0.0, 0.0, -1.0], (len(points), 1))])
-    hits = scene.cast_rays(rays, fields=["splat_ids"], attributes=["heat"])
-    assert list(hits) == ["splat_ids", "heat"]
-    values = pointrt.ScanFile(path).attributes["heat"]
-    assert not values.flags.writeable
-    np.testing.assert_array_equal(hits["heat"], values[hits["splat_ids"]])
-    assert np.mean(hits["heat"] == heat) > 0.99  # straight above a point its own disc is hit first, nearly always
+    hits = scene.cast_rays(rays, fields=["splat_ids"], attributes=["heat", "share"])
+    assert list(hits) == ["splat_ids", "heat", "share"]
+    for name in ("heat", "share"):
+        values = pointrt.ScanFile(path).attributes[name]
+        assert not values.flags.writeable and hits[name].dtype == values.dtype
+        np.testing.assert_array_equal(hits[name], values[hits["splat_ids"]])
+    assert hits["heat"].min() == 200 and hits["heat"].max() == 206 and hits["share"].max() == 0.75
+    assert np.mean(hits["heat"] == 200 + heat) > 0.99  # straight above a point its own disc is hit first, nearly always
     with pytest.raises(ValueError, match="no attribute 'cold': it has heat"):
         scene.cast_rays(rays, attributes=["cold"])
 

@@ -60,6 +60,36 @@ def test_who_sees_what(field, wall):
     assert own.shape == (1, len(scene)) and own.dtype == np.bool_ and own.any() and not own.all()
 
 
+def test_a_set_is_studied_as_the_file_is(hills, hills_in_tiles):
+    whole, tiles = pointrt.Scene(hills), pointrt.Scene(hills_in_tiles, memory=1 << 30)
+    points = {scene: np.concatenate([block["positions"] for block in scene.points(1000)]) for scene in (whole, tiles)}
+    order = {scene: np.lexsort(np.round((points[scene] - GRID)[:, :2] / 0.4).T) for scene in points}  # their lattice
+    np.testing.assert_allclose(points[tiles][order[tiles]], points[whole][order[whole]], atol=1e-3)
+    hours = {scene: scene.sun_hours(PLACE, "2026-12-21", every=30)[order[scene]] for scene in points}
+    assert (hours[tiles] == hours[whole]).mean() > 0.995 and 0 == hours[tiles].min() < hours[tiles].max()
+    seen = {scene: scene.visible_from(GRID + [50, 50, 8])[order[scene]] for scene in points}
+    assert (seen[tiles] == seen[whole]).mean() > 0.99 and 0.1 < seen[tiles].mean() < 0.9
+    blocks = list(tiles.points())
+    assert sum(len(block["tile_ids"]) for block in blocks) == len(tiles)
+    assert len(np.unique(np.concatenate([block["tile_ids"] for block in blocks]))) >= 4
+
+
+def test_instances_of_scene_files_are_studied_where_they_stand(field, tmp_path):
+    (tmp_path / "two.toml").write_text(f'[[instance]]\nfile = "{field}"\n[[instance]]\nfile = "{field}"\n'
+                                       'translate = [0, 0, 5]\n')
+    scene = pointrt.Scene(tmp_path / "two.toml")
+    (points,) = scene.points()
+    np.testing.assert_array_equal(points["instance_ids"], np.repeat([0, 1], len(scene) // 2))
+    np.testing.assert_allclose(points["positions"][len(scene) // 2:] - points["positions"][:len(scene) // 2],
+                               np.tile([0.0, 0.0, 5.0], (len(scene) // 2, 1)))
+    sky = scene.sky_view(directions=64)
+    middle = np.linalg.norm(points["positions"][:, :2] - GRID[:2] - 10, axis=1) < 2
+    assert (sky[middle & (points["instance_ids"] == 0)] < 0.5).all()
+    np.testing.assert_array_equal(sky[points["instance_ids"] == 1], 1)
+    with pytest.raises(ValueError, match="most must be 1 or more"):
+        next(scene.points(0))
+
+
 @pytest.mark.parametrize("arguments, text", [
     (dict(at=(91, 0), date="2026-06-21"), "latitude"),
     (dict(at=(0, 181), date="2026-06-21"), "longitude"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "module.h"
 
+#include "pointrt/pro.hpp"
 #include "pointrt/trace.hpp"
 
 namespace nb = nanobind;
@@ -18,6 +19,8 @@ void translateErrors(nb::module_& module) {
         } catch (const pointrt::TraceError& failure) {
             const bool is_usage = failure.kind == pointrt::TraceError::Kind::kBadUsage;
             PyErr_SetString(is_usage ? PyExc_ValueError : error.ptr(), failure.what());
+        } catch (const pointrt::ProError& failure) {
+            PyErr_SetString(error.ptr(), failure.what());
         }
     });
 }

@@ -4,42 +4,18 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 
 #include "module.h"
-#include "pointrt/pro.h"
-#include "pointrt/trace.hpp"
+#include "pointrt/pro.hpp"
 
 namespace nb = nanobind;
 
 namespace pointrt::python {
 namespace {
-
-struct CloseFile {
-    void operator()(pro_file* file) const { pro_close(file); }
-};
-
-class ScanFile {
-public:
-    explicit ScanFile(const std::string& path) {
-        pro_file* file = nullptr;
-        pro_message message{};
-        if (pro_open(path.c_str(), 0, &file, &message) != PRO_OK)
-            throw TraceError(TraceError::Kind::kBadInput, path + ": " + message.text);
-        file_.reset(file);
-        pro_get_info(file, &info_);
-        pro_get_view(file, &view_);
-    }
-    const pro_file* file() const { return file_.get(); }
-    const pro_info& info() const { return info_; }
-    const pro_view& view() const { return view_; }
-
-private:
-    std::unique_ptr<pro_file, CloseFile> file_;
-    pro_info info_{};
-    pro_view view_{};
-};
 
 using Array = nb::ndarray<nb::numpy, nb::ro>;
 
@@ -57,6 +33,10 @@ nb::dlpack::dtype dtypeOf(std::uint32_t type) {
         return nb::dtype<std::uint32_t>();
     case PRO_TYPE_I32:
         return nb::dtype<std::int32_t>();
+    case PRO_TYPE_I64:
+        return nb::dtype<std::int64_t>();
+    case PRO_TYPE_U64:
+        return nb::dtype<std::uint64_t>();
     case PRO_TYPE_F32:
         return nb::dtype<float>();
     default:
@@ -70,18 +50,15 @@ Array viewOf(nb::handle file, const void* data, std::size_t rows, std::size_t co
 }
 
 Array splatWords(nb::handle self) {
-    const auto& file = nb::cast<const ScanFile&>(self);
+    const auto& file = nb::cast<const ProFile&>(self);
     return viewOf(self, file.view().splats, file.info().splat_count, PRO_SPLAT_WORDS, nb::dtype<std::uint32_t>());
 }
 
 nb::dict attributesOf(nb::handle self) {
-    const auto& file = nb::cast<const ScanFile&>(self);
+    const auto& file = nb::cast<const ProFile&>(self);
     nb::dict attributes;
-    for (std::uint32_t number = 0; number < pro_attribute_count(file.file()); ++number) {
-        pro_attribute each;
-        pro_get_attribute(file.file(), number, &each);
+    for (const pro_attribute& each : file.attributes())
         attributes[each.name] = viewOf(self, each.values, file.info().splat_count, each.components, dtypeOf(each.type));
-    }
     return attributes;
 }
 
@@ -94,9 +71,8 @@ nb::ndarray<nb::numpy, Number> owned(std::unique_ptr<Number[]> numbers, std::siz
 }
 
 /// positions float64 [N,3], normals float32 [N,3], radii float32 [N], colors uint8 [N,3].
-nb::dict decoded(const ScanFile& file) {
-    const pro_info& info = file.info();
-    const std::size_t count = info.splat_count;
+nb::dict decoded(const ProFile& file) {
+    const std::size_t count = file.info().splat_count;
     auto positions = std::make_unique_for_overwrite<double[]>(3 * count);
     auto normals = std::make_unique_for_overwrite<float[]>(3 * count);
     auto radii = std::make_unique_for_overwrite<float[]>(count);
@@ -104,14 +80,12 @@ nb::dict decoded(const ScanFile& file) {
     {
         const nb::gil_scoped_release others_go_on;
         for (std::size_t i = 0; i < count; ++i) {
-            pro_splat splat;
-            pro_splat_decode(file.view().splats + PRO_SPLAT_WORDS * i, info.radius_max, info.radius_step, &splat);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                positions[3 * i + axis] = info.origin[axis] + info.scale * double{splat.position[axis]};
-                normals[3 * i + axis] = splat.normal[axis];
-                colors[3 * i + axis] = splat.color[axis];
-            }
-            radii[i] = static_cast<float>(info.scale * double{splat.radius});
+            const pro_splat splat = file.splat(i);
+            const std::array<double, 3> position = file.position(splat);
+            std::copy(position.begin(), position.end(), &positions[3 * i]);
+            std::copy(std::begin(splat.normal), std::end(splat.normal), &normals[3 * i]);
+            std::copy(std::begin(splat.color), std::end(splat.color), &colors[3 * i]);
+            radii[i] = static_cast<float>(file.radius(splat));
         }
     }
     nb::dict splats;
@@ -122,7 +96,7 @@ nb::dict decoded(const ScanFile& file) {
     return splats;
 }
 
-std::array<std::array<double, 3>, 2> boundsOf(const ScanFile& file) {
+std::array<std::array<double, 3>, 2> boundsOf(const ProFile& file) {
     const pro_info& info = file.info();
     return {std::to_array(info.bounds_min), std::to_array(info.bounds_max)};
 }
@@ -130,10 +104,10 @@ std::array<std::array<double, 3>, 2> boundsOf(const ScanFile& file) {
 } // namespace
 
 void bindScanFile(nb::module_& module) {
-    nb::class_<ScanFile>(module, "ScanFile",
-                         "A .pro file, mapped and checked. Arrays are views of it unless they say otherwise.")
+    nb::class_<ProFile>(module, "ScanFile",
+                        "A .pro file, mapped and checked. Arrays are views of it unless they say otherwise.")
         .def(nb::init<const std::string&>(), nb::arg("path"), nb::call_guard<nb::gil_scoped_release>())
-        .def("__len__", [](const ScanFile& file) { return file.info().splat_count; })
+        .def("__len__", [](const ProFile& file) { return file.info().splat_count; })
         .def_prop_ro("splat_words", &splatWords, "uint32 [N,4], read-only: the splats as format/SPEC.md lays them out.")
         .def_prop_ro("attributes", &attributesOf,
                      "Name to a read-only array [N] or [N,components], as the scan had it.")

@@ -55,13 +55,21 @@ nb::tuple sunLightsTuple(double latitude_deg, double longitude_deg, const Date& 
                                  {up, north, {}}));
 }
 
-nb::dict scanPointsDict(const std::string& path) {
-    ScanPoints points = scanPoints(path);
+/// None where there are no more.
+std::optional<nb::dict> nextPoints(ScenePointReader& reader, std::size_t most) {
+    ScenePoints points;
+    {
+        const nb::gil_scoped_release others_go_on;
+        if (!reader.next(points, most)) return std::nullopt;
+    }
     nb::dict dict;
     dict["positions"] = owned(std::move(points.positions), 3);
     dict["normals"] = owned(std::move(points.normals), 3);
     dict["radii"] = owned(std::move(points.radii), 1);
     if (!points.noise.empty()) dict["noise"] = owned(std::move(points.noise), 1);
+    dict["splat_ids"] = owned(std::move(points.splat_ids), 1);
+    dict["instance_ids"] = owned(std::move(points.instance_ids), 1);
+    dict["tile_ids"] = owned(std::move(points.tile_ids), 1);
     return dict;
 }
 
@@ -123,9 +131,12 @@ void bindStudies(nb::module_& module) {
     module.def(
         "are_oriented", [](const std::vector<std::string>& paths) { return sidesOf(paths) == Sides::kFront; },
         nb::arg("paths"));
-    module.def("scan_points", &scanPointsDict, nb::arg("path"),
-               "positions float64 [N,3], normals float32 [N,3], radii float32 [N], and noise float32 [N] of scans that "
-               "have some.");
+    module.def("median_radius", &medianRadius, nb::arg("paths"), nb::call_guard<nb::gil_scoped_release>());
+    nb::class_<ScenePointReader>(module, "ScenePointReader", "The points of a scene, block by block.")
+        .def(nb::init<const std::vector<std::string>&>(), nb::arg("paths"), nb::call_guard<nb::gil_scoped_release>())
+        .def("next", &nextPoints, nb::arg("most"),
+             "A dict of positions float64 [N,3], normals float32 [N,3], radii float32 [N], noise float32 [N] where "
+             "some have noise, splat_ids, instance_ids and tile_ids uint32 [N]; None after the last.");
     module.def("add_lights", &addLights, nb::arg("scene"), nb::arg("positions"), nb::arg("normals").none(),
                nb::arg("radii").none(), nb::arg("noise").none(), nb::arg("both_sides"), nb::arg("up"),
                nb::arg("radius"), nb::arg("directions"), nb::arg("weights"), nb::arg("sums"));

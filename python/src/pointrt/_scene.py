@@ -35,7 +35,7 @@ FIELDS = tuple(_LAYOUT)
 _RAYS_AT_ONCE = 1 << 21
 
 #: By PRO_TYPE_*, which counts from 1.
-_TYPES = (np.uint8, np.int8, np.uint16, np.int16, np.uint32, np.int32, np.float32, np.float64)
+_TYPES = (np.int8, np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.int64, np.uint64, np.float32, np.float64)
 
 
 @functools.cache
@@ -65,6 +65,7 @@ class Scene(Studies):
         several = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
         self._device = device or _default_device()
         self._paths = [os.fspath(path) for path in several]
+        self._memory = memory
         self._scene = _core.Scene(self._device, self._paths, memory)
         self._renderer: tuple[dict[str, str], _core.Renderer] | None = None  # of the last settings
         self._renderer_lock = threading.Lock()
@@ -210,7 +211,7 @@ class Scene(Studies):
             layers: names out of ``pointrt.LAYERS``, or OpenEXR's (``"Z"``, ``"id.splat"``).
             settings: what ``pointrt-view --help`` lists under Image and Light, with ``_`` for ``-``: ``integrator``
                 ("phong", "whitted", "path", "normal", "depth"), ``spp``, ``seed``, ``bounces``, ``lights``, ``room``,
-                ``shadows``, ``color_by`` and others; ``up``; ``memory`` for the tiles of sets; ``staged_for``, the eye
+                ``shadows``, ``color_by`` and others; ``up``; ``memory`` for the tiles of sets, by default the scene's; ``staged_for``, the eye
                 that lights are put up for, which is the default camera's otherwise. Sun and sky come from scene files.
 
         Returns:
@@ -227,7 +228,8 @@ class Scene(Studies):
         """
         view = camera or Camera.look_at()
         names = [LAYER_ALIASES.get(name, name) for name in ([layers] if isinstance(layers, str) else layers)]
-        renderer = self._renderer_for({name: setting_text(value) for name, value in settings.items()})
+        renderer = self._renderer_for({name: setting_text(value)
+                                       for name, value in {"memory": self._memory, **settings}.items()})
         arrays = getattr(renderer, view._method)(*view._arguments, _side(width), _side(height), names)
         return Picture({name: arrays[name] for name in names})
 

@@ -18,28 +18,66 @@ _POINTS_AT_ONCE = 1 << 19
 _RAYS_AT_ONCE = 1 << 21
 
 
-class _Points:
+class _GivenPoints:
     """What a study asks about: rows of positions, and of what else is known."""
 
-    def __init__(self, positions: np.ndarray, normals: np.ndarray | None, radii: np.ndarray | None,
-                 noise: np.ndarray | None, shape: tuple[int, ...]):
-        self.positions, self.normals, self.radii, self.noise, self.shape = positions, normals, radii, noise, shape
+    def __init__(self, positions: np.ndarray, normals: np.ndarray | None, radii: np.ndarray, shape: tuple[int, ...]):
+        self._rows, self.shape = (positions, normals, radii), shape
 
     def __len__(self) -> int:
-        return len(self.positions)
+        return len(self._rows[0])
 
     def blocks(self) -> Iterator[tuple[slice, tuple]]:
+        """Where in the results a block's are, and its positions, normals, radii and noise."""
         for begin in range(0, len(self), _POINTS_AT_ONCE):
             part = slice(begin, begin + _POINTS_AT_ONCE)
-            rows = (self.positions, self.normals, self.radii, self.noise)
-            yield part, tuple(None if each is None else each[part] for each in rows)
+            yield part, (*(None if each is None else each[part] for each in self._rows), None)
+
+
+class _OwnPoints:
+    """The scene's own, a block of them in memory at a time."""
+
+    def __init__(self, scene: Studies, count: int):
+        self._scene, self.shape = scene, (count,)
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def blocks(self) -> Iterator[tuple[slice, tuple]]:
+        begin = 0
+        for block in self._scene.points(_POINTS_AT_ONCE):
+            part = slice(begin, begin + len(block["radii"]))
+            yield part, (block["positions"], block["normals"], block["radii"], block.get("noise"))
+            begin = part.stop
 
 
 class Studies:
-    """The studies that a ``Scene`` of ``.pro`` files offers; it has ``_scene`` and ``_paths``."""
+    """The studies that a ``Scene`` offers; it has ``_scene`` and ``_paths``."""
 
     _scene: _core.Scene
     _paths: list[str]
+    _radius: float | None = None  # half of the scene's radii are smaller, once somebody has asked
+
+    def points(self, most: int = _POINTS_AT_ONCE) -> Iterator[dict[str, np.ndarray]]:
+        """The scene's own points in blocks of up to ``most``, in the order of the studies' results.
+
+        Instance by instance, as it stands: of a ``.pro`` all splats in its order; of a tile set those of the original
+        tiles' cores, each once, tile by tile, so that a set of any size can be gone through.
+
+        Yields:
+            Arrays: ``positions`` float64 ``[N, 3]`` and ``radii`` float32 ``[N]`` in the scene's unit, ``normals``
+            float32 ``[N, 3]``, ``noise`` float32 ``[N]``, the standard deviation of the surface, where some have any,
+            and ``splat_ids``, ``instance_ids``, ``tile_ids`` uint32 ``[N]`` as ``cast_rays`` has them.
+
+        Raises:
+            ValueError: ``most`` is below 1.
+            pointrt.Error: a file cannot be read.
+        """
+        if most < 1:
+            raise ValueError(f"most must be 1 or more, not {most}")
+        reader = _core.ScenePointReader(self._paths)
+        while (block := reader.next(most)) is not None:
+            yield block
 
     def sun_hours(self, at: tuple[float, float], date: datetime.date | str, to: datetime.date | str | None = None, *,
                   every: float = 15.0, points: ArrayLike | None = None, normals: ArrayLike | None = None,
@@ -54,8 +92,8 @@ class Studies:
             at: latitude and longitude in degrees, north and east above 0.
             date, to: the first and the last day (the same), ``datetime.date`` or ``"2026-06-21"``.
             every: minutes between instants, each of which stands for the time around it.
-            points: ``[..., 3]`` in the scan's coordinates; the scene's own splats, file by file in their order, where
-                none are given.
+            points: ``[..., 3]`` in the scan's coordinates; where none are given the scene's own, in the order of
+                ``Scene.points``.
             normals: ``[..., 3]``, any length, of the points' discs; without them points lie level and count from both
                 sides.
             radii: of the points' discs, ``[...]`` or one number, in the scan's unit: hits on discs alike that are nearer
@@ -71,7 +109,7 @@ class Studies:
 
         Raises:
             ValueError: arrays of another shape, a place, date or number that is none.
-            pointrt.Error: points that are not finite, a scene of other than ``.pro`` files.
+            pointrt.Error: points that are not finite.
         """
         frame = _core.study_frame(self._paths[0], *_place(at), _vector(up, "up"), _vector(north, "north"))
         first = _date(date)
@@ -122,8 +160,8 @@ class Studies:
         asked = self._points(points, normals, radii)
         rules = self._both(sides), list(vector), 0.0
         visible = np.empty((int(np.prod(eyes.shape[:-1])), len(asked)), np.uint8)
-        for row, eye in zip(visible, eyes.reshape(-1, 3) + height * vector):
-            for part, rows in asked.blocks():
+        for part, rows in asked.blocks():
+            for row, eye in zip(visible, eyes.reshape(-1, 3) + height * vector):
                 _core.find_visible(self._scene, *rows, *rules, list(eye), radius, row[part])
         return visible.view(np.bool_).reshape(eyes.shape[:-1] + asked.shape)
 
@@ -132,7 +170,7 @@ class Studies:
             raise ValueError(f"sides must be 'auto', 'front' or 'both', not {sides!r}")
         return sides == "both" or (sides == "auto" and not _core.are_oriented(self._paths))
 
-    def _sum_lights(self, points: _Points, lights: tuple, sides: str, up: Any) -> np.ndarray:
+    def _sum_lights(self, points: _GivenPoints | _OwnPoints, lights: tuple, sides: str, up: Any) -> np.ndarray:
         directions, weights = lights
         both = self._both(sides)
         sums = np.zeros(len(points))
@@ -143,11 +181,12 @@ class Studies:
                                  weights[begin:begin + some], sums[part])
         return sums.reshape(points.shape)
 
-    def _points(self, points: ArrayLike | None, normals: ArrayLike | None, radii: ArrayLike | float | None) -> _Points:
+    def _points(self, points: ArrayLike | None, normals: ArrayLike | None,
+                radii: ArrayLike | float | None) -> _GivenPoints | _OwnPoints:
         if points is None:
             if normals is not None or radii is not None:
                 raise ValueError("normals and radii go with points: the scene has its own")
-            return self._own_points()
+            return _OwnPoints(self, self._scene.splat_count)
         positions = _array(points, "points", np.float64)
         shape = positions.shape[:-1]
         rows = _array(normals, "normals", np.float32) if normals is not None else None
@@ -156,24 +195,14 @@ class Studies:
         sizes = np.asarray(self._median_radius() if radii is None else radii, dtype=np.float32)
         if sizes.ndim > 0 and sizes.shape != shape:
             raise ValueError(f"radii must have the shape {list(shape)}, or be one number, not {list(sizes.shape)}")
-        return _Points(np.ascontiguousarray(positions.reshape(-1, 3)),
-                       None if rows is None else np.ascontiguousarray(rows.reshape(-1, 3)),
-                       np.ascontiguousarray(np.broadcast_to(sizes, shape).reshape(-1)), None, shape)
-
-    def _own_points(self) -> _Points:
-        files = [_core.scan_points(path) for path in self._paths]
-
-        def joined(name: str) -> np.ndarray:
-            return np.concatenate([file[name] for file in files])
-
-        noise = None
-        if any("noise" in file for file in files):
-            noise = np.concatenate([file.get("noise", np.zeros(len(file["radii"]), np.float32)) for file in files])
-        positions = joined("positions")
-        return _Points(positions, joined("normals"), joined("radii"), noise, (len(positions),))
+        return _GivenPoints(np.ascontiguousarray(positions.reshape(-1, 3)),
+                            None if rows is None else np.ascontiguousarray(rows.reshape(-1, 3)),
+                            np.ascontiguousarray(np.broadcast_to(sizes, shape).reshape(-1)), shape)
 
     def _median_radius(self) -> float:
-        return float(np.median(_core.scan_points(self._paths[0])["radii"]))
+        if self._radius is None:
+            self._radius = _core.median_radius(self._paths)
+        return self._radius
 
 
 def _array(values: ArrayLike, name: str, kind: type) -> np.ndarray:
