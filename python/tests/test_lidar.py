@@ -1,7 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-import pathlib
-import re
-import shutil
 import signal
 import threading
 
@@ -119,16 +116,3 @@ def test_ctrl_c_ends_it(scene):
     with pytest.raises(KeyboardInterrupt):  # months of pulses
         scene.simulate_lidar({**SENSOR, "detection": {"drop_probability": 1}}, pose=MIDDLE, duration=1e7)
     timer.join()
-
-
-def test_the_recipe_of_the_docs(field, tmp_path, monkeypatch):
-    text = (pathlib.Path(__file__).parents[2] / "docs" / "RAYS.md").read_text().split("### Recipe: a street", 1)[1]
-    drive, snippet = re.findall(r"```(?:python)?\n(.*?)```", text, re.DOTALL)[:2]
-    shutil.copy(field, tmp_path / "street.pro")
-    (tmp_path / "drive.csv").write_text(drive)
-    monkeypatch.chdir(tmp_path)
-    names = {}
-    exec(snippet, names)
-    ranges = names["points"]["ranges"]
-    assert 20000 < len(names["first_turn"]) < 32 * 1800  # what looks down by enough to meet the field
-    assert ranges.min() > 3.5 and names["hits_per_splat"].sum() == len(ranges)

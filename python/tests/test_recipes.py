@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The commands and snippets of docs/RECIPES.md, run as they stand there on a small scan of that name."""
+import os
+import pathlib
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import pointrt
+
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
+SECTIONS = dict(re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", (DOCS / "RECIPES.md").read_text(), re.M | re.S))
+CODE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+
+#: What the snippets' results must be.
+CHECKS = {
+    "Solar study of a roof": lambda it: it["hours"][it["high"]].mean() > it["hours"][~it["high"]].mean() > 0,
+    "Line of sight from a tower": lambda it: 0.05 < it["seen"].mean() < 0.95,
+    "Simulated lidar of a street": lambda it: it["hits_per_splat"].sum() == len(it["points"]["ranges"]) >
+                                              len(it["first_turn"]) > 1000,
+    "Synthetic training data": lambda it: 0.2 < np.isfinite(it["picture"]["depth"]).mean() <= 1,
+}
+
+
+def stadium_points():
+    """Level ground with a ring of blocks around its middle, where the docs' stadium lies, [N, 5]: x, y, z, class, intensity."""
+    x, y = np.meshgrid(np.arange(636850.0, 637980, 14), np.arange(851370.0, 852560, 14))
+    away = np.hypot(x - 637430, y - 851960)
+    raised = (away > 250) & (away < 400)
+    columns = x, y, np.where(raised, 500.0, 420.0), np.where(raised, 6, 2), np.full(x.shape, 200)
+    return np.column_stack([each.ravel() for each in columns])
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Where the recipes begin: stadium.laz, and the sensors of the docs."""
+    tool = os.environ.get("POINTRT_BAKE")
+    if not tool:
+        pytest.skip("POINTRT_BAKE does not name the tools")
+    at = tmp_path_factory.mktemp("recipes")
+    np.savetxt(at / "made.csv", stadium_points(), "%.2f,%.2f,%.2f,%d,%d",
+               header="x,y,z,classification,intensity", comments="")
+    pointrt.bake(at / "made.csv", output=at / "made.pro", clean="off", up="z")
+    subprocess.run([pathlib.Path(tool).parent / "pointrt-info", at / "made.pro", "--export", at / "made.las"], check=True)
+    (at / "made.las").rename(at / "stadium.laz")  # files are told by their content
+    (at / "docs").symlink_to(DOCS)
+    return at
+
+
+@pytest.mark.parametrize("title", SECTIONS)
+def test_a_recipe_runs(title, folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("PATH", f"{pathlib.Path(os.environ['POINTRT_BAKE']).parent}:{os.environ['PATH']}")
+    parts = CODE.findall(SECTIONS[title])
+    assert [kind for kind, _ in parts].count("python") >= 1
+    names = {}
+    for kind, text in parts:
+        if kind == "python":
+            exec(compile(text, title, "exec"), names)  # the docs' own
+        else:
+            done = subprocess.run(["bash", "-e"], input=text, text=True, capture_output=True)
+            assert done.returncode == 0, done.stderr
+    assert CHECKS[title](names)
+    for picture in re.findall(r"-o (\S+\.png)", SECTIONS[title]):
+        assert (folder / picture).read_bytes().startswith(b"\x89PNG")
