@@ -11,6 +11,7 @@
 #include "format/base/error.h"
 #include "preprocess/sets/checksum.h"
 #include "preprocess/sets/plan.h"
+#include "preprocess/sets/plan_check.h"
 
 namespace pointrt {
 namespace {
@@ -284,6 +285,8 @@ SetPlan readPlan(const std::string& work) {
                     sidesFile(work));
         plan.sides = sidesOf(sides);
         plan.noise = readNoise(work);
+        const std::string fault = findPlanFault(plan);
+        if (!fault.empty()) throw Error(ExitCode::kBadInput, path + ": is no plan: " + fault);
         return plan;
     } catch (const Json::exception&) {
         throw Error(ExitCode::kBadInput, path + ": is no plan of this program");

@@ -64,6 +64,8 @@ toml::table parseToml(std::string_view text, const std::string& file) {
     } catch (const toml::parse_error& error) {
         throw Error{ExitCode::kBadInput,
                     place(file, error.source()) + printable(error.description(), std::string::npos)};
+    } catch (const std::logic_error& error) { // toml_defined.h
+        throw Error{ExitCode::kBadInput, file + ": " + error.what()};
     }
 }
 

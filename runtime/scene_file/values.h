@@ -3,13 +3,6 @@
 // "FILE:LINE: key "NAME": reason" where the value is not what it asks for.
 #pragma once
 
-// Compiled once, in scene_values.cpp, and not linked: the viewer needs no shared library for it.
-#define TOML_HEADER_ONLY 0
-#define TOML_ENABLE_FORMATTERS 0
-// Its parser asserts, in builds without NDEBUG, what bad input can make untrue ("a = [}") and checks it right after.
-#define TOML_ASSERT(expression) static_assert(true)
-#include <toml++/toml.h>
-
 #include <array>
 #include <cstdint>
 #include <initializer_list>
@@ -21,6 +14,7 @@
 #include <vector>
 
 #include "runtime/scene/scene_description.h"
+#include "runtime/scene_file/toml_defined.h"
 #include "runtime/util/names.h"
 
 namespace pointrt {

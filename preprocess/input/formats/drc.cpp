@@ -8,11 +8,11 @@
 #include <draco/compression/config/compression_shared.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
-#include <draco/compression/point_cloud/point_cloud_kd_tree_decoder.h>
 #include <draco/compression/point_cloud/point_cloud_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
 #include <draco/metadata/metadata_decoder.h>
 
+#include "preprocess/input/formats/drc_guard.h"
 #include "preprocess/input/formats/formats.h"
 #include "preprocess/input/source/attribute_names.h"
 
@@ -87,7 +87,7 @@ void checkCounts(const Source& source) {
 
 /// A decoder of the library that looks at the size of the attributes before they are decoded.
 template <typename Decoder>
-struct Guarded : Decoder {
+struct Guarded : GuardedAttributes<Decoder> {
     std::size_t file_size = 0;
 
 protected:

@@ -32,7 +32,8 @@ std::string encodedPoints(int method) {
     return {buffer.data(), buffer.size()};
 }
 
-std::string encodedMesh(int method) {
+/// bits: of each coordinate, as differences from the one before; 0: floats as they are
+std::string encodedMesh(int method, int bits = 0) {
     draco::TriangleSoupMeshBuilder builder;
     builder.Start(2);
     const int position = builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
@@ -42,6 +43,10 @@ std::string encodedMesh(int method) {
     const auto mesh = builder.Finalize();
     draco::Encoder encoder;
     encoder.SetEncodingMethod(method);
+    if (bits > 0) {
+        encoder.SetAttributeQuantization(GeometryAttribute::POSITION, bits);
+        encoder.SetAttributePredictionScheme(GeometryAttribute::POSITION, draco::PREDICTION_DIFFERENCE);
+    }
     draco::EncoderBuffer buffer;
     EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
     return {buffer.data(), buffer.size()};
@@ -102,6 +107,21 @@ TEST_F(DracoTest, EveryPrefixIsRefusedCleanly) {
     readPrefixes("a.drc", encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING));
     readPrefixes("b.drc", encodedMesh(draco::MESH_SEQUENTIAL_ENCODING));
     readPrefixes("c.drc", encodedMesh(draco::MESH_EDGEBREAKER_ENCODING));
+}
+
+TEST_F(DracoTest, PredictionMethodsThatThereAreNotAreRefused) {
+    for (const int encoding : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
+        const std::string mesh = encodedMesh(encoding, 8);
+        // The decoder of quantized numbers, the method, what wraps around
+        const std::size_t method = mesh.find(std::string("\2\0\1", 3)) + 1;
+        ASSERT_NE(method, 0u);
+        EXPECT_EQ(readText("a.drc", mesh).positions.size(), 4u);
+        for (const char none : {'\x07', '\x64', '\x80', '\xfd'}) {
+            std::string broken = mesh;
+            broken[method] = none;
+            EXPECT_NE(reasonOfText("b.drc", broken).find("the Draco data is broken"), std::string::npos);
+        }
+    }
 }
 
 TEST_F(DracoTest, PromisesAreCheckedBeforeMemoryIsTaken) {

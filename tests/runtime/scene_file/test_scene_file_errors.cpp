@@ -235,6 +235,14 @@ TEST_F(SceneFile, NamesTheLineOfBadToml) {
     EXPECT_EQ(refusal("\nroom = \"\xff\"").substr(0, 14), "scene.toml:2: ");
 }
 
+// Of these toml++'s tables of white space know nothing: it promises its compiler that nobody asks them.
+TEST_F(SceneFile, RefusesLettersWhereNoneAre) {
+    for (const char* text :
+         {"\u00e9 = 1", "up = \u00e9", "up = 1 \u00e9", "up = [\u0416]", "[\u00e9]", "\u3001 = 1", "\ufe70 = 1"})
+        EXPECT_TRUE(refusal(text).starts_with("scene.toml:1: ")) << text;
+    EXPECT_EQ(parseMore("# \u00e9\nroom = 'none'\n[material.'\u00e9']\n").materials.back().name, "\u00e9");
+}
+
 TEST_F(SceneFile, SurvivesDeepNesting) {
     const int deep = 100000;
     EXPECT_NE(refusal("a = " + std::string(deep, '[')), "");

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draco's decoders with a check that they lack: a byte of the file becomes a PredictionSchemeMethod whatever it is, and
+// what a value that the enumeration cannot hold does is not defined.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <draco/compression/attributes/sequential_attribute_decoders_controller.h>
+#include <draco/compression/config/compression_shared.h>
+#include <draco/compression/point_cloud/point_cloud_kd_tree_decoder.h>
+
+namespace pointrt {
+
+using DracoController = draco::SequentialAttributeDecodersController;
+
+/// What a controller keeps to itself, of which the guard needs the order of points that it was made with and that order
+/// as numbers. (An explicit instantiation may name what is private.)
+std::unique_ptr<draco::PointsSequencer>& sequencerOf(DracoController& controller);
+std::vector<draco::PointIndex>& pointsOf(DracoController& controller);
+template <auto sequencer, auto points>
+struct ControllerAccess {
+    friend std::unique_ptr<draco::PointsSequencer>& sequencerOf(DracoController& controller) {
+        return controller.*sequencer;
+    }
+    friend std::vector<draco::PointIndex>& pointsOf(DracoController& controller) { return controller.*points; }
+};
+template struct ControllerAccess<&DracoController::sequencer_, &DracoController::point_ids_>;
+
+/// Decodes attributes one after the other as its base does, and looks at the byte first that each begins with.
+class GuardedController : public DracoController {
+public:
+    using DracoController::DracoController;
+
+protected:
+    std::unique_ptr<draco::SequentialAttributeDecoder> CreateSequentialDecoder(std::uint8_t type) override {
+        auto decoder = DracoController::CreateSequentialDecoder(type);
+        decoders_.push_back({decoder.get(), type != draco::SEQUENTIAL_ATTRIBUTE_ENCODER_GENERIC});
+        return decoder;
+    }
+
+    bool DecodePortableAttributes(draco::DecoderBuffer* buffer) override {
+        for (const Each& each : decoders_) {
+            std::int8_t method = 0;
+            if (each.predicts &&
+                !(buffer->Peek(&method) && method >= draco::PREDICTION_NONE && method < draco::NUM_PREDICTION_SCHEMES))
+                return false;
+            if (!each.decoder->DecodePortableAttribute(pointsOf(*this), buffer)) return false;
+        }
+        return true;
+    }
+
+private:
+    struct Each {
+        draco::SequentialAttributeDecoder* decoder;
+        bool predicts; ///< begins with its method
+    };
+    std::vector<Each> decoders_; ///< in the order of the attributes
+};
+
+/// A decoder of files whose attributes are guarded. Those of k-d trees predict nothing.
+template <typename Decoder>
+class GuardedAttributes : public Decoder {
+protected:
+    bool CreateAttributesDecoder(std::int32_t id) override {
+        if (!Decoder::CreateAttributesDecoder(id)) return false;
+        if constexpr (std::is_same_v<Decoder, draco::PointCloudKdTreeDecoder>) return true;
+        auto& made = const_cast<DracoController&>(static_cast<const DracoController&>(*this->attributes_decoder(id)));
+        return this->SetAttributesDecoder(id, std::make_unique<GuardedController>(std::move(sequencerOf(made))));
+    }
+};
+
+} // namespace pointrt

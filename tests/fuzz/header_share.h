@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many mutants of .pro files get past the header, where most of the checks begin.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "pointrt/pro.h"
+
+namespace pointrt::fuzz {
+
+/// Findings 1001 to 1999 are those of the header, 2001 that of the table's shape (format/SPEC.md).
+inline bool passedHeader(pro_result result, std::uint32_t finding) { return result == PRO_OK || finding > 2001; }
+
+struct HeaderShare {
+    std::atomic<std::uint64_t> mutants{0}, passed{0}, opened{0};
+};
+
+inline HeaderShare& headerShare() {
+    static HeaderShare share;
+    return share;
+}
+
+/// Counts a file that was opened; the first call has the share printed when the process ends.
+inline void countMutant(pro_result result, std::uint32_t finding) {
+    [[maybe_unused]] static const int printed_at_exit = std::atexit([] {
+        const HeaderShare& share = headerShare();
+        std::fprintf(stderr, "past the header: %llu of %llu, opened: %llu\n",
+                     static_cast<unsigned long long>(share.passed), static_cast<unsigned long long>(share.mutants),
+                     static_cast<unsigned long long>(share.opened));
+    });
+    HeaderShare& share = headerShare();
+    ++share.mutants;
+    share.passed += passedHeader(result, finding);
+    share.opened += result == PRO_OK;
+}
+
+} // namespace pointrt::fuzz

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras as text, which Ctrl+V takes from the clipboard. What was taken must be taken again from the text of it.
+#include <optional>
+
+#include "runtime/window/view/camera_text.h"
+#include "tests/fuzz/fuzz_target.h"
+
+using namespace pointrt;
+
+POINTRT_FUZZ_TARGET(camera_text) {
+    std::optional<ViewCamera> view;
+    fuzz::expectReadOrRefused("camera text",
+                              [&] { view = withCameraText(ViewCamera{}, std::string(fuzz::textOf(input))); });
+    if (view) withCameraText(*view, cameraText(*view));
+}

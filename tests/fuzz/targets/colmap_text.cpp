@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// COLMAP's cameras.txt and images.txt.
+#include "runtime/camera_files/list_readers.h"
+#include "tests/fuzz/fuzz_target.h"
+
+using namespace pointrt;
+
+POINTRT_FUZZ_TARGET(colmap_text) {
+    const fuzz::TwoFiles files = fuzz::splitInTwo(input);
+    const fuzz::MemoryFile cameras(files.first), images(files.second);
+    fuzz::expectReadOrRefused("/proc/self/fd/", [&] { readColmapText(images.path(), cameras.path(), {}); });
+}

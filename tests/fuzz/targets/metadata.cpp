@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The metadata of .pro files, as pointrt-info prints them.
+#include "format/points/metadata.h"
+#include "tests/fuzz/fuzz_target.h"
+
+using namespace pointrt;
+
+POINTRT_FUZZ_TARGET(metadata) {
+    fuzz::expectReadOrRefused("", [&] {
+        const nlohmann::ordered_json json = parseMetadata(fuzz::textOf(input));
+        for (const bool ascii : {false, true}) dumpJson(json, ascii);
+    });
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings of what users do to a window, read and played.
+#include <cstdlib>
+
+#include "runtime/window/input/recording.h"
+#include "runtime/window/input/replay.h"
+#include "tests/fuzz/fuzz_target.h"
+
+using namespace pointrt;
+
+namespace {
+
+/// What was read must be read the same from what is written of it.
+void expectSameOnceWritten(const Recording& recording) {
+    std::string text = recordingHeader(recording.window);
+    for (const RecordedEvent& event : recording.events) text += recordingLine(event);
+    const Recording again = parseRecording(text, "again"); // a name that no refusal may have
+    if (again.events.size() != recording.events.size()) std::abort();
+}
+
+} // namespace
+
+POINTRT_FUZZ_TARGET(recording) {
+    fuzz::expectReadOrRefused("recording", [&] {
+        const Recording recording = parseRecording(fuzz::textOf(input), "recording");
+        expectSameOnceWritten(recording);
+        constexpr int kFrames = 200; // of recordings that go on for days
+        Replay replay(recording);
+        for (int i = 0; i < kFrames && !replay.next({1, false, false}).quit; ++i) continue;
+    });
+}
