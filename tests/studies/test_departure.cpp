@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace pointrt {
 namespace {
 
@@ -20,10 +22,12 @@ TEST(Departure, StartsAQuarterOfTheRadiusUpOnTheRaysSide) {
     EXPECT_TRUE(isFaced(both, {1, 0, -0.1}));
 }
 
-TEST(Departure, OwnsThreeRadiiUpAndEightAlong) {
+TEST(Departure, OwnsThreeRadiiUpDownToTwoDegrees) {
     EXPECT_NEAR(leaveTowards(kLevel, {0, 0, 1}).own_reach, 1.2, 1e-12);
     EXPECT_NEAR(leaveTowards(kLevel, normalize({1, 0, 1})).own_reach, 1.2 * std::sqrt(2.0), 1e-12);
-    EXPECT_NEAR(leaveTowards(kLevel, normalize({1, 0, 0.01})).own_reach, 3.2, 1e-12);
+    const double two_degrees = std::sin(2 * std::numbers::pi / 180);
+    EXPECT_NEAR(leaveTowards(kLevel, normalize({1, 0, 0.05})).own_reach, 1.2 * std::hypot(1, 0.05) / 0.05, 1e-9);
+    EXPECT_NEAR(leaveTowards(kLevel, normalize({1, 0, 0.01})).own_reach, 1.2 / two_degrees, 1e-5);
     StudyDisc noisy = kLevel;
     noisy.noise = 0.3;
     EXPECT_NEAR(leaveTowards(noisy, {0, 0, 1}).own_reach, 1.5, 1e-12);

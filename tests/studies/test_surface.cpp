@@ -67,6 +67,12 @@ TEST_F(Surface, GroundDoesNotShadeItself) {
     EXPECT_EQ(litShare(roughGround(0, 0, 0), towards(2, 100), Sides::kFront).lit, 1);
 }
 
+TEST_F(Surface, ScatterThatNobodyCleanedOffDoesNotHideGroundFromALowSun) {
+    // as a bake leaves points a third of a radius off the ground without cleaning: normals fitted to many lean little
+    for (const double elevation : {10.0, 6.0, 4.0})
+        EXPECT_GT(litShare(roughGround(0.33, 1.5, 0), towards(elevation, 100), Sides::kFront).lit, 0.99) << elevation;
+}
+
 TEST_F(Surface, NormalsThatAreTurnedRoundCountWhereTheyAreTrusted) {
     const std::vector<pro_splat> ground = roughGround(0.1, 5, 0.5);
     EXPECT_GT(litShare(ground, towards(40, 100), Sides::kBoth).lit, 0.999);

@@ -11,9 +11,10 @@
 //
 // A point is a disc, or a place in the air. Its rays start on its disc, a quarter of its radius up on the side that
 // they leave it by. What they meet on the way out of the surface that it lies in is that surface, not something in the
-// way: a disc met lower than 3 radii over the point's own (or 5 standard deviations of its noise) and within 8 radii
-// (28.8 deviations) along the ray, parallel to it within 60 degrees and crossed the way that its own was left. These
-// are the rules by which pictures leave surfaces (shaders/trace/offset.glsl).
+// way: a disc met lower than 3 radii over the point's own (or 5 standard deviations of its noise), parallel to it
+// within 60 degrees and crossed the way that its own was left. These are the rules by which pictures leave surfaces
+// (shaders/trace/offset.glsl), but for rays that hardly rise: here they are in their own surface until they are as
+// high, at less than 2 degrees as far as at 2.
 //
 // All of it may be used from several threads at once, and throws TraceError or std::bad_alloc.
 #pragma once

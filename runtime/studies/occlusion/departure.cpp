@@ -8,18 +8,22 @@ namespace pointrt {
 namespace {
 
 // The numbers of shaders/trace/offset.glsl, and why they are what they are.
-constexpr double kOwnHeight = 3, kOwnReach = 8;                 // radii: over the disc's plane, and along the ray
-constexpr double kNoisyHeight = 5, kNoisyReach = 5 / 0.1736482; // standard deviations; sine of 10 degrees
-constexpr double kNoiseMost = 1;                                // radii that noise counts up to
-constexpr double kLift = 0.25;                                  // radii
-constexpr double kOwnCosine = 0.5;                              // of 60 degrees
+constexpr double kOwnHeight = 3;   // radii over the disc's plane
+constexpr double kNoisyHeight = 5; // standard deviations
+constexpr double kNoiseMost = 1;   // radii that noise counts up to
+constexpr double kLift = 0.25;     // radii
+constexpr double kOwnCosine = 0.5; // of 60 degrees
+
+/// Rays that rise less count as rising so much: 2 degrees. Pictures end own surfaces sooner, 8 radii along the ray:
+/// what is lit at such angles is dark there. Hours do not get fewer with the angle, and scatter that no bake has
+/// cleaned off (a third of a radius) hides a tenth of level ground from a sun of 6 degrees, a quarter of it at 4, if 8
+/// radii end it.
+constexpr double kLeastRise = 0.0348995;
 
 /// towards: unit length, on the side of normal
 double ownReach(const StudyDisc& disc, Vec3 normal, Vec3 towards) {
     const double noise = std::min(disc.noise, kNoiseMost * disc.radius);
-    const double height = std::max(kOwnHeight * disc.radius, kNoisyHeight * noise);
-    const double reach = std::max(kOwnReach * disc.radius, kNoisyReach * noise);
-    return std::min(height / std::max(dot(normal, towards), 1e-6), reach);
+    return std::max(kOwnHeight * disc.radius, kNoisyHeight * noise) / std::max(dot(normal, towards), kLeastRise);
 }
 
 Vec3 sideOf(const StudyDisc& disc, Vec3 towards) {
