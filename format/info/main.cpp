@@ -2,11 +2,12 @@
 // pointrt-info: tells what is in a .pro file, checks it, exports it.
 #include <unistd.h>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "format/base/same_file.h"
+#include "format/command_line/command_line.h"
 #include "format/info/export_points.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
@@ -28,14 +29,13 @@ constexpr const char* kExamples = "  pointrt-info scan.pro\n"
                                   "  pointrt-info scan.pro --json | jq .splats\n"
                                   "  pointrt-info scan.pro --export splats.ply\n"
                                   "  pointrt-info scan.pro --export points.laz\n";
-constexpr const char* kNotes =
-    "Exit codes: 0 done, 1 FILE is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
-void addOptions(CLI::App& app, Options& options) {
+void addOptions(CommandLine& app, Options& options) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("FILE", options.input, "The .pro file, or the folder NAME.proset of a tile set")
         ->required()
         ->type_name("");
+    completes(app, "FILE", ".pro .proset");
     app.add_flag("--json", options.json, "Print JSON instead of text");
     app.add_flag("--verify", options.verify, "Make every check there is; exit 1 on findings");
     app.add_option(
@@ -43,9 +43,10 @@ void addOptions(CLI::App& app, Options& options) {
            "Write the splats in input order, a set's tile by tile, as PLY, LAS or LAZ, by its suffix; - is PLY to "
            "standard output; one that is there is kept without -f")
         ->type_name("FILE");
+    completes(app, "--export", ".ply .las .laz");
     app.add_flag("-f,--force", options.force, "Let --export overwrite a file");
     app.add_flag("-q,--quiet", options.quiet, "No reports, only errors and what is asked for: --verify lists findings");
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, "FILE is wrong", kExamples);
 }
 
 void checkOptions(const Options& options) {
@@ -133,7 +134,7 @@ int runOptions(const Options& options) {
 
 int main(int argc, char** argv) {
     return runTool("pointrt-info", [&] {
-        CLI::App app("Tells what is in a .pro file.", "pointrt-info");
+        CommandLine app("Tells what is in a .pro file.", "pointrt-info");
         Options options;
         addOptions(app, options);
         if (const auto done =

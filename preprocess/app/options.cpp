@@ -7,8 +7,8 @@
 #include <map>
 #include <thread>
 
-#include "format/base/command_line.h"
 #include "format/base/error.h"
+#include "format/command_line/command_line.h"
 #include "preprocess/app/filter_options.h"
 #include "preprocess/app/set_options.h"
 #include "preprocess/input/folders.h"
@@ -44,7 +44,7 @@ std::string joined(const std::map<std::string, Value>& choices) {
 }
 
 template <typename Value>
-CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
+CLI::Option* addChoice(CommandLine& app, const std::string& name, Value& value,
                        const std::map<std::string, Value>& choices, const std::string& help) {
     return app
         .add_option_function<std::string>(
@@ -67,8 +67,6 @@ constexpr const char* kExamples =
     "  pointrt-bake tiles/ --classes 2,6 -o city.pro     ground and buildings of a folder of tiles\n"
     "  pointrt-bake mesh.obj --sample 1000000 -o mesh.pro\n"
     "  zcat scan.xyz.gz | pointrt-bake - -f -o scan.pro\n";
-constexpr const char* kNotes =
-    "Exit codes: 0 done, 1 a scan is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
 
 /// A range check that leaves saying the range to the option's own help text.
 template <typename Value>
@@ -81,7 +79,7 @@ CLI::Validator notNegative() {
     return {[](const std::string& text) { return text.starts_with('-') ? text + " is below 0" : std::string(); }, ""};
 }
 
-void addInputFormat(CLI::App& app, std::string& format) {
+void addInputFormat(CommandLine& app, std::string& format) {
     std::vector<std::string> names;
     for (const InputFormat& each : inputFormats()) names.emplace_back(each.name);
     std::string list = names.front();
@@ -89,20 +87,33 @@ void addInputFormat(CLI::App& app, std::string& format) {
     app.add_option("--input-format", format, "Format: " + list + " (default: by content)")
         ->check(CLI::IsMember(names).description(""))
         ->type_name("NAME");
+    completes(app, "--input-format", joinedWords(names, " "));
 }
 
-void addInputOptions(CLI::App& app, BakeOptions& options) {
+/// Those of all formats, as they are and gzipped.
+std::string scanSuffixes() {
+    std::string list;
+    for (const InputFormat& each : inputFormats())
+        forSuffixes(each, [&](std::string_view suffix) {
+            list += "." + std::string(suffix) + " ." + std::string(suffix) + ".gz ";
+        });
+    return list;
+}
+
+void addInputOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Scans in, scene out");
     app.add_option("SCAN", options.inputs,
                    "Scan files and folders of them, merged into one cloud; - reads standard input")
         ->required()
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    completes(app, "SCAN", scanSuffixes());
     app.add_option("-o,--output", options.output,
                    "The .pro to write, or a folder NAME.proset of many of them for scans of any size; a bake takes "
                    "long, so one that is there is kept without -f")
         ->type_name("FILE")
         ->option_text("FILE REQUIRED");
+    completes(app, "--output", ".pro .proset");
     app.add_flag("-f,--force", options.force, "Overwrite the output");
     app.add_flag_callback(
         "--compact", [&] { options.index = false; },
@@ -122,11 +133,11 @@ void addInputOptions(CLI::App& app, BakeOptions& options) {
 
 /// Calls take(words) with the option's text.
 template <typename Take>
-CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string& help, const Take& take) {
+CLI::Option* addParsed(CommandLine& app, const std::string& name, const std::string& help, const Take& take) {
     return app.add_option_function<std::string>(name, take, help);
 }
 
-void addFilterOptions(CLI::App& app, BakeOptions& options) {
+void addFilterOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Which points, and where");
     auto& read = options.read;
     addParsed(app, "--bounds", "Only points inside, in the scan's coordinates", [&](const std::string& text) {
@@ -168,7 +179,7 @@ void addFilterOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("auto|none|NAMES");
 }
 
-void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
+void addSurfaceOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Surface");
     auto& surface = options.surface;
     addChoice(app, "--normals", surface.normals, kNormalSources,
@@ -191,7 +202,7 @@ void addSurfaceOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("R");
 }
 
-void addOctreeOptions(CLI::App& app, BakeOptions& options) {
+void addOctreeOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Octree");
     app.add_option("--max-leaf-splats", options.octree.max_leaf_splats,
                    "Members before a leaf more than 11 radii wide splits, 1 to 65535 (default 8)")
@@ -211,7 +222,7 @@ void addOctreeOptions(CLI::App& app, BakeOptions& options) {
         ->type_name("H");
 }
 
-void addTileSetOptions(CLI::App& app, BakeOptions& options) {
+void addTileSetOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Tile sets, -o NAME.proset; steps leave their work in NAME.proset.work");
     TileSetOptions& tiles = options.tiles;
     addParsed(app, "--max-memory", "What a bake stays below, as 4G or 800M, from 512M (default 4G)",
@@ -226,16 +237,18 @@ void addTileSetOptions(CLI::App& app, BakeOptions& options) {
         "blocks there are",
         [&](const std::string& text) { parseSetStep(text, tiles); })
         ->type_name("STEP");
+    completes(app, "--step", setStepWords());
     app.add_flag("--keep-work", tiles.keep_work, "Leave NAME.proset.work where it is in the end");
 }
 
-void addReportOptions(CLI::App& app, BakeOptions& options) {
+void addReportOptions(CommandLine& app, BakeOptions& options) {
     app.option_defaults()->group("Running and reporting");
     app.add_option("-j,--threads", options.threads, "Threads, 0 to 4096, 0 uses all cores (default 0)")
         ->check(range(0, 4096))
         ->type_name("N");
     app.add_option("--stats", options.stats_path, "Write figures as JSON, - for standard output (default: none)")
         ->type_name("FILE");
+    completes(app, "--stats", ".json");
     addChoice(app, "--progress", options.progress, kProgressStyles,
               "On standard error; lines: 'progress SHARE STAGE POINTS_PER_SECOND' for programs (default auto)");
     app.add_flag_callback(
@@ -260,7 +273,7 @@ void checkOutputName(const BakeOptions& options) {
         usage(output + ": the output's name must end in .pro or .proset");
 }
 
-void checkTileSetOptions(const CLI::App& app, BakeOptions& options) {
+void checkTileSetOptions(const CommandLine& app, BakeOptions& options) {
     const std::string slashed = ".proset/"; // as shells complete the names of folders
     if (options.output.ends_with(slashed)) options.output.pop_back();
     if (options.isTileSet()) return;
@@ -290,9 +303,9 @@ std::string choiceName(NormalSource source) { return nameIn(kNormalSources, sour
 std::string choiceName(OrientMode mode) { return nameIn(kOrientModes, mode); }
 
 bool parseOptions(int argc, char** argv, BakeOptions& options) {
-    CLI::App app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +
-                     " sets.",
-                 "pointrt-bake"};
+    CommandLine app{"Bakes point scans into a .pro file that pointrt-view ray traces.\nReads " + readableFormats() +
+                        " sets.",
+                    "pointrt-bake"};
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     addInputOptions(app, options);
     addFilterOptions(app, options);
@@ -300,7 +313,7 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     addOctreeOptions(app, options);
     addTileSetOptions(app, options);
     addReportOptions(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes); // under the last heading
+    addCommonOptions(app, POINTRT_VERSION, "a scan is wrong", kExamples); // under the last heading
     if (parseCommandLine(app, argc, argv)) return false;
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");

@@ -48,6 +48,13 @@ std::uint64_t parseBytes(const std::string& option, const std::string& text) {
     return static_cast<std::uint64_t>(bytes);
 }
 
+std::string setStepWords() {
+    std::string words;
+    for (const StepName& each : kSteps)
+        words += (words.empty() ? "" : " ") + std::string(each.name) + (each.numbered ? ":" : "");
+    return words;
+}
+
 void parseSetStep(const std::string& text, TileSetOptions& tiles) {
     const std::size_t colon = text.find(':');
     const auto row = std::find_if(std::begin(kSteps), std::end(kSteps),

@@ -3,11 +3,14 @@
 
 #include <unistd.h>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
+#include "format/command_line/command_line.h"
 
 namespace pointrt {
 namespace {
 
+constexpr const char* kName = "pointrt-rays cast";
+constexpr const char* kAbout = "Casts rays at scans: what each of them hits first, or whether it hits anything.";
 constexpr const char* kExamples =
     "  pointrt-rays cast site.pro --rays rays.npy -o hits.npz\n"
     "  pointrt-rays cast site.pro --rays rays.csv -o points.ply --attributes intensity,classification\n"
@@ -17,14 +20,15 @@ constexpr const char* kExamples =
 constexpr const char* kNotes =
     "RAYS are (N, 6): origin and direction in the scan's coordinates, float64 or float32 (.npy), or text, six\n"
     "numbers a line. Columns of hits: t_hit (lengths of the direction; inf for a miss), splat_ids, instance_ids\n"
-    "(4294967295 for a miss), of sets tile_ids, normals, positions; docs/RAYS.md has more.\n"
-    "Exit codes: 0 done, 1 an input is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+    "(4294967295 for a miss), of sets tile_ids, normals, positions; docs/RAYS.md has more.";
 
-void addOptions(CLI::App& app, CastOptions& options) {
+void addOptions(CommandLine& app, CastOptions& options) {
     addSceneAndOutput(app, options,
                       "Hits, by the suffix: .npz, .npy (records), .csv, .ply (points that were hit); - is a stream, an "
-                      "array for arrays and text for text; what is there is replaced");
+                      "array for arrays and text for text; what is there is replaced",
+                      ".npz .npy .csv .ply");
     app.add_option("--rays", options.rays, "Rays: .npy or text, - is standard input")->required()->type_name("FILE");
+    completes(app, "--rays", ".npy .csv .txt");
     app.add_flag("--any", options.any, "Only whether anything is hit, which is sooner known: the column hit");
     app.add_option("--attributes", options.attributes, "Attributes of the scan at the hits, such as intensity,gps_time")
         ->type_name("NAMES")
@@ -34,7 +38,7 @@ void addOptions(CLI::App& app, CastOptions& options) {
         ->type_name("T");
     app.add_option("--t-max", options.limits.t_max, "What is farther does not count (inf)")->type_name("T");
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
 }
 
 void checkOptions(const CastOptions& options) {
@@ -47,14 +51,20 @@ void checkOptions(const CastOptions& options) {
 } // namespace
 
 std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptions& options) {
-    CLI::App app("Casts rays at scans: what each of them hits first, or whether it hits anything.",
-                 "pointrt-rays cast");
+    CommandLine app(kAbout, kName);
     addOptions(app, options);
     if (const auto done =
             parseCommandLine(app, argc, argv, {{".npz", "-o"}, {".npy", "--rays"}, {".csv", "--rays"}, {".ply", "-o"}}))
         return done;
     checkOptions(options);
     return {};
+}
+
+CommandText castText() {
+    CastOptions options;
+    CommandLine app(kAbout, kName);
+    addOptions(app, options);
+    return describe(app);
 }
 
 } // namespace pointrt

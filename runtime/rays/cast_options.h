@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "format/command_line/command_text.h"
 #include "pointrt/trace.hpp"
 #include "runtime/rays/command/common_options.h"
 
@@ -21,5 +22,8 @@ struct CastOptions : CommonOptions {
 /// Fills options from the words behind "cast". Returns an exit code where the run ends here (--help and --version).
 /// Throws Error kBadUsage with one line for anything wrong.
 std::optional<int> parseCastOptions(int argc, const char* const* argv, CastOptions& options);
+
+/// What --help says, as data.
+CommandText castText();
 
 } // namespace pointrt

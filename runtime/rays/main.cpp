@@ -4,9 +4,12 @@
 
 #include "format/base/report_file.h"
 #include "format/base/run_tool.h"
+#include "format/command_line/command_line.h"
 #include "runtime/rays/cast_job.h"
+#include "runtime/rays/cast_options.h"
 #include "runtime/rays/command/command_table.h"
 #include "runtime/rays/lidar/lidar_job.h"
+#include "runtime/rays/lidar/lidar_options.h"
 #include "runtime/rays/study/sun_command.h"
 #include "runtime/rays/study/viewshed_command.h"
 
@@ -15,19 +18,25 @@ namespace {
 using namespace pointrt;
 
 constexpr RayCommand kCommands[] = {
-    {"cast", "first hits, or occlusion, of any rays", castCommand},
-    {"lidar", "what a laser scanner would measure", lidarCommand},
-    {"sun", "hours of direct sun on points, and how much of the sky they see", sunCommand},
-    {"viewshed", "which points observers see", viewshedCommand},
+    {"cast", "first hits, or occlusion, of any rays", castCommand, castText},
+    {"lidar", "what a laser scanner would measure", lidarCommand, lidarText},
+    {"sun", "hours of direct sun on points, and how much of the sky they see", sunCommand, sunText},
+    {"viewshed", "which points observers see", viewshedCommand, viewshedText},
 };
+
+/// What an option in place of a command prints; empty where it is none of the tool's.
+std::string answer(std::string_view option, const char* value) {
+    if (option == "--version") return "pointrt-rays " POINTRT_VERSION "\n";
+    if (option == "--help" || option == "-h") return toolHelp(toolText(kCommands, POINTRT_VERSION));
+    return option == "--generate" ? generatedText(toolText(kCommands, POINTRT_VERSION), value ? value : "") : "";
+}
 
 int run(int argc, const char* const* argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
-    if (command == "--help" || command == "-h" || command == "--version") {
-        writeReport("-", command == "--version" ? "pointrt-rays " POINTRT_VERSION "\n" : commandHelp(kCommands));
-        return 0;
-    }
-    return commandNamed(kCommands, command).run(argc - 1, argv + 1);
+    const std::string text = answer(command, argc > 2 ? argv[2] : nullptr);
+    if (text.empty()) return commandNamed(kCommands, command).run(argc - 1, argv + 1);
+    writeReport("-", text);
+    return 0;
 }
 
 } // namespace

@@ -14,8 +14,9 @@ namespace pointrt {
 namespace {
 
 constexpr std::uint32_t kMaxBenchFrames = 100000;
-constexpr double kMaxSeconds = 1e7; // a third of a year
-constexpr double kMaxHeight = 1e12; // as scene files take lengths
+constexpr std::uint32_t kMaxThumbnail = 1024; // the largest of file managers
+constexpr double kMaxSeconds = 1e7;           // a third of a year
+constexpr double kMaxHeight = 1e12;           // as scene files take lengths
 
 constexpr std::array kProgressNames = {Name{"auto", false}, Name{"lines", true}};
 
@@ -80,12 +81,18 @@ OptionGroup imageOptions() {
         {{"-o,--output", "FILE",
           "Render to FILE.png (8-bit sRGB) or FILE.exr (float, with first hits and the parts of the light), replacing "
           "what is there; - is PNG to standard output",
-          [](Options& o, const std::string& text) { o.output = text; }},
+          [](Options& o, const std::string& text) { o.output = text; }, ".png .exr"},
          {"--turntable", "N",
           "Render N pictures with the camera going around the target once, -o frames/%04d.png (default: none, 1 "
           "to " +
               std::to_string(kMaxTurntable) + ")",
-          [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }}},
+          [](Options& o, const std::string& text) { o.turntable = parseCount(text, 1, kMaxTurntable); }},
+         {"--thumbnail", "N",
+          "Render a PNG of N x N pixels to -o FILE, whatever its suffix, in about a second, for file managers "
+          "(default: "
+          "none, 1 to " +
+              std::to_string(kMaxThumbnail) + ")",
+          [](Options& o, const std::string& text) { o.thumbnail = parseCount(text, 1, kMaxThumbnail); }}},
         HelpGroup::kImage};
 }
 
@@ -115,7 +122,7 @@ OptionGroup cameraOptions() {
         {{"--view", "NAME",
           "A view of the scene file in place of its camera, or of any scene " + joinedNames(kStandardViewNames, ", ") +
               "; the options below overrule it",
-          [](Options& o, const std::string& text) { o.view = text; }},
+          [](Options& o, const std::string& text) { o.view = text; }, joinedNames(kStandardViewNames, " ")},
          {"--eye", "X,Y,Z",
           "Where it stands (default: at the side that shows most, as near as all of the scene but strays fits; where "
           "one scanner saw all, there)",
@@ -125,7 +132,7 @@ OptionGroup cameraOptions() {
          {"--up", "auto|AXIS|X,Y,Z",
           "What is up: x, y, z, -x, -y or -z stands the scene on it and looks at its front; a vector turns the "
           "image (default auto: as the scan says, else y)",
-          setUp},
+          setUp, "x y z -x -y -z"},
          {"--fov", "DEG",
           "Vertical field of view (default " + plainText(CameraRequest{}.fov_deg) + ", above 0 and below 180)",
           [](Options& o, const std::string& text) { o.fov_deg = parseAngle(text); }},
@@ -142,11 +149,11 @@ OptionGroup camerasOptions() {
         {{"--cameras", "FILE|FOLDER",
           "Render a picture from each camera of a transforms.json (nerfstudio, Instant-NGP), or of COLMAP's cameras "
           "and images (.txt, .bin), to -o FOLDER, with a transforms.json that names them (default: none)",
-          [](Options& o, const std::string& text) { o.cameras = text; }},
+          [](Options& o, const std::string& text) { o.cameras = text; }, ".json .txt .bin"},
          {"--layers", "NAMES",
           "What is written of each, apart by commas: " + joinedNames(kLayerNames, ", ") +
               "; depths are whole numbers along the viewing axis, 0 for nothing (default rgb,depth,normal,exr)",
-          [](Options& o, const std::string& text) { setLayers(o.camera_output, text); }},
+          [](Options& o, const std::string& text) { setLayers(o.camera_output, text); }, joinedNames(kLayerNames, " ")},
          {"--depth-unit", "LENGTH",
           "A depth PNG's 1, in the scan's unit (default: 0.001, or the next power of ten that all of the scene "
           "fits in 65535 of)",
@@ -184,7 +191,7 @@ OptionGroup runOptions() {
           "Render N frames after a warm-up, print JSON (default: none, 1 to " + std::to_string(kMaxBenchFrames) + ")",
           [](Options& o, const std::string& text) { o.bench_frames = parseCount(text, 1, kMaxBenchFrames); }},
          {"--stats", "FILE", "Write counts and times as JSON, - for standard output (default: none)",
-          [](Options& o, const std::string& text) { o.stats = text; }},
+          [](Options& o, const std::string& text) { o.stats = text; }, ".json"},
          {.names = "--profile",
           .help = "Where the time of a frame goes, pass by pass: on standard error, and in --stats and --bench as "
                   "\"profile\". Each pass waits for the one before: frames take a little longer (default: off)",

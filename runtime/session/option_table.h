@@ -19,6 +19,7 @@ struct OptionRow {
     std::string help;
     /// Takes the value. Throws std::invalid_argument with the reason where it is none.
     void (*set)(Options& options, const std::string& text) = nullptr;
+    std::string completes = {};    ///< what shells offer: completes() of command_line.h
     bool Options::*flag = nullptr; ///< of a switch, which has no placeholder
 };
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "format/base/command_line.h"
 #include "format/base/error.h"
+#include "format/command_line/command_line.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/option_table.h"
 
@@ -18,7 +18,6 @@ constexpr const char* kExamples =
     "  pointrt-view scan.pro --integrator path --time-limit 60 --size 1920x1080 -o scan.png\n"
     "  pointrt-view scene.toml --view top -o - | convert - top.jpg\n";
 constexpr const char* kNotes =
-    "Exit codes: 0 done, 1 the scene is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.\n"
     "Ctrl-C while a picture is rendered: what there is of it is written, of an EXR for --resume; the exit status is\n"
     "the signal's all the same. A second Ctrl-C ends at once.\n"
     "A PNG is written while it is rendered, in 1.3 GiB of memory at most. EXRs, turntables and what\n"
@@ -26,8 +25,8 @@ constexpr const char* kNotes =
     "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.";
 
 /// Adds an option whose text goes through set; what set throws as std::invalid_argument becomes "NAME: reason".
-void add(CLI::App& app, const std::string& names, const char* placeholder, const std::string& help,
-         const std::function<void(const std::string&)>& set) {
+void add(CommandLine& app, const std::string& names, const char* placeholder, const std::string& help,
+         const std::string& candidates, const std::function<void(const std::string&)>& set) {
     const std::string name = names.substr(names.rfind(',') == std::string::npos ? 0 : names.rfind(',') + 1);
     auto callback = [set, name](const std::string& text) {
         try {
@@ -37,13 +36,14 @@ void add(CLI::App& app, const std::string& names, const char* placeholder, const
         }
     };
     app.add_option_function<std::string>(names, callback, help)->type_name(placeholder);
+    completes(app, name, candidates);
 }
 
-void addRow(CLI::App& app, const OptionRow& row, Options& options) {
+void addRow(CommandLine& app, const OptionRow& row, Options& options) {
     if (row.flag)
         app.add_flag(row.names, options.*row.flag, row.help);
     else
-        add(app, row.names, row.placeholder, row.help,
+        add(app, row.names, row.placeholder, row.help, row.completes,
             [&options, set = row.set](const std::string& text) { set(options, text); });
 }
 
@@ -59,21 +59,32 @@ std::string helpOf(const Row& row) {
     return standard ? replaced(help, "{default}", valueText(row.limits, *standard)) : help;
 }
 
-void addSettings(CLI::App& app, HelpGroup group, RenderChoices& choices) {
+/// What shells offer for a setting, blanks between them.
+template <typename Limits>
+std::string offersOf(const Limits&) {
+    return {};
+}
+template <typename Named>
+std::string offersOf(const OneOf<Named>& limits) {
+    return joinedNames(limits.names, " ");
+}
+std::string offersOf(const AttributeWord&) { return "rgb height normal scan intensity class"; }
+
+void addSettings(CommandLine& app, HelpGroup group, RenderChoices& choices) {
     forEachRenderSetting([&](const auto& row) {
         if (row.command_line.group != group) return;
-        add(app, row.command_line.option, row.command_line.placeholder, helpOf(row),
+        add(app, row.command_line.option, row.command_line.placeholder, helpOf(row), offersOf(row.limits),
             [&choices, &row](const std::string& text) { choices.*row.choice = parseValue(row.limits, text); });
     });
 }
 
-void addGroups(CLI::App& app, Options& options) {
+void addGroups(CommandLine& app, Options& options) {
     for (const OptionGroup& group : optionGroups()) {
         app.option_defaults()->group(group.heading);
         for (const OptionRow& row : group.options) addRow(app, row, options);
         if (group.settings) addSettings(app, *group.settings, options.choices);
     }
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes); // under the last heading
+    addCommonOptions(app, POINTRT_VERSION, "the scene is wrong", kExamples, kNotes); // under the last heading
 }
 
 void requireOutput(bool given, bool fits, const char* option, const char* suffix) {
@@ -136,12 +147,34 @@ void requireNoCameraList(const Options& options) {
         throw Error{ExitCode::kBadUsage, "--layers, --depth-unit and --distortion go with --cameras"};
 }
 
+void requireThumbnail(const Options& options) {
+    if (options.output.empty()) throw Error{ExitCode::kBadUsage, "--thumbnail: goes with -o FILE"};
+    const char* other = options.choices.size               ? "--size"
+                        : options.turntable != 0           ? "--turntable"
+                        : options.bench_frames != 0        ? "--bench"
+                        : options.resume                   ? "--resume"
+                        : !options.cameras.empty()         ? "--cameras"
+                        : options.output.ends_with(".exr") ? "-o FILE.exr"
+                                                           : nullptr;
+    if (other) throw Error{ExitCode::kBadUsage, std::string("--thumbnail and ") + other + " exclude each other"};
+}
+
+/// What nobody has said of it. The time bounds scenes whose samples take long.
+void fillThumbnail(Options& options) {
+    constexpr double kSeconds = 1; // file managers wait for pictures of whole folders
+    options.choices.size = PixelSize{options.thumbnail, options.thumbnail};
+    if (!options.choices.spp) options.choices.spp = RenderSettings{}.spp;
+    if (!options.limits.seconds) options.limits.seconds = kSeconds;
+    options.quiet = !options.verbose;
+}
+
 void requireTask(const Options& options) {
     if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
     if (options.fov_deg && options.camera.ortho)
         throw Error{ExitCode::kBadUsage,
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
     if (options.list_devices) return;
+    if (options.thumbnail != 0) requireThumbnail(options);
     if (options.cameras.empty())
         requireNoCameraList(options);
     else
@@ -165,7 +198,8 @@ void requireTask(const Options& options) {
 } // namespace
 
 bool writesPng(const Options& options) {
-    return options.cameras.empty() && (options.output == "-" || options.output.ends_with(".png"));
+    return options.cameras.empty() &&
+           (options.thumbnail != 0 || options.output == "-" || options.output.ends_with(".png"));
 }
 
 bool opensWindow(const Options& options) {
@@ -173,7 +207,7 @@ bool opensWindow(const Options& options) {
 }
 
 std::optional<int> parseOptions(int argc, const char* const* argv, Options& options) {
-    CLI::App app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
+    CommandLine app("Renders point scans and scenes of them by tracing rays on a Vulkan device.", "pointrt-view");
     app.get_formatter()->column_width(26);
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option(
@@ -182,9 +216,11 @@ std::optional<int> parseOptions(int argc, const char* const* argv, Options& opti
            "options overrule")
         ->type_name("")
         ->group("Scene");
+    completes(app, "SCENE", ".pro .proset .toml");
     addGroups(app, options);
     if (const auto done = parseCommandLine(app, argc, argv, {{".png", "-o"}, {".exr", "-o"}})) return done;
     requireTask(options);
+    if (options.thumbnail != 0) fillThumbnail(options);
     return {};
 }
 

@@ -37,6 +37,7 @@ struct Options {
     CameraOutput camera_output;         ///< what it gets of each
     bool drops_distortion = false;      ///< of their lenses
     std::uint32_t turntable = 0;        ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
+    std::uint32_t thumbnail = 0;        ///< pixels of its sides, 0: none; output is then a PNG whatever its name
     bool resume = false;                ///< go on with the film in output, which ends in .exr
     std::uint32_t bench_frames = 0;     ///< 0: no benchmark
     bool list_devices = false;
@@ -48,7 +49,7 @@ struct Options {
     bool progress_lines = false; ///< for programs that show it in their own way
 };
 
-/// True where output is a PNG: FILE.png, or "-", which is standard output.
+/// True where output is a PNG: FILE.png, a thumbnail, or "-", which is standard output.
 bool writesPng(const Options& options);
 
 /// True where what options ask for is a window.

@@ -17,7 +17,7 @@ bigEndian() {
 case_help_names_every_option() {
     local option
     expectDone pointrt-view --help
-    for option in -o --output --size --spp --seed --turntable --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
+    for option in -o --output --size --spp --seed --turntable --thumbnail --view --eye --target --up --fov --ortho --integrator --bounces --room --lights \
         --color-by --color-map --color-range --legend --shadows --caustics --denoise --exposure --time-limit --noise --resume --device --bench --stats --profile -q -v; do
         grep -Eq -e "(^|[ ,])$option([ ,=]|\$)" stdout || fail "--help does not name $option"
     done
@@ -193,6 +193,22 @@ case_damaged_index() {
         printf '\377\377\377\377' | dd of=damaged.pro bs=1 seek="$offset" conv=notrunc status=none
         expectError 1 "damaged.pro: .*checksum" pointrt-view damaged.pro -o out/a.png --size 32x32
     done
+}
+
+case_thumbnail() {
+    local command
+    bakeSphere
+    command=$(sed -n 's/^Exec=//p' "$suite_dir/../../packaging/desktop/pointrt.thumbnailer") # what file managers run
+    command=${command//%i/scene.pro} command=${command//%s/128} command=${command//%o/out/no_suffix}
+    # shellcheck disable=SC2086 # a list of words
+    expectDone env -u DISPLAY -u WAYLAND_DISPLAY $command
+    [ ! -s stderr ] || fail "something on stderr"
+    [ "$(head -c 8 out/no_suffix | od -An -t x1 | tr -d ' \n')" = 89504e470d0a1a0a ] || fail "no PNG"
+    [ "$(bigEndian out/no_suffix 16)x$(bigEndian out/no_suffix 20)" = 128x128 ] || fail "not of 128 pixels"
+    expectDone pointrt-view scene.pro --size 128x128 -q -o out/picture.png
+    cmp out/no_suffix out/picture.png || fail "a thumbnail that had time enough is another picture"
+    expectError 2 "--thumbnail: goes with -o FILE" pointrt-view scene.pro --thumbnail 64
+    expectError 2 "--thumbnail and --size exclude each other" pointrt-view scene.pro --thumbnail 64 --size 8x8 -o out/a.png
 }
 
 case_wrong_suffix() {

@@ -2,19 +2,49 @@
 #include "runtime/rays/command/command_table.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "format/base/error.h"
+#include "format/command_line/command_line.h"
+#include "runtime/rays/command/common_options.h"
 
 namespace pointrt {
 
-std::string commandHelp(std::span<const RayCommand> commands) {
-    std::string text = "Asks scans what rays meet.\nUsage: pointrt-rays COMMAND ...\n\nCommands:\n";
+namespace {
+
+/// Two columns.
+std::string listLines(const std::vector<std::pair<std::string, std::string>>& rows) {
     std::size_t widest = 0;
-    for (const RayCommand& command : commands) widest = std::max(widest, command.name.size());
-    for (const RayCommand& command : commands)
-        text += "  " + std::string(command.name) + std::string(widest + 2 - command.name.size(), ' ') +
-                std::string(command.purpose) + "\n";
-    return text + "\npointrt-rays COMMAND --help tells more of each. --version prints the version.\n";
+    for (const auto& [name, purpose] : rows) widest = std::max(widest, name.size());
+    std::string text;
+    for (const auto& [name, purpose] : rows)
+        text += "  " + name + std::string(widest + 2 - name.size(), ' ') + purpose + "\n";
+    return text;
+}
+
+} // namespace
+
+CommandText toolText(std::span<const RayCommand> commands, const std::string& version) {
+    CommandLine app("Asks scans what rays meet.", "pointrt-rays");
+    addCommonOptions(app, version, kWrongInput, "");
+    CommandText tool = describe(app);
+    for (const RayCommand& command : commands) {
+        tool.commands.push_back(command.text());
+        tool.commands.back().purpose = command.purpose;
+    }
+    return tool;
+}
+
+std::string toolHelp(const CommandText& tool) {
+    std::vector<std::pair<std::string, std::string>> commands, options;
+    for (const CommandText& each : tool.commands) commands.emplace_back(lastWord(each.name), each.purpose);
+    for (const OptionText& each : tool.options)
+        options.emplace_back((each.short_name.empty() ? "" : each.short_name + ",") + each.long_name +
+                                 (each.takesValue() ? " " + each.value.placeholder : ""),
+                             each.help);
+    return tool.about + "\nUsage: pointrt-rays COMMAND ...\n\nCommands:\n" + listLines(commands) + "\nOptions:\n" +
+           listLines(options) + "\npointrt-rays COMMAND --help tells more of each.\n";
 }
 
 const RayCommand& commandNamed(std::span<const RayCommand> commands, std::string_view name) {

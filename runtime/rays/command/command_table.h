@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "format/command_line/command_text.h"
+
 namespace pointrt {
 
 struct RayCommand {
@@ -13,10 +15,14 @@ struct RayCommand {
     std::string_view purpose; ///< for --help, a few words
     /// The words from the command's name on; returns the exit code or throws Error.
     int (*run)(int argc, const char* const* argv);
+    CommandText (*text)(); ///< what its --help says
 };
 
+/// pointrt-rays with all of its commands.
+CommandText toolText(std::span<const RayCommand> commands, const std::string& version);
+
 /// What pointrt-rays --help prints, where no command is named.
-std::string commandHelp(std::span<const RayCommand> commands);
+std::string toolHelp(const CommandText& tool);
 
 /// Throws Error kBadUsage with the names that there are.
 const RayCommand& commandNamed(std::span<const RayCommand> commands, std::string_view name);

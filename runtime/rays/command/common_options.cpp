@@ -3,8 +3,9 @@
 
 #include <unistd.h>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
 #include "format/base/same_file.h"
+#include "format/command_line/command_line.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -29,7 +30,8 @@ void checkStandardOutput(const CommonOptions& options, const std::string& what) 
 
 } // namespace
 
-void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string& output_help) {
+void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::string& output_help,
+                       const std::string& suffixes) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     app.add_option("SCENE", options.scene,
                    "One or more .pro files, tile sets (.proset) and scene files (.toml): instance_ids count them, of a "
@@ -38,9 +40,11 @@ void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string&
         ->type_name("")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("-o,--output", options.output, output_help)->required()->type_name("FILE");
+    completes(app, "SCENE", ".pro .proset .toml");
+    completes(app, "--output", suffixes);
 }
 
-void addDeviceAndReport(CLI::App& app, CommonOptions& options) {
+void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
     app.add_option_function<std::string>(
            "--memory", [&options](const std::string& text) { options.held.memory = bytesOf(text); },
            "What the tiles of sets may take at once, such as 4G or 500M; with less than all take they come and go (2G)")
@@ -50,6 +54,7 @@ void addDeviceAndReport(CLI::App& app, CommonOptions& options) {
                    "pointrt-view --device list lists them")
         ->type_name("DEVICE");
     app.add_option("--stats", options.stats, "Write a report as JSON; - is standard output")->type_name("FILE");
+    completes(app, "--stats", ".json");
     app.add_flag("-q,--quiet", options.quiet, "No progress, only errors");
     app.add_flag("-v,--verbose", options.verbose, "Say what was done, and how fast");
 }

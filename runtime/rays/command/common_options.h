@@ -7,11 +7,9 @@
 
 #include "pointrt/trace.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace pointrt {
+
+struct CommandLine;
 
 struct CommonOptions {
     std::vector<std::string> scene; ///< .pro files, tile sets, scene files
@@ -22,10 +20,14 @@ struct CommonOptions {
     bool quiet = false, verbose = false;
 };
 
-/// SCENE, and -o with this help.
-void addSceneAndOutput(CLI::App& app, CommonOptions& options, const std::string& output_help);
+/// What exit code 1 says.
+inline constexpr const char* kWrongInput = "an input is wrong";
+
+/// SCENE, and -o with this help and these suffixes, blanks between them.
+void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::string& output_help,
+                       const std::string& suffixes);
 /// --memory, --device, --stats, -q, -v.
-void addDeviceAndReport(CLI::App& app, CommonOptions& options);
+void addDeviceAndReport(CommandLine& app, CommonOptions& options);
 
 /// Throws Error kBadUsage where options exclude each other, standard output is asked for twice or is a terminal, or an
 /// output is an input.

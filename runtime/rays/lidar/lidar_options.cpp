@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
+#include "format/command_line/command_line.h"
 
 namespace pointrt {
 namespace {
 
+constexpr const char* kName = "pointrt-rays lidar";
+constexpr const char* kAbout =
+    "Simulates a laser scanner: what it would measure of scans, from one place or along a trajectory.";
 constexpr const char* kExamples =
     "  pointrt-rays lidar street.pro --sensor car.toml --trajectory drive.csv -o scan.laz\n"
     "  pointrt-rays lidar site.pro --sensor tripod.toml --pose 500010,4500020,102 -o scan.ply --attributes "
@@ -17,14 +21,14 @@ constexpr const char* kNotes =
     "A sensor file (TOML) says how the scanner's beams go, what it can measure and how well; docs/RAYS.md has all "
     "keys\n"
     "and docs/sensors has examples. Points: positions, intensity, return_number, number_of_returns, gps_time, ring,\n"
-    "range, power, incidence_deg, pulse, splat_id, instance_id.\n"
-    "Exit codes: 0 done, 1 an input is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+    "range, power, incidence_deg, pulse, splat_id, instance_id.";
 
-void addWhere(CLI::App& app, LidarOptions& options) {
+void addWhere(CommandLine& app, LidarOptions& options) {
     auto* trajectory = app.add_option("--trajectory", options.trajectory,
                                       "Where the scanner is at which time: text under t,x,y,z and qx,qy,qz,qw or "
                                       "yaw,pitch,roll; in place of the sensor file's")
                            ->type_name("FILE");
+    completes(app, "--trajectory", ".csv .txt");
     app.add_option("--pose", options.pose, "Where it stands: X,Y,Z or X,Y,Z,YAW,PITCH,ROLL, in degrees")
         ->type_name("POSE")
         ->delimiter(',')
@@ -36,9 +40,11 @@ void addWhere(CLI::App& app, LidarOptions& options) {
         ->type_name("S");
 }
 
-void addOptions(CLI::App& app, LidarOptions& options) {
-    addSceneAndOutput(app, options, "Points, by the suffix: .ply, .las, .laz, .csv; what is there is replaced");
+void addOptions(CommandLine& app, LidarOptions& options) {
+    addSceneAndOutput(app, options, "Points, by the suffix: .ply, .las, .laz, .csv; what is there is replaced",
+                      ".ply .las .laz .csv");
     app.add_option("--sensor", options.sensor, "The scanner: a sensor file")->required()->type_name("FILE");
+    completes(app, "--sensor", ".toml");
     addWhere(app, options);
     app.add_option("--seed", options.seed, "Of all that is random (0)")->type_name("N");
     app.add_option("--metres-per-unit", options.metres_per_unit,
@@ -49,7 +55,7 @@ void addOptions(CLI::App& app, LidarOptions& options) {
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
 }
 
 void checkOptions(const LidarOptions& options) {
@@ -68,8 +74,7 @@ void checkOptions(const LidarOptions& options) {
 } // namespace
 
 std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options) {
-    CLI::App app("Simulates a laser scanner: what it would measure of scans, from one place or along a trajectory.",
-                 "pointrt-rays lidar");
+    CommandLine app(kAbout, kName);
     addOptions(app, options);
     if (const auto done = parseCommandLine(
             app, argc, argv,
@@ -77,6 +82,13 @@ std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOpt
         return done;
     checkOptions(options);
     return {};
+}
+
+CommandText lidarText() {
+    LidarOptions options;
+    CommandLine app(kAbout, kName);
+    addOptions(app, options);
+    return describe(app);
 }
 
 } // namespace pointrt

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "format/command_line/command_text.h"
 #include "runtime/rays/command/common_options.h"
 
 namespace pointrt {
@@ -24,5 +25,8 @@ struct LidarOptions : CommonOptions {
 /// Fills options from the words behind "lidar". Returns an exit code where the run ends here (--help and --version).
 /// Throws Error kBadUsage with one line for anything wrong.
 std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options);
+
+/// What --help says, as data.
+CommandText lidarText();
 
 } // namespace pointrt

@@ -6,7 +6,8 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
+#include "format/command_line/command_line.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
@@ -25,7 +26,7 @@ bool isDigits(const std::string& text, std::size_t count) {
 
 } // namespace
 
-void addValue(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
+void addValue(CommandLine& app, const std::string& name, const std::string& type, const std::string& help,
               const std::function<void(const std::string&)>& set, bool required, bool many) {
     const auto take = [name, set](const std::string& text) {
         try {
@@ -48,18 +49,20 @@ void addValue(CLI::App& app, const std::string& name, const std::string& type, c
     if (many) option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
 }
 
-void addStudyOptions(CLI::App& app, StudyOptions& options) {
+void addStudyOptions(CommandLine& app, StudyOptions& options) {
     addSceneAndOutput(
         app, options,
         "Points, with the columns that they had and the results, by the suffix: .ply, .las, .laz, .csv; - "
-        "is PLY to standard output; what is there is replaced");
+        "is PLY to standard output; what is there is replaced",
+        ".ply .las .laz .csv");
     app.add_option(
            "--points", options.points,
            "Points to ask about instead of the scene's own: a .pro, a set or a scene file, LAS, LAZ or PLY with "
            "their columns, an array (.npy) or text, x y z or x y z nx ny nz; - is standard input")
         ->type_name("FILE");
-    addValue(app, "--sides", "SIDES",
-             "Sides of a point's disc that count: front, both, auto (front where the scans' normals are oriented)",
+    completes(app, "--points", ".pro .proset .toml .las .laz .ply .npy .csv .txt");
+    addValue(app, "--sides", "auto|front|both",
+             "Sides of a point's disc that count (auto: front where the scans' normals are oriented)",
              [&](const std::string& text) {
                  if (text == "auto")
                      options.sides.reset();
@@ -70,7 +73,7 @@ void addStudyOptions(CLI::App& app, StudyOptions& options) {
              [&](const std::string& text) { options.up = parseTriple(text); });
 }
 
-std::optional<int> parseStudyLine(CLI::App& app, int argc, const char* const* argv) {
+std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const* argv) {
     return parseCommandLine(app, argc, argv, {{".ply", "-o"}, {".las", "-o"}, {".laz", "-o"}, {".csv", "--points"}});
 }
 

@@ -19,13 +19,13 @@ struct StudyOptions : CommonOptions {
 };
 
 /// SCENE, -o, --points, --sides, --up.
-void addStudyOptions(CLI::App& app, StudyOptions& options);
+void addStudyOptions(CommandLine& app, StudyOptions& options);
 /// An option with a value that set takes; what set throws as std::invalid_argument becomes "NAME: reason".
 /// @param many it may be given several times
-void addValue(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
+void addValue(CommandLine& app, const std::string& name, const std::string& type, const std::string& help,
               const std::function<void(const std::string&)>& set, bool required = false, bool many = false);
 /// As parseCommandLine, which knows what files of studies are for.
-std::optional<int> parseStudyLine(CLI::App& app, int argc, const char* const* argv);
+std::optional<int> parseStudyLine(CommandLine& app, int argc, const char* const* argv);
 /// As checkCommonOptions.
 void checkStudyOptions(const StudyOptions& options);
 

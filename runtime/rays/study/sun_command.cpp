@@ -6,7 +6,8 @@
 #include <cstdio>
 #include <numeric>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
+#include "format/command_line/command_line.h"
 #include "runtime/rays/command/usage.h"
 #include "runtime/rays/study/study_run.h"
 #include "runtime/util/parse.h"
@@ -14,6 +15,8 @@
 namespace pointrt {
 namespace {
 
+constexpr const char* kName = "pointrt-rays sun";
+constexpr const char* kAbout = "Hours of direct sun on the points of a scan, and how much of the sky they see.";
 constexpr const char* kExamples =
     "  pointrt-rays sun roof.pro --at 47.37,8.54 --date 2026-06-21 -o june.laz\n"
     "  pointrt-rays sun roof.pro --at 47.37,8.54 --date 2026-01-01 --to 2026-12-31 --every 60 --sky -o year.ply\n"
@@ -22,8 +25,7 @@ constexpr const char* kNotes =
     "Columns: sun_hours (hours that the sun shines on a point, of all days together), and with --sky sky_view (0 to "
     "1,\n"
     "the share of an evenly bright sky's light that reaches level ground there). The sun's place is within 0.02\n"
-    "degrees, with refraction; docs/RAYS.md has the rules.\n"
-    "Exit codes: 0 done, 1 an input is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+    "degrees, with refraction; docs/RAYS.md has the rules.";
 constexpr std::size_t kSkyDirections = 256; // a step of sky_view is a point of 0.4%
 
 struct SunOptions : StudyOptions {
@@ -35,7 +37,7 @@ struct SunOptions : StudyOptions {
     bool sky_rays_given = false;
 };
 
-void addOptions(CLI::App& app, SunOptions& options) {
+void addOptions(CommandLine& app, SunOptions& options) {
     addStudyOptions(app, options);
     addValue(
         app, "--at", "LAT,LON", "Where the scan is, in degrees: north and east are above 0",
@@ -58,7 +60,7 @@ void addOptions(CLI::App& app, SunOptions& options) {
         options.sky_rays_given = true;
     });
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
 }
 
 void checkOptions(SunOptions& options) {
@@ -141,12 +143,19 @@ void runSun(const SunOptions& options) {
 
 int sunCommand(int argc, const char* const* argv) {
     SunOptions options;
-    CLI::App app("Hours of direct sun on the points of a scan, and how much of the sky they see.", "pointrt-rays sun");
+    CommandLine app(kAbout, kName);
     addOptions(app, options);
     if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
     runSun(options);
     return 0;
+}
+
+CommandText sunText() {
+    SunOptions options;
+    CommandLine app(kAbout, kName);
+    addOptions(app, options);
+    return describe(app);
 }
 
 } // namespace pointrt

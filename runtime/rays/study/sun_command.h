@@ -2,9 +2,14 @@
 // pointrt-rays sun: hours of direct sun on points, and how much of the sky they see.
 #pragma once
 
+#include "format/command_line/command_text.h"
+
 namespace pointrt {
 
 /// @param argv from "sun" on
 int sunCommand(int argc, const char* const* argv);
+
+/// What --help says, as data.
+CommandText sunText();
 
 } // namespace pointrt

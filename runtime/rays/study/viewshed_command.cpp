@@ -4,20 +4,22 @@
 #include <algorithm>
 #include <limits>
 
-#include "format/base/command_line.h"
+#include "format/base/error.h"
+#include "format/command_line/command_line.h"
 #include "runtime/rays/study/study_run.h"
 #include "runtime/util/parse.h"
 
 namespace pointrt {
 namespace {
 
+constexpr const char* kName = "pointrt-rays viewshed";
+constexpr const char* kAbout = "Which points of a scan observers see, and how many observers see each.";
 constexpr const char* kExamples =
     "  pointrt-rays viewshed site.pro --from 2600010,1200020,480 -o seen.laz\n"
     "  pointrt-rays viewshed site.pro --from 10,20,0 --from 40,25,0 --height 1.7 --radius 500 -o seen.ply\n";
 constexpr const char* kNotes =
     "Columns: seen_by (how many observers see a point), and observer_0, observer_1 ... (1 where that one does).\n"
-    "Lines of sight end at the observer: one within a wall, or in the ground, sees nothing; --height lifts it.\n"
-    "Exit codes: 0 done, 1 an input is wrong, 2 wrong usage, 3 this machine cannot, 4 cannot write.";
+    "Lines of sight end at the observer: one within a wall, or in the ground, sees nothing; --height lifts it.";
 /// Columns that LAS, whose list of extra bytes has 65,535 bytes of 192 each, takes beside a scan's own.
 constexpr std::size_t kMostObservers = 255;
 
@@ -26,7 +28,7 @@ struct ViewshedOptions : StudyOptions {
     double height = 0, radius = std::numeric_limits<double>::infinity();
 };
 
-void addOptions(CLI::App& app, ViewshedOptions& options) {
+void addOptions(CommandLine& app, ViewshedOptions& options) {
     constexpr double kFarthest = 1e30; // as coordinates of .pro files
     addStudyOptions(app, options);
     addValue(
@@ -37,7 +39,7 @@ void addOptions(CLI::App& app, ViewshedOptions& options) {
     addValue(app, "--radius", "R", "Nothing farther from an observer is seen (inf)",
              [&](const std::string& text) { options.radius = parseRealAbove(text, 0, kFarthest); });
     addDeviceAndReport(app, options);
-    addCommonOptions(app, POINTRT_VERSION, kExamples, kNotes);
+    addCommonOptions(app, POINTRT_VERSION, kWrongInput, kExamples, kNotes);
 }
 
 void checkOptions(const ViewshedOptions& options) {
@@ -98,12 +100,19 @@ void runViewshed(const ViewshedOptions& options) {
 
 int viewshedCommand(int argc, const char* const* argv) {
     ViewshedOptions options;
-    CLI::App app("Which points of a scan observers see, and how many observers see each.", "pointrt-rays viewshed");
+    CommandLine app(kAbout, kName);
     addOptions(app, options);
     if (const auto done = parseStudyLine(app, argc, argv)) return *done;
     checkOptions(options);
     runViewshed(options);
     return 0;
+}
+
+CommandText viewshedText() {
+    ViewshedOptions options;
+    CommandLine app(kAbout, kName);
+    addOptions(app, options);
+    return describe(app);
 }
 
 } // namespace pointrt

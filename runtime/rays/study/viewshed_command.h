@@ -2,9 +2,14 @@
 // pointrt-rays viewshed: which points observers see.
 #pragma once
 
+#include "format/command_line/command_text.h"
+
 namespace pointrt {
 
 /// @param argv from "viewshed" on
 int viewshedCommand(int argc, const char* const* argv);
+
+/// What --help says, as data.
+CommandText viewshedText();
 
 } // namespace pointrt

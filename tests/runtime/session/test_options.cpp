@@ -237,6 +237,20 @@ TEST(Options, RefusesWhatItDoesNotKnow) {
     EXPECT_NE(refusal({"-q", "-v"}), "");
 }
 
+TEST(Options, ThumbnailsAreSmallPngsInLittleTime) {
+    const Options options = parse({"a.pro", "-o", "a.thumb", "--thumbnail", "128"});
+    EXPECT_TRUE(writesPng(options));
+    EXPECT_EQ(options.choices.size, (PixelSize{128, 128}));
+    EXPECT_EQ(options.choices.spp, 4u);
+    EXPECT_EQ(options.limits.seconds, 1);
+    EXPECT_TRUE(options.quiet);
+    EXPECT_EQ(parse({"a.pro", "-o", "a", "--thumbnail", "128", "--spp", "16"}).choices.spp, 16u);
+    EXPECT_THROW(parse({"a.pro", "--thumbnail", "128"}), Error);
+    EXPECT_THROW(parse({"a.pro", "-o", "a.exr", "--thumbnail", "128"}), Error);
+    EXPECT_THROW(parse({"a.pro", "-o", "a.png", "--thumbnail", "0"}), Error);
+    EXPECT_THROW(parse({"a.pro", "-o", "a.png", "--thumbnail", "128", "--size", "8x8"}), Error);
+}
+
 TEST(Options, RefusesToDoNothing) {
     EXPECT_THROW(parse({}), Error);
     EXPECT_THROW(parse({"-o", "a.png"}), Error);
