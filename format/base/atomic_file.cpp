@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <random>
-#include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "format/base/temporary_name.h"
 
 namespace pointrt::format {
 
@@ -71,31 +71,13 @@ std::string followLinks(std::string path) {
     return {};
 }
 
-constexpr std::size_t kRandomLetters = 8; // 41 bits
-constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
-
-std::string temporaryStem(const std::string& path) { return path + ".tmp-"; }
-
-std::string randomLetters() {
-    std::random_device device;
-    std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
-    std::string word;
-    for (std::size_t i = 0; i < kRandomLetters; ++i) word += kLetters[letter(device)];
-    return word;
-}
-
-bool isRandomLetters(std::string_view word) {
-    return word.size() == kRandomLetters && word.find_first_not_of(kLetters) == std::string_view::npos;
-}
-
 /// Takes away what was left of files for path: temporaries that no process has locked.
 void removeStale(const std::string& path, const std::string& folder) {
     const std::string stem = temporaryStem(path.substr(path.rfind('/') + 1));
     DIR* const entries = opendir(folder.c_str());
     if (!entries) return;
     while (const dirent* entry = readdir(entries)) {
-        const std::string_view name = entry->d_name;
-        if (!name.starts_with(stem) || !isRandomLetters(name.substr(stem.size()))) continue;
+        if (!isTemporary(entry->d_name, stem)) continue;
         const int stale = openat(dirfd(entries), entry->d_name, O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
         if (stale < 0) continue;
         if (flock(stale, LOCK_EX | LOCK_NB) == 0) unlinkat(dirfd(entries), entry->d_name, 0);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paths and errors as Windows has them; text is UTF-8 everywhere else.
+#pragma once
+
+#ifndef WIN32_LEAN_AND_MEAN
+#define WIN32_LEAN_AND_MEAN
+#endif
+#ifndef NOMINMAX
+#define NOMINMAX
+#endif
+#include <windows.h>
+
+#include <string>
+#include <system_error>
+
+namespace pointrt::format {
+
+/// Empty where path is no UTF-8.
+inline std::wstring widePath(const std::string& path) {
+    const int bytes = static_cast<int>(path.size());
+    const int length = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path.data(), bytes, nullptr, 0);
+    std::wstring wide(static_cast<std::size_t>(length), 0);
+    MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path.data(), bytes, wide.data(), length);
+    return wide;
+}
+
+inline std::string windowsReason(DWORD error) { return std::system_category().message(static_cast<int>(error)); }
+
+} // namespace pointrt::format
