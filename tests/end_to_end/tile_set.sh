@@ -3,6 +3,8 @@
 # pointrt-bake -o NAME.proset: all at once, in steps, killed and gone on with, refused.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
+# shellcheck source=slurm_here.sh
+. "$(dirname "$0")/slurm_here.sh"
 
 # hill COUNT [OFFSET]: COUNT points on a smooth hill of 64 x 64, moved along x.
 hill() {
@@ -193,23 +195,80 @@ SH
     grep -q "a.proset: needs about .*; the disk has" stderr || fail "the disk is not told of"
 }
 
-# The same bytes by other roads.
+# The same bytes by other roads, on which a worker dies.
 engine=$suite_dir/../../preprocess/engine
+
+# What the engines run: pointrt-bake, but for the first worker of block 1, who is killed amid its tiles.
+makeKilledOnce() {
+    cat >killed_once <<'SH'
+#!/bin/bash
+case " $* " in *" --step block:1 "*) ;; *) exec pointrt-bake "$@" ;; esac
+mkdir killed 2>/dev/null || exec pointrt-bake "$@"
+shopt -s nullglob
+before=(out/shared.proset.work/splats/*) now=()
+pointrt-bake "$@" &
+while [ ${#now[@]} -le ${#before[@]} ] && kill -0 $! 2>/dev/null; do
+    sleep 0.002
+    now=(out/shared.proset.work/splats/*)
+done
+kill -KILL $! && wait $!
+echo $? >killed/status
+exit 137
+SH
+    chmod +x killed_once
+    export POINTRT_BAKE=$PWD/killed_once
+}
+
+wasKilled() {
+    [ "$(cat killed/status)" = 137 ] || fail "no worker was killed: $(cat killed/status)"
+}
 
 case_gnu_parallel() {
     parallel --version 2>/dev/null | grep -q '^GNU' || skip "GNU parallel is not installed"
+    makeKilledOnce
     bakeHills out/whole.proset
-    expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000
+    expectDone "$engine/parallel.sh" 2 out/shared.proset a.xyz b.xyz --tile-splats 1000 # which tries again
+    wasKilled
     sameSet out/whole.proset out/shared.proset
 }
 
 case_snakemake() {
     command -v snakemake >/dev/null || skip "Snakemake is not installed"
+    makeKilledOnce
     bakeHills out/whole.proset --max-memory 1024M
-    expectDone snakemake -s "$engine/Snakefile" -j 2 -q --config set=out/shared.proset scans="a.xyz b.xyz" \
-        options="--tile-splats 1000" memory_mb=1024
+    local command=(snakemake -s "$engine/Snakefile" -j 2 -q --config set=out/shared.proset scans="a.xyz b.xyz"
+        options="--tile-splats 1000" memory_mb=1024 bake="$POINTRT_BAKE")
+    run "${command[@]}"
+    wasKilled
+    [ "$status" != 0 ] || fail "nobody noticed that a worker was killed"
+    grep -q "block:1" stderr || fail "it does not say which job failed"
+    expectDone "${command[@]}"
     sameSet out/whole.proset out/shared.proset
-    expectDone snakemake -s "$engine/Snakefile" -j 2 -q --config set=out/shared.proset scans="a.xyz b.xyz"
+    expectDone "${command[@]}"
+}
+
+# submitHills: through Slurm, until no job is left.
+submitHills() {
+    expectDone "$engine/slurm.sh" out/shared.proset a.xyz b.xyz -- --tile-splats 1000
+    for _ in $(seq 600); do
+        [ -n "$(squeue -h)" ] || return 0
+        sleep 0.2
+    done
+    fail "jobs do not end: $(squeue)"
+}
+
+case_slurm() {
+    hasSlurm || skip "Slurm is not installed"
+    makeKilledOnce
+    bakeHills out/whole.proset
+    trap 'stopSlurm "$folder/slurm"; cd / && rm -rf "$folder"' EXIT
+    chmod a+x . # for munged
+    startSlurm "$PWD/slurm" || skip "Slurm does not come up here: $(tail -qn 2 slurm/*.log)"
+    submitHills
+    wasKilled
+    [ ! -e out/shared.proset ] || fail "the set is there without a block"
+    submitHills
+    sameSet out/whole.proset out/shared.proset
 }
 
 runCase "$@"
