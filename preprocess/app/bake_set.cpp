@@ -185,7 +185,7 @@ private:
         if (isSplit(plan)) return;
         progress_.begin("split", plan.points_read);
         splitPoints(plan, request_, [&](const ReadStatus& status) { progress_.update(status.share); });
-        plan.noise = readPlan(work_).noise;
+        plan.traits = readPlan(work_).traits;
         std::uint64_t bytes = 0;
         for (const PlanTile& tile : plan.tiles) bytes += fs::file_size(bucketFile(plan, tile));
         add("split", plan.points, bytes);

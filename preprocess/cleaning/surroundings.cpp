@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "preprocess/cloud/morton.h"
+
 namespace pointrt::surface {
 namespace {
 
@@ -66,6 +68,22 @@ std::size_t Gatherer::keepNear(std::size_t point) {
     return count;
 }
 
+/// In an order that is the same in whatever cloud the points are found: every so manieth of them is kept. By cells of a
+/// quarter of the reach along a Morton curve, so that those are spread evenly.
+void Gatherer::sortByPlace(std::size_t point, std::size_t count) {
+    const Vec3f& from = points_.positions[point];
+    const float cells = 4 / reaches_[point];
+    order_.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t i = kept_[k];
+        const auto cell = [&](float offset) { return std::uint64_t(std::clamp(offset * cells + 4, 0.0f, 7.0f)); };
+        order_.push_back(
+            {mortonCode(cell(x_[i] - from.x()), cell(y_[i] - from.y()), cell(z_[i] - from.z())), squared_[i], i});
+    }
+    std::sort(order_.begin(), order_.end());
+    for (std::size_t k = 0; k < count; ++k) kept_[k] = std::get<2>(order_[k]);
+}
+
 void Gatherer::gather(std::size_t point) {
     measure(points_.positions[point]);
     const std::size_t near = keepNear(point);
@@ -78,6 +96,7 @@ void Gatherer::gather(std::size_t point) {
         count += points_.normals[found_[kept_[i]]].dot(normal) > kSameWay;
     }
     const std::size_t step = (count + kMostKept - 1) / kMostKept;
+    if (step > 1) sortByPlace(point, count);
     around_.count = 0;
     for (std::size_t i = 0; i < count; i += std::max<std::size_t>(step, 1)) around_.indices[around_.count++] = kept_[i];
     fill(point);

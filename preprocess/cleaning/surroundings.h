@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "preprocess/neighbors/neighbors.h"
@@ -69,6 +70,7 @@ private:
 
     bool fetchRun(std::size_t begin, std::size_t end);
     void gather(std::size_t point);
+    void sortByPlace(std::size_t point, std::size_t count);
     void measure(const Vec3f& from);
     std::size_t keepNear(std::size_t point);
     void fill(std::size_t point);
@@ -81,6 +83,7 @@ private:
     std::size_t found_count_ = 0;
     std::vector<float> x_, y_, z_, squared_;
     std::vector<std::uint32_t> kept_;
+    std::vector<std::tuple<std::uint64_t, float, std::uint32_t>> order_; ///< of those in kept_: cell, distance, place
     Surroundings around_;
 };
 

@@ -116,18 +116,34 @@ void placeAll(Points& points, const std::vector<Gaps>& gaps, const std::vector<s
     });
 }
 
+FillCounts countGaps(const std::vector<Gaps>& gaps) {
+    FillCounts counts{};
+    for (const Gaps& sides : gaps) {
+        counts[0] += sides[0].rows + sides[1].rows > 0;
+        for (std::uint32_t rows = 1; rows <= kMostRows; ++rows)
+            counts[rows] += std::min(sides[0].rows, rows) + std::min(sides[1].rows, rows);
+    }
+    return counts;
+}
+
 } // namespace
 
+std::uint32_t rowsToFill(const FillCounts& counts, std::size_t points) {
+    if (counts[0] == 0 || double(counts[0]) < kLeastShare * double(points)) return 0;
+    std::uint32_t rows = kMostRows;
+    while (rows > 1 && double(counts[rows]) > kMostFilling * double(points)) --rows;
+    return rows;
+}
+
 std::vector<std::uint32_t> fillBetweenLines(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
-                                            const std::vector<float>& sheets, const StageShare& share) {
+                                            const std::vector<float>& sheets, std::optional<std::uint32_t> rows,
+                                            FillCounts& counts, const StageShare& share) {
+    if (rows == 0u) return {};
     const std::vector<Gaps> gaps = findGaps({points, lists, *search}, sheets, share);
-    const auto with_gap =
-        std::count_if(gaps.begin(), gaps.end(), [](const Gaps& sides) { return sides[0].rows + sides[1].rows > 0; });
-    if (double(with_gap) < kLeastShare * double(points.size())) return {};
-    std::uint32_t most_rows = kMostRows;
-    std::vector<std::uint32_t> first = countFilling(gaps, most_rows);
-    while (most_rows > 1 && double(first.back()) > kMostFilling * double(points.size()))
-        first = countFilling(gaps, --most_rows);
+    counts = countGaps(gaps);
+    const std::uint32_t most_rows = rows.value_or(rowsToFill(counts, points.size()));
+    if (most_rows == 0 || counts[0] == 0) return {};
+    const std::vector<std::uint32_t> first = countFilling(gaps, most_rows);
 
     std::vector<std::uint32_t> bases = basesOf(first);
     extend(points, bases);

@@ -12,6 +12,7 @@
 
 #include "preprocess/cloud/cloud.h"
 #include "preprocess/octree/octree.h"
+#include "preprocess/surface/decisions.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt {
@@ -117,9 +118,9 @@ struct SetPlan {
     /// of `sides`, where there are any.
     OrientMode orient = OrientMode::kAuto;
     PlanSides sides;
-    /// [scans] standard deviation across the surface over the spacing, as SurfaceReport::noise. Measured once points
-    /// are split, which makes writeNoise's file; empty where they are too few, or not to be cleaned.
-    std::vector<float> noise;
+    /// Measured once points are split, which makes writeTraits' file; noise is empty where they are too few, or not to
+    /// be cleaned.
+    CloudTraits traits;
 
     std::string settings; ///< JSON of all options that the bytes depend on
     SetBakeOptions bake;
@@ -167,8 +168,8 @@ void writePlan(const SetPlan& plan);
 /// Makes a file of no more than its name. Throws Error (kCannotWrite).
 void writeMark(const std::string& path);
 
-/// Takes down the noise of the plan's scans beside it. Throws Error (kCannotWrite).
-void writeNoise(const SetPlan& plan, const std::vector<float>& noise);
+/// Takes down what holds for all of the plan's points beside it. Throws Error (kCannotWrite).
+void writeTraits(const SetPlan& plan, const CloudTraits& traits);
 
 /// Reads work + "/plan.json", but for `bake`. Throws Error (kBadInput) where it is missing or not as it should be.
 SetPlan readPlan(const std::string& work);

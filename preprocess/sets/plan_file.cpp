@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats; and, once
-// points are split, noise.json: a number a scan.
+// points are split, traits.json.
 
 #include <cstring>
 #include <fstream>
@@ -18,10 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 std::string sidesFile(const std::string& work) { return work + "/sides.bin"; }
-std::string noiseFile(const std::string& work) { return work + "/noise.json"; }
+std::string traitsFile(const std::string& work) { return work + "/traits.json"; }
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
@@ -246,10 +246,23 @@ SetPlan planOf(const Json& json) {
     return plan;
 }
 
-/// Empty before it is measured.
-std::vector<float> readNoise(const std::string& work) {
-    std::ifstream stream(noiseFile(work));
-    return stream ? Json::parse(stream).get<std::vector<float>>() : std::vector<float>();
+template <typename Value>
+Json jsonOf(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
+}
+
+template <typename Value>
+std::optional<Value> takeMaybe(const Json& json, const char* name) {
+    return json.at(name).is_null() ? std::nullopt : std::optional<Value>(json.at(name).get<Value>());
+}
+
+/// Empty before they are measured.
+CloudTraits readTraits(const std::string& work) {
+    std::ifstream stream(traitsFile(work));
+    if (!stream) return {};
+    const Json json = Json::parse(stream);
+    return {json.at("noise").get<std::vector<float>>(), takeMaybe<bool>(json, "scattered"),
+            takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit")};
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -269,8 +282,12 @@ void writePlan(const SetPlan& plan) {
 
 void writeMark(const std::string& path) { writeWhole(path, "{}\n"); }
 
-void writeNoise(const SetPlan& plan, const std::vector<float>& noise) {
-    writeWhole(noiseFile(plan.work), Json(noise).dump() + "\n");
+void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
+    const Json json = {{"noise", traits.noise},
+                       {"scattered", jsonOf(traits.scattered)},
+                       {"fill_rows", jsonOf(traits.fill_rows)},
+                       {"radius_limit", jsonOf(traits.radius_limit)}};
+    writeWhole(traitsFile(plan.work), json.dump() + "\n");
 }
 
 SetPlan readPlan(const std::string& work) {
@@ -284,7 +301,7 @@ SetPlan readPlan(const std::string& work) {
         requireSame(XXH3_64bits(sides.data(), sides.size()) == take<std::uint64_t>(json.at("sides"), "xxh3"),
                     sidesFile(work));
         plan.sides = sidesOf(sides);
-        plan.noise = readNoise(work);
+        plan.traits = readTraits(work);
         const std::string fault = findPlanFault(plan);
         if (!fault.empty()) throw Error(ExitCode::kBadInput, path + ": is no plan: " + fault);
         return plan;

@@ -115,19 +115,26 @@ std::vector<float> averaged(const NeighborLists& lists, const std::vector<float>
     return means;
 }
 
+std::size_t countScattered(const std::vector<float>& shares) {
+    return std::size_t(std::count_if(shares.begin(), shares.end(), [](float value) { return value < 0.5f; }));
+}
+
 } // namespace
 
-std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, const StageShare& share) {
-    if (points.size() < kFewPoints) return {};
+bool isScattered(std::size_t scattered, std::size_t points) {
+    return scattered > std::size_t(kMinScattered * double(points));
+}
+
+std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, std::optional<bool> decided,
+                               std::size_t& scattered, const StageShare& share) {
+    scattered = 0;
+    if (points.size() < kFewPoints || decided == false) return {};
     std::vector<float> shares = ownShares(points, lists, share);
-    const auto scattered = [](float value) { return value < 0.5f; };
-    const auto enough = std::ptrdiff_t(kMinScattered * double(points.size()));
-    if (std::count_if(shares.begin(), shares.end(), scattered) > enough) {
-        shares = averaged(lists, averaged(lists, shares));
-        for (float& value : shares) value = ramp(value, kAmongScatter, kAmongSheets);
-        if (std::count_if(shares.begin(), shares.end(), scattered) > enough) return shares;
-    }
-    return {};
+    if (!decided && !isScattered(countScattered(shares), points.size())) return {};
+    shares = averaged(lists, averaged(lists, shares));
+    for (float& value : shares) value = ramp(value, kAmongScatter, kAmongSheets);
+    scattered = countScattered(shares);
+    return decided || isScattered(scattered, points.size()) ? shares : std::vector<float>();
 }
 
 } // namespace pointrt::surface

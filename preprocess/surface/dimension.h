@@ -2,6 +2,7 @@
 // Whether a point lies on a surface, or among points scattered in space.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "preprocess/neighbors/neighbors.h"
@@ -10,10 +11,16 @@ namespace pointrt::surface {
 
 /// How far the surroundings of each point are a surface: 1 a smooth one, an edge or a corner, however noisy, as long as
 /// the neighbourhood shows it; 0 points scattered in space, as leaves and strays are; in between neither is clear.
-/// Empty where the cloud is one of surfaces, or has fewer than 1000 points. The dimension of a neighbourhood by the
-/// eigenvalues of its covariance, at the scale where it is most a plane (Pauly et al., Efficient simplification of
-/// point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar point clouds, 2011).
-/// Points need normals.
-std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, const StageShare& share);
+/// Empty where the cloud is one of surfaces (isScattered), or has fewer than 1000 points. The dimension of a
+/// neighbourhood by the eigenvalues of its covariance, at the scale where it is most a plane (Pauly et al., Efficient
+/// simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar
+/// point clouds, 2011). Points need normals.
+/// @param decided for a larger cloud: whether it is none of surfaces
+/// @param scattered how many of the points are; 0 where the cloud is one of surfaces
+std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, std::optional<bool> decided,
+                               std::size_t& scattered, const StageShare& share);
+
+/// Whether a cloud with so many scattered points is none of surfaces.
+bool isScattered(std::size_t scattered, std::size_t points);
 
 } // namespace pointrt::surface

@@ -89,14 +89,14 @@ bool shape(Points& points, const NeighborLists& lists, const NearestSearch& sear
 struct Known {
     std::vector<std::size_t> first_points; ///< [scans]
     std::vector<std::uint8_t> rims;        ///< flagRims
-    std::vector<float> noise_of_scans;     ///< SurfaceDecisions::noise
+    std::vector<float> noise_of_scans;     ///< CloudTraits::noise, where it is decided
 };
 
 /// Levels what is stepped and takes down what only the cloud knows.
 Known learn(Cloud& cloud, const SurfaceDecisions& decided, const SurfaceOptions& options, SurfaceReport& report) {
     Known known;
     for (const Scan& scan : cloud.scans) known.first_points.push_back(scan.first_point);
-    known.noise_of_scans = decided.noise;
+    known.noise_of_scans = decided.traits.noise;
     if (options.clean == 0 || cloud.grids.empty()) return known;
     const Stopwatch watch(report.seconds_clean);
     report.steps = levelSteps(cloud);
@@ -148,10 +148,11 @@ void raiseShares(std::vector<float>& sheets, const std::vector<float>& support) 
 }
 
 /// What is scattered and what is not, before cleaning, which puts surfaces through scattered points.
-std::vector<float> shares(const Points& points, const NeighborLists& lists, SurfaceReport& report) {
+std::vector<float> shares(const Points& points, const NeighborLists& lists, const CloudTraits& decided,
+                          SurfaceReport& report) {
     const Stopwatch watch(report.seconds_radii);
     const StageProgress silent;
-    return sheetShares(points, lists, {silent, "radii"});
+    return sheetShares(points, lists, decided.scattered, report.scattered, {silent, "radii"});
 }
 
 /// The shares of the points that are left, which may have been numbered anew; before, after: their indices in the
@@ -169,8 +170,9 @@ std::vector<float> sharesLeft(const std::vector<float>& sheets, const std::vecto
 /// carries, an index in the cloud.
 std::vector<std::uint32_t> fill(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
                                 std::vector<float>& sheets, std::vector<float>& noise, std::size_t count,
-                                const StageShare& share) {
-    std::vector<std::uint32_t> carried = fillBetweenLines(points, lists, search, sheets, share);
+                                const CloudTraits& decided, SurfaceReport& report, const StageShare& share) {
+    std::vector<std::uint32_t> carried =
+        fillBetweenLines(points, lists, search, sheets, decided.fill_rows, report.filling, share);
     const std::size_t first = points.size() - carried.size();
     for (std::size_t i = 0; i < carried.size(); ++i) {
         if (!noise.empty()) noise.push_back(noise[carried[i]]);
@@ -234,6 +236,12 @@ void keepGivenRadii(const Points& points, std::vector<float>& radii) {
         if (points.radii[i] > 0) radii[i] = points.radii[i];
 }
 
+/// In the unit of the points.
+std::optional<float> limitIn(const Points& points, const CloudTraits& decided) {
+    if (!decided.radius_limit) return std::nullopt;
+    return float(std::ldexp(double(*decided.radius_limit), -points.scale_exponent));
+}
+
 void requireSane(const SurfaceOptions& options) {
     if (options.neighbors < 3 || options.neighbors > 255)
         throw Error{ExitCode::kBadUsage, "the number of neighbors must be 3 to 255"};
@@ -261,7 +269,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, decided, options, report, progress);
-    std::vector<float> sheets = shares(points, lists, report);
+    std::vector<float> sheets = shares(points, lists, decided.traits, report);
     const std::vector<std::uint32_t> before = sheets.empty() ? std::vector<std::uint32_t>() : points.input_index;
     CleanReport cleaned;
     if (oriented) cleaned = clean(points, lists, search, known, options, report, progress);
@@ -273,11 +281,12 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     {
         const Stopwatch watch(report.seconds_radii);
         constexpr double kFill = 0.2; // of the stage's time
-        filled_from = fill(points, lists, search, sheets, noise, cloud_count, {progress, "radii", 0, kFill});
+        filled_from = fill(points, lists, search, sheets, noise, cloud_count, decided.traits, report,
+                           {progress, "radii", 0, kFill});
         radii = discRadii(points, lists, *search, sheets, oriented, {progress, "radii", kFill, 1});
         shrinkPlates(radii, points, lists);
         tightenSmoothed(radii, noise);
-        limitRadii(radii);
+        limitRadii(radii, limitIn(points, decided.traits));
         report.seen_through = endAtSights(points, points.size() - filled_from.size(), lists, noise, sheets, radii,
                                           {progress, "radii", 1, 1});
         keepGivenRadii(points, radii);

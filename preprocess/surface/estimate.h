@@ -5,6 +5,7 @@
 #include "preprocess/cloud/splats.h"
 #include "preprocess/cloud/stage_progress.h"
 #include "preprocess/range/steps.h"
+#include "preprocess/surface/decisions.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt {
@@ -20,14 +21,10 @@ struct SurfaceReport {
     std::size_t clean_dropped = 0; ///< by cleaning: rims of range grids, points on no surface
     std::size_t clean_moved = 0;
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
-    std::size_t filled = 0;       ///< points put between scan lines
-    std::size_t seen_through = 0; ///< discs that ended where a sensor had looked through them
-};
-
-/// What was decided for a larger cloud that this one is a part of; empty: this cloud decides.
-struct SurfaceDecisions {
-    std::vector<Vec3f> sides; ///< [points of the cloud] unit length, what the normal is to face; zero where not known
-    std::vector<float> noise; ///< [scans] as SurfaceReport::noise
+    std::size_t filled = 0;        ///< points put between scan lines
+    surface::FillCounts filling{}; ///< what that was decided by
+    std::size_t scattered = 0;     ///< points on no surface, in clouds that are none of surfaces
+    std::size_t seen_through = 0;  ///< discs that ended where a sensor had looked through them
 };
 
 /// Turns the points of cloud (finite, fewer than 2^31) into splats.

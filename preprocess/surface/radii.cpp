@@ -260,12 +260,17 @@ void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise)
         if (noise[i] > 0) radii[i] *= kSmoothed;
 }
 
-void limitRadii(std::vector<float>& radii) {
-    if (radii.size() < kMinLimitPoints) return;
-    std::vector<float> sorted = radii;
-    const auto at = sorted.begin() + std::ptrdiff_t(kLimitShare * double(sorted.size()));
-    std::nth_element(sorted.begin(), at, sorted.end());
-    for (float& radius : radii) radius = std::min(radius, kLimit * *at);
+float radiusLimit(std::vector<float>& radii) {
+    if (radii.size() < kMinLimitPoints) return std::numeric_limits<float>::infinity();
+    const auto at = radii.begin() + std::ptrdiff_t(kLimitShare * double(radii.size()));
+    std::nth_element(radii.begin(), at, radii.end());
+    return kLimit * *at;
+}
+
+void limitRadii(std::vector<float>& radii, std::optional<float> decided) {
+    std::vector<float> sorted = decided ? std::vector<float>() : radii;
+    const float limit = decided ? *decided : radiusLimit(sorted);
+    for (float& radius : radii) radius = std::min(radius, limit);
 }
 
 } // namespace pointrt::surface

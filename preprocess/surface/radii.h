@@ -2,6 +2,7 @@
 // The smallest discs that close the surface.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "preprocess/neighbors/neighbors.h"
@@ -27,6 +28,10 @@ void shrinkPlates(std::vector<float>& radii, const Points& points, const Neighbo
 
 /// Shrinks the few radii far above all others. Points far apart are each other's neighbours, and no local rule tells
 /// their spacing from a surface's: their discs would hang in the picture like sails.
-void limitRadii(std::vector<float>& radii);
+/// @param decided for a larger cloud: the widest
+void limitRadii(std::vector<float>& radii, std::optional<float> decided);
+
+/// The widest that a disc of a cloud may be, by the radii of all; infinity: of too few to tell. Changes their order.
+float radiusLimit(std::vector<float>& radii);
 
 } // namespace pointrt::surface

@@ -11,7 +11,7 @@
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "preprocess/sets/split/bucket_writer.h"
-#include "preprocess/sets/split/measure_noise.h"
+#include "preprocess/sets/split/measure_traits.h"
 
 namespace pointrt {
 namespace {
@@ -115,7 +115,7 @@ void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgr
             request.inputs, stream, [&](const PointBatch& batch) { writer.add(batch); }, progress);
     requireCounts(plan, writer.counts());
     writer.finish();
-    if (plan.bake.surface.clean > 0) writeNoise(plan, measureNoise(plan));
+    writeTraits(plan, measureTraits(plan));
     writeJson(splitMark(plan), {{"points", plan.points}});
     std::error_code failure;
     std::filesystem::remove(markFile(plan), failure);

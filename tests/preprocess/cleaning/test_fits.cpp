@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "preprocess/cleaning/quadric.h"
+#include "preprocess/cleaning/surroundings.h"
 #include "tests/preprocess/surface/shapes.h"
 
 namespace pointrt::test {
@@ -32,6 +33,40 @@ Shape patch(const Height& height) {
     for (int i = -2; i <= 2; ++i)
         for (int j = -2; j <= 2; ++j) shape.add(Vec3d(i / 4.0, j / 4.0, height(i / 4.0, j / 4.0)), Vec3d::UnitZ());
     return shape;
+}
+
+/// Where a point has more neighbours than are looked at: the places of those that are.
+std::vector<float> placesAround(const Points& points, std::size_t point) {
+    std::vector<float> reaches(points.size(), 0), places;
+    reaches[point] = 0.4f;
+    const NearestSearch search(points.positions);
+    Gatherer gatherer(points, points.positions, search, reaches);
+    for (std::size_t block = 0; block < Gatherer::blockCount(points.size()); ++block)
+        gatherer.forBlock(block, [&](std::size_t, const Surroundings& around) {
+            for (const std::uint32_t i : around.indices) places.push_back(points.positions[i].x());
+            places.resize(around.count);
+        });
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+TEST(Gatherer, KeepsTheSameOfManyInAnyCloud) {
+    Random random(3);
+    Points points;
+    for (int i = 0; i < 2000; ++i) {
+        points.positions.emplace_back(float(uniform(random)), float(uniform(random)), 0.01f * float(uniform(random)));
+        points.normals.push_back(Vec3f::UnitZ());
+    }
+    points.positions[0] = Vec3f(0.5f, 0.5f, 0);
+    const std::vector<float> alone = placesAround(points, 0);
+    EXPECT_LE(alone.size(), 192u);
+    EXPECT_GT(alone.size(), 96u);
+    std::reverse(points.positions.begin(), points.positions.end()); // and much beside
+    for (int i = 0; i < 3000; ++i) {
+        points.positions.emplace_back(float(uniform(random)) - 1.5f, float(uniform(random)), 0);
+        points.normals.push_back(Vec3f::UnitZ());
+    }
+    EXPECT_EQ(placesAround(points, 1999), alone);
 }
 
 TEST(Sphere, OfPointsOnASphere) {

@@ -157,12 +157,12 @@ TEST_F(SetTest, NoiseIsMeasuredOfEachScan) {
     const SetRequest request = requestOf(
         {folder.write("clean.xyz", noisyPlane(0, 0.001)), folder.write("noisy.xyz", noisyPlane(100, 0.5))}, 20'000);
     const SetPlan plan = readPlan(splitInto("A.proset", request).work);
-    ASSERT_EQ(plan.noise.size(), 2u);
-    EXPECT_LT(plan.noise[0], 0.01);
-    EXPECT_NEAR(plan.noise[1], 0.5 / std::sqrt(3.0), 0.1); // the deviation of an even spread
+    ASSERT_EQ(plan.traits.noise.size(), 2u);
+    EXPECT_LT(plan.traits.noise[0], 0.01);
+    EXPECT_NEAR(plan.traits.noise[1], 0.5 / std::sqrt(3.0), 0.1); // the deviation of an even spread
     SetRequest unclean = request;
     unclean.bake.surface.clean = 0;
-    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).noise.empty());
+    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).traits.noise.empty());
 }
 
 TEST_F(SetTest, InputsThatChangeBetweenReadingsAreToldInALine) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "preprocess/sets/split/measure_noise.h"
+#include "preprocess/sets/split/measure_traits.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "format/base/error.h"
 #include "preprocess/cloud/keep_flagged.h"
@@ -12,16 +13,17 @@
 namespace pointrt {
 namespace {
 
-/// So many places of so many points take three seconds, and the median of them is that of a scan of even noise.
-constexpr std::uint64_t kPlaces = 8, kPlacePoints = 40'000;
+/// So many places of so many points take three seconds, and the median of them is that of a scan of even noise. Where
+/// noise is not asked for fewer do.
+constexpr std::uint64_t kPlaces = 8, kNoisePoints = 40'000, kOtherPoints = 10'000;
 constexpr std::size_t kFewPoints = 1000; // as cleaning has it: too few to tell noise from shape
 
 /// Halves the box around a point until it holds few enough; nothing moves, so that scans stay runs.
-std::vector<bool> nearMiddle(const Cloud& cloud, float edge) {
+std::vector<bool> nearMiddle(const Cloud& cloud, float edge, std::uint64_t most) {
     const Vec3f middle = cloud.positions[cloud.positions.size() / 2];
     std::vector<bool> keep(cloud.positions.size(), true);
     std::uint64_t kept = keep.size();
-    for (float reach = edge; kept > kPlacePoints && reach > 0; reach /= 2) {
+    for (float reach = edge; kept > most && reach > 0; reach /= 2) {
         kept = 0;
         for (std::size_t i = 0; i < keep.size(); ++i) {
             keep[i] = (cloud.positions[i] - middle).cwiseAbs().maxCoeff() <= reach;
@@ -31,10 +33,11 @@ std::vector<bool> nearMiddle(const Cloud& cloud, float edge) {
     return keep;
 }
 
-/// What noise is told by: positions, scans.
+/// What is told by: positions, scans.
 Cloud placeIn(const SetPlan& plan, std::uint32_t tile) {
     Cloud cloud = readBucket(plan, tile);
-    const std::vector<bool> keep = nearMiddle(cloud, static_cast<float>(edgeOf(plan, plan.tiles[tile].level)));
+    const std::vector<bool> keep = nearMiddle(cloud, static_cast<float>(edgeOf(plan, plan.tiles[tile].level)),
+                                              plan.bake.surface.clean > 0 ? kNoisePoints : kOtherPoints);
     std::size_t point = 0, kept = 0;
     for (Scan& scan : cloud.scans) {
         for (; point < scan.first_point; ++point) kept += keep[point];
@@ -58,20 +61,29 @@ std::vector<std::size_t> countsOf(const Cloud& cloud) {
     return counts;
 }
 
-/// Adds what a place tells of each scan. A place without a surface tells nothing.
-void measurePlace(const SetPlan& plan, std::uint32_t tile, std::vector<std::vector<float>>& of_scan) {
+struct Measured {
+    std::vector<std::vector<float>> noise; ///< [scans] of places
+    PlacesOfCloud places;
+};
+
+/// A place without a surface tells nothing.
+void measurePlace(const SetPlan& plan, std::uint32_t tile, Measured& measured) {
     Cloud cloud = placeIn(plan, tile);
     const std::vector<std::size_t> counts = countsOf(cloud);
     SurfaceOptions options = plan.bake.surface;
-    options.orient = OrientMode::kUp; // sides do not matter to noise
+    options.orient = OrientMode::kUp; // sides do not matter to what is measured
+    options.radius_scale = 1;
+    SurfaceDecisions decided;
+    decided.traits.radius_limit = std::numeric_limits<float>::infinity();
     SurfaceReport report;
     try {
-        estimateSplats(std::move(cloud), options, report, {});
+        const Splats splats = estimateSplats(std::move(cloud), options, report, {}, decided);
+        measured.places.add(report, splats);
     } catch (const Error&) {
         return;
     }
     for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
-        if (counts[scan] >= kFewPoints) of_scan[scan].push_back(report.noise[scan]);
+        if (counts[scan] >= kFewPoints) measured.noise[scan].push_back(report.noise[scan]);
 }
 
 /// The tiles that hold every so manieth point, each once.
@@ -89,17 +101,24 @@ std::vector<std::uint32_t> placesOf(const SetPlan& plan) {
     return tiles;
 }
 
-} // namespace
-
-std::vector<float> measureNoise(const SetPlan& plan) {
-    std::vector<std::vector<float>> of_scan(plan.scans.size());
-    for (const std::uint32_t tile : placesOf(plan)) measurePlace(plan, tile, of_scan);
+std::vector<float> noiseOf(const std::vector<std::vector<float>>& of_scan) {
     std::vector<float> all, noise;
     for (const std::vector<float>& values : of_scan) all.insert(all.end(), values.begin(), values.end());
     if (all.empty()) return {};
     const float usual = medianOf(all);
     for (const std::vector<float>& values : of_scan) noise.push_back(values.empty() ? usual : medianOf(values));
     return noise;
+}
+
+} // namespace
+
+CloudTraits measureTraits(const SetPlan& plan) {
+    Measured measured;
+    measured.noise.resize(plan.scans.size());
+    for (const std::uint32_t tile : placesOf(plan)) measurePlace(plan, tile, measured);
+    CloudTraits traits = measured.places.traits();
+    traits.noise = noiseOf(measured.noise);
+    return traits;
 }
 
 } // namespace pointrt

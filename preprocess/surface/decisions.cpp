@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/decisions.h"
+
+#include "preprocess/surface/dimension.h"
+#include "preprocess/surface/estimate.h"
+#include "preprocess/surface/radii.h"
+
+namespace pointrt {
+
+void PlacesOfCloud::add(const SurfaceReport& report, const Splats& splats) {
+    points_ += splats.positions.size() - report.filled;
+    scattered_ += report.scattered;
+    for (std::size_t i = 0; i < filling_.size(); ++i) filling_[i] += report.filling[i];
+    radii_.insert(radii_.end(), splats.radii.begin(), splats.radii.end());
+}
+
+CloudTraits PlacesOfCloud::traits() {
+    constexpr std::size_t kFewPoints = 1000; // as sheetShares has it
+    if (points_ < kFewPoints) return {};
+    return {{},
+            surface::isScattered(scattered_, points_),
+            surface::rowsToFill(filling_, points_),
+            surface::radiusLimit(radii_)};
+}
+
+} // namespace pointrt
