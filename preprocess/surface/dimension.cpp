@@ -130,10 +130,11 @@ std::vector<float> sheetShares(const Points& points, const NeighborLists& lists,
     scattered = 0;
     if (points.size() < kFewPoints || decided == false) return {};
     std::vector<float> shares = ownShares(points, lists, share);
-    if (!decided && !isScattered(countScattered(shares), points.size())) return {};
+    const std::size_t own = countScattered(shares);
+    if (!decided && own == 0) return {};
     shares = averaged(lists, averaged(lists, shares));
     for (float& value : shares) value = ramp(value, kAmongScatter, kAmongSheets);
-    scattered = countScattered(shares);
+    scattered = std::min(own, countScattered(shares));
     return decided || isScattered(scattered, points.size()) ? shares : std::vector<float>();
 }
 

@@ -16,7 +16,7 @@ namespace pointrt::surface {
 /// simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar
 /// point clouds, 2011). Points need normals.
 /// @param decided for a larger cloud: whether it is none of surfaces
-/// @param scattered how many of the points are; 0 where the cloud is one of surfaces
+/// @param scattered how many of the points are, by themselves and among their neighbours; 0 where decided is false
 std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, std::optional<bool> decided,
                                std::size_t& scattered, const StageShare& share);
 

@@ -29,6 +29,12 @@ namespace {
 
 constexpr const char* kNeighborStage = "neighbors";
 
+/// A length in input units in the unit of the points.
+std::optional<float> inPoints(const Points& points, const std::optional<float>& length) {
+    if (!length) return std::nullopt;
+    return std::ldexp(*length, -points.scale_exponent);
+}
+
 /// Drops strays from the points and all that was made from them.
 void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, SurfaceReport& report) {
     const std::vector<std::uint8_t> keep = flagKept(points, lists);
@@ -236,12 +242,6 @@ void keepGivenRadii(const Points& points, std::vector<float>& radii) {
         if (points.radii[i] > 0) radii[i] = points.radii[i];
 }
 
-/// In the unit of the points.
-std::optional<float> limitIn(const Points& points, const CloudTraits& decided) {
-    if (!decided.radius_limit) return std::nullopt;
-    return float(std::ldexp(double(*decided.radius_limit), -points.scale_exponent));
-}
-
 void requireSane(const SurfaceOptions& options) {
     if (options.neighbors < 3 || options.neighbors > 255)
         throw Error{ExitCode::kBadUsage, "the number of neighbors must be 3 to 255"};
@@ -286,7 +286,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
         radii = discRadii(points, lists, *search, sheets, oriented, {progress, "radii", kFill, 1});
         shrinkPlates(radii, points, lists);
         tightenSmoothed(radii, noise);
-        limitRadii(radii, limitIn(points, decided.traits));
+        limitRadii(radii, inPoints(points, decided.traits.radius_limit));
         report.seen_through = endAtSights(points, points.size() - filled_from.size(), lists, noise, sheets, radii,
                                           {progress, "radii", 1, 1});
         keepGivenRadii(points, radii);

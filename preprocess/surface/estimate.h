@@ -23,7 +23,7 @@ struct SurfaceReport {
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
     std::size_t filled = 0;        ///< points put between scan lines
     surface::FillCounts filling{}; ///< what that was decided by
-    std::size_t scattered = 0;     ///< points on no surface, in clouds that are none of surfaces
+    std::size_t scattered = 0;     ///< points on no surface
     std::size_t seen_through = 0;  ///< discs that ended where a sensor had looked through them
 };
 

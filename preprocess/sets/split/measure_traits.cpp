@@ -2,6 +2,7 @@
 #include "preprocess/sets/split/measure_traits.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "format/base/error.h"
@@ -13,31 +14,43 @@
 namespace pointrt {
 namespace {
 
-/// So many places of so many points take three seconds, and the median of them is that of a scan of even noise. Where
-/// noise is not asked for fewer do.
-constexpr std::uint64_t kPlaces = 8, kNoisePoints = 40'000, kOtherPoints = 10'000;
+/// So many places, of so many points at the most.
+struct Sampling {
+    std::uint64_t places, points;
+};
+
+/// Takes three seconds, and the median of these places is that of a scan of even noise.
+constexpr Sampling kNoiseSampling{8, 20'000};
+
+/// What is a share or a quantile of all points needs more places; without cleaning that takes half a second.
+constexpr Sampling kOtherSampling{32, 6'000};
+
 constexpr std::size_t kFewPoints = 1000; // as cleaning has it: too few to tell noise from shape
 
-/// Halves the box around a point until it holds few enough; nothing moves, so that scans stay runs.
-std::vector<bool> nearMiddle(const Cloud& cloud, float edge, std::uint64_t most) {
-    const Vec3f middle = cloud.positions[cloud.positions.size() / 2];
+/// One of several that share a tile's points in the order read.
+struct Place {
+    std::uint32_t tile = 0;
+    std::uint64_t number = 0, of = 1;
+};
+
+/// Those in the box around a point that holds so many; nothing moves, so that scans stay runs.
+std::vector<bool> nearMiddle(const Cloud& cloud, const Place& place, std::size_t count) {
     std::vector<bool> keep(cloud.positions.size(), true);
-    std::uint64_t kept = keep.size();
-    for (float reach = edge; kept > most && reach > 0; reach /= 2) {
-        kept = 0;
-        for (std::size_t i = 0; i < keep.size(); ++i) {
-            keep[i] = (cloud.positions[i] - middle).cwiseAbs().maxCoeff() <= reach;
-            kept += keep[i];
-        }
-    }
+    if (count >= keep.size()) return keep;
+    const Vec3f middle = cloud.positions[(2 * place.number + 1) * keep.size() / (2 * place.of)];
+    std::vector<float> reaches(keep.size());
+    for (std::size_t i = 0; i < reaches.size(); ++i) reaches[i] = (cloud.positions[i] - middle).cwiseAbs().maxCoeff();
+    std::vector<float> sorted = reaches;
+    const auto farthest = sorted.begin() + std::ptrdiff_t(count);
+    std::nth_element(sorted.begin(), farthest, sorted.end());
+    for (std::size_t i = 0; i < reaches.size(); ++i) keep[i] = reaches[i] < *farthest;
     return keep;
 }
 
-/// What is told by: positions, scans.
-Cloud placeIn(const SetPlan& plan, std::uint32_t tile) {
-    Cloud cloud = readBucket(plan, tile);
-    const std::vector<bool> keep = nearMiddle(cloud, static_cast<float>(edgeOf(plan, plan.tiles[tile].level)),
-                                              plan.bake.surface.clean > 0 ? kNoisePoints : kOtherPoints);
+/// A place's positions and scans, of a bucket's.
+Cloud cloudOf(const Cloud& bucket, const Place& place, std::size_t count) {
+    const std::vector<bool> keep = nearMiddle(bucket, place, count);
+    Cloud cloud = bucket;
     std::size_t point = 0, kept = 0;
     for (Scan& scan : cloud.scans) {
         for (; point < scan.first_point; ++point) kept += keep[point];
@@ -46,9 +59,6 @@ Cloud placeIn(const SetPlan& plan, std::uint32_t tile) {
     keepFlagged(cloud.positions, keep);
     keepFlagged(cloud.normals, keep);
     keepFlagged(cloud.radii, keep);
-    cloud.colors.clear();
-    cloud.sensor_of_point.clear();
-    cloud.attributes.clear();
     return cloud;
 }
 
@@ -61,46 +71,53 @@ std::vector<std::size_t> countsOf(const Cloud& cloud) {
     return counts;
 }
 
-struct Measured {
-    std::vector<std::vector<float>> noise; ///< [scans] of places
-    PlacesOfCloud places;
-};
+/// Hears of places. A place without a surface tells nothing.
+using PlaceHeard = std::function<void(const SurfaceReport&, const Splats&, const std::vector<std::size_t>& counts)>;
 
-/// A place without a surface tells nothing.
-void measurePlace(const SetPlan& plan, std::uint32_t tile, Measured& measured) {
-    Cloud cloud = placeIn(plan, tile);
+void measurePlace(Cloud&& cloud, const SurfaceOptions& options, const PlaceHeard& heard) {
     const std::vector<std::size_t> counts = countsOf(cloud);
-    SurfaceOptions options = plan.bake.surface;
-    options.orient = OrientMode::kUp; // sides do not matter to what is measured
-    options.radius_scale = 1;
     SurfaceDecisions decided;
     decided.traits.radius_limit = std::numeric_limits<float>::infinity();
     SurfaceReport report;
     try {
         const Splats splats = estimateSplats(std::move(cloud), options, report, {}, decided);
-        measured.places.add(report, splats);
+        heard(report, splats, counts);
     } catch (const Error&) {
-        return;
     }
-    for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
-        if (counts[scan] >= kFewPoints) measured.noise[scan].push_back(report.noise[scan]);
 }
 
-/// The tiles that hold every so manieth point, each once.
-std::vector<std::uint32_t> placesOf(const SetPlan& plan) {
-    std::vector<std::uint32_t> tiles;
+/// In the tiles that hold every so manieth point; in each so many as there are points for.
+std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
+    std::vector<Place> places;
     std::uint64_t before = 0;
-    for (std::uint32_t i = 0; i < plan.tiles.size(); ++i) {
-        const auto places = [&](std::uint64_t points) {
-            return (2 * kPlaces * points + plan.points) / (2 * plan.points);
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
+        const auto until = [&](std::uint64_t points) {
+            return (2 * sampling.places * points + plan.points) / (2 * plan.points);
         };
-        const std::uint64_t after = before + plan.tiles[i].points;
-        if (places(after) > places(before)) tiles.push_back(i);
+        const std::uint64_t points = plan.tiles[tile].points, after = before + points;
+        const std::uint64_t count = std::min(until(after) - until(before), (points - 1) / sampling.points + 1);
+        for (std::uint64_t k = 0; k < count; ++k) places.push_back({tile, k, count});
         before = after;
     }
-    return tiles;
+    return places;
 }
 
+void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options, const PlaceHeard& heard) {
+    options.orient = OrientMode::kUp; // sides do not matter to what is measured
+    options.radius_scale = 1;
+    Cloud bucket;
+    for (const Place& place : placesOf(plan, sampling)) {
+        if (place.number == 0) {
+            bucket = readBucket(plan, place.tile);
+            bucket.colors.clear();
+            bucket.sensor_of_point.clear();
+            bucket.attributes.clear();
+        }
+        measurePlace(cloudOf(bucket, place, sampling.points), options, heard);
+    }
+}
+
+/// Of what places tell of each scan.
 std::vector<float> noiseOf(const std::vector<std::vector<float>>& of_scan) {
     std::vector<float> all, noise;
     for (const std::vector<float>& values : of_scan) all.insert(all.end(), values.begin(), values.end());
@@ -110,14 +127,25 @@ std::vector<float> noiseOf(const std::vector<std::vector<float>>& of_scan) {
     return noise;
 }
 
+std::vector<float> measureNoise(const SetPlan& plan) {
+    std::vector<std::vector<float>> of_scan(plan.scans.size());
+    measurePlaces(plan, kNoiseSampling, plan.bake.surface, [&](const SurfaceReport& report, auto&, const auto& counts) {
+        for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
+            if (counts[scan] >= kFewPoints) of_scan[scan].push_back(report.noise[scan]);
+    });
+    return noiseOf(of_scan);
+}
+
 } // namespace
 
 CloudTraits measureTraits(const SetPlan& plan) {
-    Measured measured;
-    measured.noise.resize(plan.scans.size());
-    for (const std::uint32_t tile : placesOf(plan)) measurePlace(plan, tile, measured);
-    CloudTraits traits = measured.places.traits();
-    traits.noise = noiseOf(measured.noise);
+    SurfaceOptions options = plan.bake.surface;
+    options.clean = 0;
+    PlacesOfCloud places;
+    measurePlaces(plan, kOtherSampling, options,
+                  [&](const SurfaceReport& report, const Splats& splats, auto&) { places.add(report, splats); });
+    CloudTraits traits = places.traits();
+    if (plan.bake.surface.clean > 0) traits.noise = measureNoise(plan);
     return traits;
 }
 
