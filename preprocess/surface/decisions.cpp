@@ -8,7 +8,7 @@
 namespace pointrt {
 
 void PlacesOfCloud::add(const SurfaceReport& report, const Splats& splats) {
-    points_ += splats.positions.size() - report.filled;
+    points_ += report.inner;
     scattered_ += report.scattered;
     for (std::size_t i = 0; i < filling_.size(); ++i) filling_[i] += report.filling[i];
     radii_.insert(radii_.end(), splats.radii.begin(), splats.radii.end());

@@ -25,6 +25,9 @@ struct CloudTraits {
 struct SurfaceDecisions {
     std::vector<Vec3f> sides; ///< [points of the cloud] unit length, what the normal is to face; zero where not known
     CloudTraits traits;
+    /// [points of the cloud] 1 where the surroundings are whole, 0 where the cloud was cut out; empty: all are. What
+    /// SurfaceReport counts for PlacesOfCloud are these alone.
+    std::vector<std::uint8_t> inner;
 };
 
 /// What several places of a cloud tell of all of it, but for its noise.

@@ -115,8 +115,10 @@ std::vector<float> averaged(const NeighborLists& lists, const std::vector<float>
     return means;
 }
 
-std::size_t countScattered(const std::vector<float>& shares) {
-    return std::size_t(std::count_if(shares.begin(), shares.end(), [](float value) { return value < 0.5f; }));
+std::size_t countScattered(const std::vector<float>& shares, const std::vector<std::uint8_t>& inner) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) count += inner[i] && shares[i] < 0.5f;
+    return count;
 }
 
 } // namespace
@@ -126,16 +128,18 @@ bool isScattered(std::size_t scattered, std::size_t points) {
 }
 
 std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, std::optional<bool> decided,
-                               std::size_t& scattered, const StageShare& share) {
+                               const std::vector<std::uint8_t>& inner, std::size_t& scattered,
+                               const StageShare& share) {
     scattered = 0;
     if (points.size() < kFewPoints || decided == false) return {};
     std::vector<float> shares = ownShares(points, lists, share);
-    const std::size_t own = countScattered(shares);
+    const std::size_t own = countScattered(shares, inner);
     if (!decided && own == 0) return {};
     shares = averaged(lists, averaged(lists, shares));
     for (float& value : shares) value = ramp(value, kAmongScatter, kAmongSheets);
-    scattered = std::min(own, countScattered(shares));
-    return decided || isScattered(scattered, points.size()) ? shares : std::vector<float>();
+    scattered = std::min(own, countScattered(shares, inner));
+    const auto counted = std::size_t(std::count(inner.begin(), inner.end(), 1));
+    return decided || isScattered(scattered, counted) ? shares : std::vector<float>();
 }
 
 } // namespace pointrt::surface

@@ -2,6 +2,7 @@
 // Whether a point lies on a surface, or among points scattered in space.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace pointrt::surface {
 /// simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar
 /// point clouds, 2011). Points need normals.
 /// @param decided for a larger cloud: whether it is none of surfaces
-/// @param scattered how many of the points are, by themselves and among their neighbours; 0 where decided is false
+/// @param inner [points] 1 for those that are counted
+/// @param scattered how many of those are, by themselves and among their neighbours; 0 where decided is false
 std::vector<float> sheetShares(const Points& points, const NeighborLists& lists, std::optional<bool> decided,
-                               std::size_t& scattered, const StageShare& share);
+                               const std::vector<std::uint8_t>& inner, std::size_t& scattered, const StageShare& share);
 
 /// Whether a cloud with so many scattered points is none of surfaces.
 bool isScattered(std::size_t scattered, std::size_t points);

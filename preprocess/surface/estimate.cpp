@@ -154,11 +154,15 @@ void raiseShares(std::vector<float>& sheets, const std::vector<float>& support) 
 }
 
 /// What is scattered and what is not, before cleaning, which puts surfaces through scattered points.
-std::vector<float> shares(const Points& points, const NeighborLists& lists, const CloudTraits& decided,
+std::vector<float> shares(const Points& points, const NeighborLists& lists, const SurfaceDecisions& decided,
                           SurfaceReport& report) {
     const Stopwatch watch(report.seconds_radii);
     const StageProgress silent;
-    return sheetShares(points, lists, decided.scattered, report.scattered, {silent, "radii"});
+    std::vector<std::uint8_t> inner(points.size(), 1);
+    for (std::size_t i = 0; i < inner.size() && !decided.inner.empty(); ++i)
+        inner[i] = decided.inner[points.input_index[i]];
+    report.inner = std::size_t(std::count(inner.begin(), inner.end(), 1));
+    return sheetShares(points, lists, decided.traits.scattered, inner, report.scattered, {silent, "radii"});
 }
 
 /// The shares of the points that are left, which may have been numbered anew; before, after: their indices in the
@@ -269,7 +273,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     NeighborLists lists = connect(points, search, options, report, progress);
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, decided, options, report, progress);
-    std::vector<float> sheets = shares(points, lists, decided.traits, report);
+    std::vector<float> sheets = shares(points, lists, decided, report);
     const std::vector<std::uint32_t> before = sheets.empty() ? std::vector<std::uint32_t>() : points.input_index;
     CleanReport cleaned;
     if (oriented) cleaned = clean(points, lists, search, known, options, report, progress);

@@ -21,10 +21,10 @@ struct SurfaceReport {
     std::size_t clean_dropped = 0; ///< by cleaning: rims of range grids, points on no surface
     std::size_t clean_moved = 0;
     double seconds_neighbors = 0, seconds_normals = 0, seconds_orient = 0, seconds_clean = 0, seconds_radii = 0;
-    std::size_t filled = 0;        ///< points put between scan lines
-    surface::FillCounts filling{}; ///< what that was decided by
-    std::size_t scattered = 0;     ///< points on no surface
-    std::size_t seen_through = 0;  ///< discs that ended where a sensor had looked through them
+    std::size_t filled = 0;               ///< points put between scan lines
+    surface::FillCounts filling{};        ///< what that was decided by
+    std::size_t inner = 0, scattered = 0; ///< points that SurfaceDecisions::inner has, those of them on no surface
+    std::size_t seen_through = 0;         ///< discs that ended where a sensor had looked through them
 };
 
 /// Turns the points of cloud (finite, fewer than 2^31) into splats.

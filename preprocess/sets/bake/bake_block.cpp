@@ -80,7 +80,7 @@ std::vector<Vec3f> sidesOf(const BoxPoints& points) {
 
 SurfaceDecisions decisionsOf(const SetPlan& plan, BoxPoints& points, SurfaceOptions& options) {
     options.orient = plan.orient;
-    SurfaceDecisions decided{sidesOf(points), plan.traits};
+    SurfaceDecisions decided{sidesOf(points), plan.traits, {}};
     if (options.orient != OrientMode::kMst || decided.sides.empty()) return decided;
     options.orient = OrientMode::kAuto; // which follows the plan's sides, once nothing else is known
     points.cloud.normal_sides = false;
