@@ -43,7 +43,9 @@ std::string findPlanFault(const SetPlan& plan) {
     for (const PlanTile& tile : plan.tiles)
         if (!isGood(tile, plan)) return "tile " + std::to_string(&tile - plan.tiles.data()) + " cannot be one";
     if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "its blocks are not those of its tiles";
-    if (!plan.noise.empty() && plan.noise.size() != plan.scans.size()) return "its noise is not that of its scans";
+    const CloudTraits& traits = plan.traits;
+    if (!traits.noise.empty() && traits.noise.size() != plan.scans.size()) return "its noise is not that of its scans";
+    if (traits.radius_limit && !(*traits.radius_limit > 0)) return "no disc is as narrow as its limit";
     return "";
 }
 
