@@ -179,6 +179,8 @@ Json parsed(const std::string& path) {
         return Json::parse(bytes.begin(), bytes.end());
     } catch (const Json::parse_error& error) {
         throw Error{ExitCode::kBadInput, path + ": byte " + std::to_string(error.byte) + ": is no JSON there"};
+    } catch (const Json::out_of_range&) {
+        throw Error{ExitCode::kBadInput, path + ": has a number that no double holds"};
     }
 }
 

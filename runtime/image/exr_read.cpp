@@ -9,6 +9,7 @@
 #include <tinyexr.h>
 #pragma GCC diagnostic pop
 
+#include <algorithm>
 #include <vector>
 
 #include "format/base/error.h"
@@ -44,6 +45,7 @@ void require(const std::string& path, int result, const char* message) {
     std::string reason = message ? message : "it cannot be decoded";
     FreeEXRErrorMessage(message);
     reason.erase(reason.find_last_not_of(".\n") + 1);
+    std::replace(reason.begin(), reason.end(), '\n', ' '); // of several it makes a line each
     throw Error{ExitCode::kBadInput, path + ": bad OpenEXR file: " + reason};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/util/pixel_size.h"
 
 namespace pointrt {
@@ -63,7 +64,7 @@ std::map<std::string, Bytes> readAttributes(Cursor& cursor, std::map<std::string
         const std::string type = cursor.text();
         const Bytes value = cursor.take(cursor.number<std::uint32_t>());
         if (attributes.size() == kMaxAttributes) cursor.fail("too many attributes");
-        if (!attributes.emplace(name, value).second) cursor.fail("attribute " + name + " is there twice");
+        if (!attributes.emplace(name, value).second) cursor.fail("attribute " + printable(name) + " is there twice");
         if (type == "string") texts[name] = std::string(value.begin(), value.end());
     }
     return attributes;
@@ -83,11 +84,12 @@ std::map<std::string, ExrPixel> readChannels(Cursor list) {
     for (std::string name = list.text(); !name.empty(); name = list.text()) {
         const auto type = list.number<std::uint32_t>();
         list.take(4); // whether it is perceptually linear, and reserved bytes
-        if (type > static_cast<std::uint32_t>(ExrPixel::kFloat)) list.fail("unknown pixel type of channel " + name);
+        if (type > static_cast<std::uint32_t>(ExrPixel::kFloat))
+            list.fail("unknown pixel type of channel " + printable(name));
         if (list.number<std::int32_t>() != 1 || list.number<std::int32_t>() != 1)
-            list.fail("channel " + name + " is subsampled, which is not supported");
+            list.fail("channel " + printable(name) + " is subsampled, which is not supported");
         if (!channels.emplace(name, static_cast<ExrPixel>(type)).second)
-            list.fail("channel " + name + " is there twice");
+            list.fail("channel " + printable(name) + " is there twice");
     }
     if (channels.empty() || channels.size() > kMaxChannels) list.fail("it has no channels, or more than 64");
     return channels;

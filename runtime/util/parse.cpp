@@ -5,7 +5,15 @@
 #include <cstdio>
 #include <string_view>
 
+#include "format/base/printable.h"
+
 namespace pointrt {
+namespace {
+
+std::string shown(const std::string& text) { return "\"" + printable(text) + "\""; }
+
+} // namespace
+
 std::string plainText(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", value);
@@ -15,20 +23,20 @@ std::string plainText(double value) {
 std::uint32_t parseCount(const std::string& text, std::uint32_t low, std::uint32_t high) {
     std::uint32_t value = 0;
     if (parseNumber(text, value) && value >= low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a whole number from " + std::to_string(low) + " to " +
+    throw std::invalid_argument(shown(text) + " is not a whole number from " + std::to_string(low) + " to " +
                                 std::to_string(high));
 }
 
 double parseReal(const std::string& text, double low, double high) {
     double value = 0;
     if (parseNumber(text, value) && value >= low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a number from " + plainText(low) + " to " + plainText(high));
+    throw std::invalid_argument(shown(text) + " is not a number from " + plainText(low) + " to " + plainText(high));
 }
 
 double parseRealAbove(const std::string& text, double low, double high) {
     double value = 0;
     if (parseNumber(text, value) && value > low && value <= high) return value;
-    throw std::invalid_argument("\"" + text + "\" is not a number above " + plainText(low) + " and up to " +
+    throw std::invalid_argument(shown(text) + " is not a number above " + plainText(low) + " and up to " +
                                 plainText(high));
 }
 
@@ -42,7 +50,7 @@ std::uint64_t parseBytes(const std::string& text) {
         const double bytes = has_unit ? std::ldexp(number, 10 * (static_cast<int>(unit) + 1)) : number;
         if (bytes >= 1 && bytes <= kMost) return static_cast<std::uint64_t>(bytes);
     }
-    throw std::invalid_argument("\"" + text + "\" is not a size such as 2G, 500M or a number of bytes");
+    throw std::invalid_argument(shown(text) + " is not a size such as 2G, 500M or a number of bytes");
 }
 
 PixelSize parseSize(const std::string& text, std::uint32_t most) {
@@ -52,13 +60,13 @@ PixelSize parseSize(const std::string& text, std::uint32_t most) {
     if (cross != std::string::npos && parseNumber(text.substr(0, cross), size.width) &&
         parseNumber(text.substr(cross + 1), size.height) && isSide(size.width) && isSide(size.height))
         return size;
-    throw std::invalid_argument("\"" + text + "\" is not WxH with 1 to " + std::to_string(most) + " pixels each");
+    throw std::invalid_argument(shown(text) + " is not WxH with 1 to " + std::to_string(most) + " pixels each");
 }
 
 double parseAngle(const std::string& text) {
     double value = 0;
     if (parseNumber(text, value) && value > 0 && value < 180) return value;
-    throw std::invalid_argument("\"" + text + "\" is not an angle above 0 and below 180 degrees");
+    throw std::invalid_argument(shown(text) + " is not an angle above 0 and below 180 degrees");
 }
 
 Vec3 parseVector(const std::string& text) {
@@ -68,7 +76,7 @@ Vec3 parseVector(const std::string& text) {
         const std::size_t comma = text.find(',', start);
         const bool last = comma == std::string::npos;
         if (last != (i == 2) || !parseNumber(text.substr(start, comma - start), values[i]) || !std::isfinite(values[i]))
-            throw std::invalid_argument("\"" + text + "\" is not X,Y,Z with three finite numbers");
+            throw std::invalid_argument(shown(text) + " is not X,Y,Z with three finite numbers");
         start = comma + 1;
     }
     return {values[0], values[1], values[2]};

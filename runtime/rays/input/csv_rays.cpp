@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/util/words.h"
 
 namespace pointrt {
@@ -83,7 +84,7 @@ private:
         const bool may_name_columns = !std::exchange(met_any_, true);
         const Parsed parsed = parse(line);
         if (!parsed.error.empty() && may_name_columns && parsed.count == 0) return requireNames(line);
-        if (!parsed.error.empty()) fail("\"" + std::string(parsed.error) + "\" is no number");
+        if (!parsed.error.empty()) fail("\"" + printable(parsed.error) + "\" is no number");
         requireWidth(parsed.count);
         block.doubles.insert(block.doubles.end(), parsed.numbers.begin(),
                              parsed.numbers.begin() + static_cast<std::ptrdiff_t>(width_));
