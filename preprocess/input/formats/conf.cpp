@@ -25,9 +25,7 @@ Placement parsePlacement(const Source& source, std::string_view line) {
     const char* const place = line.data();
     Placement placement;
     placement.file = nextWord(line);
-    const auto isControl = [](unsigned char letter) { return letter < ' ' || letter == 127; }; // a 0 would cut it short
-    if (std::any_of(placement.file.begin(), placement.file.end(), isControl))
-        refuseLine(source, place, inQuotes(placement.file) + " is no name of a file");
+    if (hasControls(placement.file)) refuseLine(source, place, inQuotes(placement.file) + " is no name of a file");
     double v[7] = {};
     for (double& value : v)
         if (!wholeNumber(nextWord(line), value)) refuseLine(source, place, "bmesh takes a file name and 7 numbers");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draco: https://google.github.io/draco/spec/
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <optional>
@@ -253,9 +254,11 @@ void pack(const Source& source, const PackedColumns& packed, draco::PointIndex p
 void load(const Source& source, const PointAttribute* attribute, draco::PointIndex point, double* into) {
     if (!attribute) return;
     const draco::AttributeValueIndex value = valueOf(source, *attribute, point);
+    const std::uint8_t* const bytes = attribute->GetAddress(value);
     if (attribute->data_type() == draco::DT_UINT8) { // as it is, even where it is marked as a share of 1
-        const std::uint8_t* const bytes = attribute->GetAddress(value);
         std::copy(bytes, bytes + 3, into);
+    } else if (attribute->data_type() == draco::DT_BOOL) { // which the library loads as bool, whatever the byte is
+        std::transform(bytes, bytes + 3, into, [](std::uint8_t byte) { return byte != 0; });
     } else if (!attribute->ConvertValue<double>(value, 3, into)) {
         refuse(source, "the Draco data has values that are no numbers");
     }

@@ -15,6 +15,13 @@ inline bool isBlank(char letter) {
 }
 inline bool isSpace(char letter) { return isBlank(letter) || letter == '\n'; }
 
+/// Whether a word has control characters, which no message shows as they are and the first 0 of which ends it.
+inline bool hasControls(std::string_view word) {
+    for (const char letter : word)
+        if (static_cast<unsigned char>(letter) < ' ' || letter == 127) return true;
+    return false;
+}
+
 /// from_chars leaves the value alone when it is out of range; strtod tells 0 from infinity.
 inline double outOfRangeValue(const char* begin, const char* end) {
     return std::strtod(std::string(begin, end).c_str(), nullptr);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 #include "runtime/rays/input/npy_header.h"
 
 namespace pointrt {
@@ -22,7 +23,8 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
 /// Why the array holds no rays; empty where it does.
 std::string refusalOf(const NpyHeader& header, const RowKind& kind) {
     if (header.descr != "<f4" && header.descr != "<f8")
-        return "its numbers are '" + header.descr + "', where " + kind.rows + " are float32 ('<f4') or float64 ('<f8')";
+        return "its numbers are '" + printable(header.descr) + "', where " + kind.rows +
+               " are float32 ('<f4') or float64 ('<f8')";
     if (header.shape.size() != 2 ||
         std::find(kind.widths.begin(), kind.widths.end(), header.shape[1]) == kind.widths.end())
         return "its shape is " + shapeText(header.shape) + ", where " + kind.rows + " are " + kind.shape;

@@ -59,6 +59,7 @@ void addElement(const Source& source, std::string_view line, PlyHeader& header) 
     const std::string_view count = nextWord(line);
     if (!wholeInteger(count, element.count))
         refuseLine(source, place, fmt::format("element {} has no valid count", inQuotes(element.name)));
+    if (hasControls(element.name)) refuseLine(source, place, inQuotes(element.name) + " is no name of an element");
     header.elements.push_back(std::move(element));
 }
 
