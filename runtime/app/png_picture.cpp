@@ -53,7 +53,7 @@ void PngPicture::filterRows(const Film& film, std::uint32_t first, std::uint32_t
 
 void PngPicture::write(std::span<const float> rgba) {
     const Clock::time_point start = Clock::now();
-    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, 3});
+    if (!png_) png_.emplace(plan_.path, PngSize{plan_.size.width, plan_.size.height, 3}, plan_.writing);
     const std::size_t row_floats = std::size_t{4} * plan_.size.width;
     const std::size_t step = std::max<std::size_t>(kPixelsAtOnce / plan_.size.width, 1) * row_floats;
     for (; !rgba.empty(); rgba = rgba.subspan(std::min(step, rgba.size()))) {

@@ -23,6 +23,7 @@ struct PngPlan {
     float stops = 0; ///< of exposure
     std::optional<FilterPlan> filter;
     std::optional<Legend> legend; ///< to lie on the picture
+    Writing writing = Writing::kWhole;
 };
 
 class PngPicture {

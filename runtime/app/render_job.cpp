@@ -103,16 +103,19 @@ Film finishFilm(RenderSession& session, Film film, const Options& options, const
     return film;
 }
 
-PngPlan pngPlan(const RenderSession& session, const std::string& path) {
+/// What asks for a thumbnail may have made its file, and hold it open.
+PngPlan pngPlan(const RenderSession& session, const Options& options, const std::string& path) {
     const RenderSettings& settings = session.settings;
-    PngPlan plan{path, {settings.width, settings.height}, settings.exposure, {}, {}};
+    PngPlan plan{path, {settings.width, settings.height}, settings.exposure, {}, {}, Writing::kWhole};
+    if (options.thumbnail != 0) plan.writing = Writing::kInPlace;
     if (settings.legend.value_or(false)) plan.legend = session.loaded->scene.paint.legend;
     return plan;
 }
 
-void writeImage(RenderSession& session, const std::string& path, const std::string& signature, Film film) {
+void writeImage(RenderSession& session, const Options& options, const std::string& path, const std::string& signature,
+                Film film) {
     if (!path.ends_with(".exr")) {
-        PngPicture picture(session.device, pngPlan(session, path));
+        PngPicture picture(session.device, pngPlan(session, options, path));
         picture.addRows(film, 0, film.height);
         return picture.finish();
     }
@@ -161,7 +164,7 @@ void tellEnd(const Options& options, const RenderSession& session, const FrameSt
 /// With the filter where that is wanted of a picture that gets all its samples.
 PngPlan pngPlanFiltered(const RenderSession& session, const Options& options) {
     const RenderSettings& settings = session.settings;
-    PngPlan plan = pngPlan(session, options.output);
+    PngPlan plan = pngPlan(session, options, options.output);
     if (wantsDenoising(options, settings, session.loaded->scene.description, settings.spp))
         plan.filter = {plan.size, settings.spp > 1, true, filterTileFor(plan.size)};
     return plan;
@@ -214,7 +217,7 @@ bool renderTurn(RenderSession& session, const Options& options, std::uint32_t tu
     if (interrupted()) return false;
     Film film = finishFilm(session, session.renderer->takeFilm(), options, state, report);
     if (interrupted()) return false;
-    writeImage(session, path, signatureFor(session, path), std::move(film));
+    writeImage(session, options, path, signatureFor(session, path), std::move(film));
     tellEmptyRows(path, session, state);
     return true;
 }
@@ -234,7 +237,7 @@ void renderPicture(RenderSession& session, const Options& options, Report& repor
     dropRenderer(session);
     film = finishFilm(session, std::move(film), options, state, report);
     if (options.output.empty()) return;
-    if (state.traced > 0 || filtered_anew) writeImage(session, options.output, signature, std::move(film));
+    if (state.traced > 0 || filtered_anew) writeImage(session, options, options.output, signature, std::move(film));
     tellEnd(options, session, state, report);
 }
 

@@ -9,12 +9,10 @@
 #include <new>
 #include <stdexcept>
 
-#include "runtime/util/output_file.h"
-
 namespace pointrt {
 
 struct PngWriter::State {
-    explicit State(const std::string& path) : file(path) {}
+    State(const std::string& path, Writing writing) : file(path, writing) {}
     State(const State&) = delete;
     State& operator=(const State&) = delete;
     ~State() { png_destroy_write_struct(&png, &info); }
@@ -101,7 +99,8 @@ void require(bool done, const State& state) {
 
 } // namespace
 
-PngWriter::PngWriter(const std::string& path, PngSize size) : state_(std::make_unique<State>(path)) {
+PngWriter::PngWriter(const std::string& path, PngSize size, Writing writing)
+    : state_(std::make_unique<State>(path, writing)) {
     State& state = *state_;
     state.row_bytes = std::size_t{size.width} * size.channels * (size.bits / 8);
     state.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpOut, ignoreMessage);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/util/output_file.h"
+
 namespace pointrt {
 
 struct PngSize {
@@ -17,11 +19,11 @@ struct PngSize {
     bool is_color = true;       ///< sRGB; else numbers of another meaning, for which the file says nothing
 };
 
-/// A PNG whose rows come from the top, a few at a time: it keeps none of them. The file appears when it is whole.
+/// A PNG whose rows come from the top, a few at a time: it keeps none of them.
 /// Each function throws Error kCannotWrite "PATH: reason".
 class PngWriter {
 public:
-    PngWriter(const std::string& path, PngSize size);
+    PngWriter(const std::string& path, PngSize size, Writing writing = Writing::kWhole);
     ~PngWriter();
 
     /// The next rows, whole ones, with an sRGB chunk before the first where they are colours.

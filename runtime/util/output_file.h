@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -10,24 +12,33 @@
 
 namespace pointrt {
 
-/// A file that is written in pieces and has its name when all of them are there: what was there stays until then.
-/// The path "-" is standard output, which gets the pieces as they come.
+/// What becomes of a file that is there while another one is written.
+enum class Writing {
+    kWhole,  ///< it stays until all is there, and then is another file
+    kInPlace ///< it gets the pieces as they come: somebody holds it open and waits for them
+};
+
+/// A file that is written in pieces. The path "-" is standard output, which gets them as they come.
 /// Each function throws Error kCannotWrite "PATH: reason".
 class OutputFile {
 public:
-    explicit OutputFile(std::string path);
+    explicit OutputFile(std::string path, Writing writing = Writing::kWhole);
 
     void append(std::span<const std::uint8_t> bytes);
-    /// In place of those at offset, which are there already; of a file only.
+    /// In place of those at offset, which are there already; of a file that appears whole only.
     void overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes);
     void commit();
 
 private:
-    bool isFile() const { return path_ != "-"; }
+    struct Close {
+        void operator()(std::FILE* stream) const;
+    };
+
     void require(bool done) const;
 
     std::string path_;
     format::AtomicFile file_;
+    std::unique_ptr<std::FILE, Close> stream_; ///< in place of file_
 };
 
 /// Writes bytes to path, replacing what is there; a failure leaves what was there.

@@ -207,6 +207,13 @@ case_thumbnail() {
     [ "$(bigEndian out/no_suffix 16)x$(bigEndian out/no_suffix 20)" = 128x128 ] || fail "not of 128 pixels"
     expectDone pointrt-view scene.pro --size 128x128 -q -o out/picture.png
     cmp out/no_suffix out/picture.png || fail "a thumbnail that had time enough is another picture"
+    # who made the file and holds it open gets the picture
+    : >out/held
+    exec 3<out/held
+    expectDone pointrt-view scene.pro --thumbnail 128 -o out/held
+    cmp out/picture.png <(cat <&3) || fail "the file was replaced"
+    rm out/held
+    expectError 4 "nowhere/a.png: " pointrt-view scene.pro --thumbnail 64 -o out/nowhere/a.png
     expectError 2 "--thumbnail: goes with -o FILE" pointrt-view scene.pro --thumbnail 64
     expectError 2 "--thumbnail and --size exclude each other" pointrt-view scene.pro --thumbnail 64 --size 8x8 -o out/a.png
 }
