@@ -118,6 +118,7 @@ void describe(const Candidate& candidate, Device& device) {
     device.subgroup_size = candidate.subgroup.subgroupSize;
     device.unified_memory =
         device.type == VK_PHYSICAL_DEVICE_TYPE_CPU || device.type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+    device.doubles = candidate.doubles;
     device.external_memory_host = candidate.external_memory_host;
     device.host_import_alignment = candidate.host_import_alignment;
 }
@@ -145,7 +146,10 @@ void createLogicalDevice(Device& device, const DeviceRequest& request) {
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
     const std::vector<const char*> extensions = deviceExtensions(device, request);
+    VkPhysicalDeviceFeatures features{};
+    features.shaderFloat64 = device.doubles;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    info.pEnabledFeatures = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());

@@ -46,6 +46,7 @@ struct Device {
     std::uint32_t page_bits = 0; ///< log2 of the texels in a page (paged_buffer.h)
     std::uint32_t subgroup_size = 0;
     bool unified_memory = false;             ///< CPU or integrated: its memory is the host's, so importing saves a copy
+    bool doubles = false;                    ///< programs may reckon in them
     bool external_memory_host = false;       ///< VK_EXT_external_memory_host is enabled
     std::uint64_t host_import_alignment = 0; ///< bytes, of pointers and sizes given to importHostBuffer
     PFN_vkGetMemoryHostPointerPropertiesEXT getMemoryHostPointerProperties = nullptr;

@@ -132,6 +132,9 @@ Candidate inspect(VkPhysicalDevice physical, const QueueNeeds& needs) {
     candidate.queue_family = queueFamily(physical, needs);
     candidate.swapchain = needs.present && hasExtension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     candidate.reads_texels = readsTexels(physical);
+    VkPhysicalDeviceFeatures features;
+    vkGetPhysicalDeviceFeatures(physical, &features);
+    candidate.doubles = features.shaderFloat64;
     // vkGetPhysicalDeviceProperties2 and the structures chained to it are core since 1.1.
     if (candidate.properties.apiVersion >= VK_API_VERSION_1_1) {
         candidate.external_memory_host = hasExtension(physical, VK_EXT_EXTERNAL_MEMORY_HOST_EXTENSION_NAME);

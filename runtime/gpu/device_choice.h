@@ -32,6 +32,7 @@ struct Candidate {
     bool swapchain = false;                    ///< has VK_KHR_swapchain; looked up where needs.present
     bool external_memory_host = false;
     std::uint64_t host_import_alignment = 0; ///< bytes
+    bool doubles = false;                    ///< programs may reckon in them
     bool reads_texels = false;               ///< in the formats the scene is stored in
     std::string refusal;                     ///< empty when usable
 };

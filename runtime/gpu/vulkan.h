@@ -93,6 +93,7 @@ namespace pointrt {
     X(vkGetDeviceQueue)                                                                                                \
     X(vkGetImageMemoryRequirements)                                                                                    \
     X(vkGetInstanceProcAddr)                                                                                           \
+    X(vkGetPhysicalDeviceFeatures)                                                                                     \
     X(vkGetPhysicalDeviceFormatProperties)                                                                             \
     X(vkGetPhysicalDeviceMemoryProperties)                                                                             \
     X(vkGetPhysicalDeviceProperties)                                                                                   \

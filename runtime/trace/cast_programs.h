@@ -2,6 +2,7 @@
 // The programs for batches of rays, built for what targets are like.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <mutex>
 
@@ -9,6 +10,17 @@
 #include "runtime/tracer/instance_traits.h"
 
 namespace pointrt {
+
+/// How rays come to a program: packed by the host (shaders/cast/packed_rays.glsl), or as callers have them
+/// (given_rays.glsl), for what takesGiven tells (runtime/trace/given_rays.h).
+enum class RayForm { kPacked, kFloats, kDoubles };
+
+/// What a pair of programs is built for.
+struct CastKind {
+    InstanceTraits traits;
+    RayForm form = RayForm::kPacked;
+    auto operator<=>(const CastKind&) const = default;
+};
 
 /// Both declare the same bindings.
 struct CastPair {
@@ -24,12 +36,12 @@ public:
     CastPrograms& operator=(const CastPrograms&) = delete;
 
     /// Throws Error kCannotRun where the driver refuses one.
-    const CastPair& of(const InstanceTraits& traits);
+    const CastPair& of(const CastKind& kind);
 
 private:
     Device& device_;
     std::mutex mutex_;
-    std::map<InstanceTraits, CastPair> pairs_;
+    std::map<CastKind, CastPair> pairs_;
 };
 
 } // namespace pointrt

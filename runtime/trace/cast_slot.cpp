@@ -7,10 +7,14 @@
 namespace pointrt {
 namespace {
 
+/// Of a ray as callers have it: in doubles.
+constexpr std::uint64_t kGivenBytes = 6 * sizeof(double);
+
 /// Texels in the host's memory, which all devices reach: each ray is read once, and each hit written once.
 Buffer hostTexels(Device& device, const char* what, std::uint64_t row_bytes, VkFormat format) {
-    Buffer buffer = createBuffer(device, what, CastSlot::kRays * row_bytes, VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT,
-                                 MemoryHome::kHost);
+    Buffer buffer =
+        createBuffer(device, what, CastSlot::kRays * row_bytes,
+                     VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryHome::kHost);
     createTexelView(device, what, buffer, format);
     return buffer;
 }
@@ -26,11 +30,14 @@ struct SetPool {
     VkDescriptorPool handle;
 };
 
-/// The target's buffers and the slot's.
-DescriptorSets bind(CastSlot& slot, VkDescriptorPool pool, const PlacedTarget& target, const Program& program) {
+GroupCount groupsOf(std::uint32_t rays) { return {(rays + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1}; }
+
+/// The target's buffers, the slot's, and where the rays lie.
+DescriptorSets bind(CastSlot& slot, const Buffer& rays, VkDescriptorPool pool, const PlacedTarget& target,
+                    const Program& program) {
     std::vector<BufferBinding> bindings = scanBindings(*target.scan);
     bindings.insert(bindings.end(), {{BINDING_INSTANCE, &target.params},
-                                     {BINDING_CAST_RAYS, &slot.rays},
+                                     {BINDING_CAST_RAYS, &rays},
                                      {BINDING_CAST_HITS, &slot.hits},
                                      {BINDING_CAST_STOPPED, &slot.stopped}});
     const VkDescriptorSet common = createDescriptorSet(slot.device, pool, program, bindings);
@@ -47,6 +54,9 @@ std::span<gpu::CastRay> CastSlot::rayRows(std::size_t count) {
 std::span<const gpu::CastHit> CastSlot::hitRows(std::size_t count) const {
     return {static_cast<const gpu::CastHit*>(hits.mapped), count};
 }
+std::span<const gpu::GivenHit> CastSlot::givenHits(std::size_t count) const {
+    return {static_cast<const gpu::GivenHit*>(hits.mapped), count};
+}
 std::span<const std::uint32_t> CastSlot::stoppedRows(std::size_t count) const {
     return {static_cast<const std::uint32_t*>(stopped.mapped), count};
 }
@@ -56,7 +66,8 @@ CastSlot createSlot(Device& device) {
     const OnError undo([&] { destroySlot(slot); });
     slot.device = workerDevice(device);
     slot.starts.resize(CastSlot::kRays);
-    slot.rays = hostTexels(slot.device, "ray buffer", sizeof(gpu::CastRay), VK_FORMAT_R32G32B32A32_UINT);
+    static_assert(sizeof(gpu::CastRay) <= kGivenBytes && sizeof(gpu::GivenHit) == sizeof(gpu::CastHit));
+    slot.rays = hostTexels(slot.device, "ray buffer", kGivenBytes, VK_FORMAT_R32G32B32A32_UINT);
     slot.hits = hostTexels(slot.device, "hit buffer", sizeof(gpu::CastHit), VK_FORMAT_R32G32B32A32_UINT);
     slot.stopped = hostTexels(slot.device, "occlusion buffer", sizeof(std::uint32_t), VK_FORMAT_R32_UINT);
     return slot;
@@ -69,15 +80,26 @@ void destroySlot(CastSlot& slot) {
     slot = {};
 }
 
+void traceRows(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const Buffer& rays, RayForm form,
+               const gpu::GivenPush& push, bool any_hit) {
+    const SetPool pool(slot.device, 1);
+    const CastPair& pair = programs.of({target.traits, form});
+    const VkCommandBuffer commands = beginCommands(slot.device);
+    recordDispatch(commands, any_hit ? pair.any_hit : pair.first_hit,
+                   bind(slot, rays, pool.handle, target, pair.first_hit), pushBytes(push), groupsOf(push.rays));
+    recordBarrier(commands);
+    submitAndWait(slot.device, commands);
+}
+
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit) {
     const SetPool pool(slot.device, runs.size());
     const VkCommandBuffer commands = beginCommands(slot.device);
     for (const CastRun& run : runs) { // they write to rows of their own: none waits for another
-        const CastPair& pair = programs.of(run.target->traits);
+        const CastPair& pair = programs.of({run.target->traits, RayForm::kPacked});
         const gpu::CastPush push{run.count, run.first, 0, 0};
         recordDispatch(commands, any_hit ? pair.any_hit : pair.first_hit,
-                       bind(slot, pool.handle, *run.target, pair.first_hit), pushBytes(push),
-                       {(run.count + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1});
+                       bind(slot, slot.rays, pool.handle, *run.target, pair.first_hit), pushBytes(push),
+                       groupsOf(run.count));
     }
     recordBarrier(commands);
     submitAndWait(slot.device, commands);

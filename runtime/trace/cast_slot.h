@@ -29,11 +29,15 @@ struct CastSlot {
     static constexpr std::size_t kRuns = 64;
 
     Device device; ///< a worker of the scene's
-    Buffer rays, hits, stopped;
+    Buffer rays;   ///< gpu::CastRay, or rows as callers have them
+    Buffer hits;   ///< gpu::CastHit, or gpu::GivenHit
+    Buffer stopped;
     std::vector<RayStart> starts;
 
     /// Of a chunk of count rays: where they are put, and what has come of them.
     std::span<gpu::CastRay> rayRows(std::size_t count);
+    std::span<std::byte> givenBytes() { return {static_cast<std::byte*>(rays.mapped), rays.bytes}; }
+    std::span<const gpu::GivenHit> givenHits(std::size_t count) const;
     std::span<const gpu::CastHit> hitRows(std::size_t count) const;
     std::span<const std::uint32_t> stoppedRows(std::size_t count) const; ///< 0 where nothing is in the way
 };
@@ -41,6 +45,10 @@ struct CastSlot {
 /// Throws Error kCannotRun where memory lacks.
 CastSlot createSlot(Device& device);
 void destroySlot(CastSlot& slot);
+
+/// Traces rows as callers have them, which lie in rays, all against one target, and returns likewise. form: not kPacked
+void traceRows(CastSlot& slot, CastPrograms& programs, const PlacedTarget& target, const Buffer& rays, RayForm form,
+               const gpu::GivenPush& push, bool any_hit);
 
 /// Traces at most kRuns runs, each ray against its run's target alone; returns when what came of them is there.
 void traceSlot(CastSlot& slot, CastPrograms& programs, std::span<const CastRun> runs, bool any_hit);

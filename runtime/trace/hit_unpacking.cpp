@@ -78,10 +78,14 @@ RayHit hitOf(const gpu::CastHit& found, std::uint32_t target, const RayStart& st
 }
 
 void putHit(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays) {
-    const bool is_hit = hit.target != kNothing;
-    if (!arrays.t_hit.empty()) arrays.t_hit[row] = is_hit ? hit.t : kInfinity;
+    if (!arrays.t_hit.empty()) arrays.t_hit[row] = hit.target != kNothing ? hit.t : kInfinity;
     putIds(list, row, hit, arrays);
-    if (arrays.normals.empty() && arrays.positions.empty()) return;
+    if (!arrays.normals.empty() || !arrays.positions.empty()) putVectors(list, rays, row, hit, arrays);
+}
+
+void putVectors(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
+                const HitArrays& arrays) {
+    const bool is_hit = hit.target != kNothing;
     const RayRow ray = rowAt(rays, row);
     const Vec3 position = is_hit ? ray.origin + hit.t * ray.direction : Vec3{kNaN, kNaN, kNaN};
     if (!arrays.positions.empty()) put(arrays.positions, row, position);

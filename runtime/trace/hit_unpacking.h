@@ -29,7 +29,11 @@ RayHit hitOf(const gpu::CastHit& found, std::uint32_t target, const RayStart& st
 /// Throws Error kBadUsage where an array that is asked for has no room for count rows, or too much.
 void requireSizes(const HitArrays& arrays, std::size_t count);
 
-/// Fills row of the arrays. list: what targets are numbers in
+/// Fills row of the arrays for normals and positions, of which one at least is asked for.
+void putVectors(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit,
+                const HitArrays& arrays);
+
+/// Fills row of all arrays. list: what targets are numbers in
 void putHit(const TargetList& list, const RayRows& rays, std::size_t row, const RayHit& hit, const HitArrays& arrays);
 
 } // namespace pointrt

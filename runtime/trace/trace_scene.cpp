@@ -9,6 +9,7 @@
 #include "format/base/parallel.h"
 #include "runtime/trace/cast_programs.h"
 #include "runtime/trace/cast_rounds.h"
+#include "runtime/trace/given_rays.h"
 #include "runtime/trace/hit_unpacking.h"
 #include "runtime/trace/scene_attributes.h"
 #include "runtime/trace/slot_pool.h"
@@ -75,17 +76,41 @@ struct TraceScene::State {
             slots.most());
     }
 
+    /// Chunk by chunk, as they are given, against the only target: putAll(slot, first ray, count) where all of a chunk
+    /// are common ones, which it tells; else put(ray, hit) of each.
+    template <typename PutAll, typename Put>
+    void inGivenChunks(const CastRequest& request, const PutAll& putAll, const Put& put) {
+        const std::size_t rays = request.rays.count, most = CastSlot::kRays;
+        const PlacedTarget& target = *resident.find(0);
+        const GivenRays given(device.worker, request.rays);
+        const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            given.trace(slot, programs, target, request.limits, first, count, request.any_hit);
+            return putAll(slot, first, count);
+        };
+        forAll((rays + most - 1) / most,
+               [&](std::size_t k) {
+                   const std::size_t first = k * most, count = std::min(most, rays - first);
+                   bool done = false;
+                   slots.with([&](CastSlot& slot) { done = trace(slot, first, count); });
+                   if (!done) castAndPut(request, first, count, put); // with slots of its own
+               },
+               slots.most());
+    }
+
     /// Batch by batch, from target to target: work(ray, hit) of each, on all cores.
     template <typename Work>
     void inRounds(const CastRequest& request, const Work& work) {
-        for (std::size_t first = 0; first < request.rays.count; first += kBatchRays) {
-            const std::size_t count = std::min(kBatchRays, request.rays.count - first);
-            const std::vector<RayHit> hits = castBatch(request, first, count);
-            const std::size_t part = (count + slots.most() - 1) / slots.most();
-            forAll((count + part - 1) / part, [&](std::size_t k) {
-                for (std::size_t i = k * part; i < std::min(count, (k + 1) * part); ++i) work(first + i, hits[i]);
-            });
-        }
+        for (std::size_t first = 0; first < request.rays.count; first += kBatchRays)
+            castAndPut(request, first, std::min(kBatchRays, request.rays.count - first), work);
+    }
+
+    template <typename Put>
+    void castAndPut(const CastRequest& request, std::size_t first, std::size_t count, const Put& put) {
+        const std::vector<RayHit> hits = castBatch(request, first, count);
+        const std::size_t part = (count + slots.most() - 1) / slots.most();
+        forAll((count + part - 1) / part, [&](std::size_t k) {
+            for (std::size_t i = k * part; i < std::min(count, (k + 1) * part); ++i) put(first + i, hits[i]);
+        });
     }
 
     std::vector<RayHit> castBatch(const CastRequest& request, std::size_t first, std::size_t count) {
@@ -122,9 +147,15 @@ void TraceScene::castRays(RayRows rays, const RayLimits& limits, const HitArrays
         requireSizes(hits, rays.count);
         const TargetList& list = state_->resident.list();
         const CastRequest request{rays, limits, false};
-        if (!state_->isOneTarget())
-            return state_->inRounds(request,
-                                    [&](std::size_t ray, const RayHit& hit) { putHit(list, rays, ray, hit, hits); });
+        const auto put = [&](std::size_t ray, const RayHit& hit) { putHit(list, rays, ray, hit, hits); };
+        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        if (takesGiven(state_->device.worker, *state_->resident.find(0)))
+            return state_->inGivenChunks(
+                request,
+                [&](CastSlot& slot, std::size_t first, std::size_t count) {
+                    return putGiven(slot, list, rays, first, count, hits);
+                },
+                put);
         state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
             const std::span<const gpu::CastHit> found = slot.hitRows(count);
             for (std::size_t i = 0; i < count; ++i)
@@ -138,9 +169,15 @@ void TraceScene::testOcclusions(RayRows rays, const RayLimits& limits, std::span
         requireLimits(limits);
         if (occluded.size() != rays.count) throw Error(ExitCode::kBadUsage, "occluded must have a number for each ray");
         const CastRequest request{rays, limits, true};
-        if (!state_->isOneTarget())
-            return state_->inRounds(
-                request, [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.target != kNothing; });
+        const auto put = [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.target != kNothing; };
+        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        if (takesGiven(state_->device.worker, *state_->resident.find(0)))
+            return state_->inGivenChunks(
+                request,
+                [&](CastSlot& slot, std::size_t first, std::size_t count) {
+                    return putStopped(slot, occluded.subspan(first, count));
+                },
+                put);
         state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
             const std::span<const std::uint32_t> stopped = slot.stoppedRows(count);
             for (std::size_t i = 0; i < count; ++i) occluded[first + i] = stopped[i] != 0;

@@ -7,15 +7,16 @@
 void main() {
     uint row = castRow();
     if (row == NO_INDEX) return;
-    CastRay ray = loadCastRay(row);
-    CastHit nearest = CastHit(ray.t_max, NO_INDEX, 0u, 0u);
-    TraceRay in_cube = instanceRay(ray);
+    LoadedRay loaded = loadRay(row);
+    float t = loaded.ray.t_max;
+    uint splat = NO_INDEX, normal = 0u;
+    TraceRay in_cube = instanceRay(loaded.ray);
     TraceHit hit = trace(in_cube);
     if (hit.disc != NO_INDEX) {
-        uint splat = loadListed(hit.disc);
+        splat = loadListed(hit.disc);
         uvec4 words = loadSplat(splat), found = uvec4(floatBitsToUint(hit.t), hit.cell, hit.disc, 0u);
-        float t = exactDistance(found, words, in_cube.origin, in_cube.direction);
-        nearest = CastHit(t / cubeScale(), splat, words.z, 0u);
+        t = exactDistance(found, words, in_cube.origin, in_cube.direction) / unitsInCube();
+        normal = words.z;
     }
-    storeCastHit(row, nearest);
+    storeHit(row, loaded, t, splat, normal);
 }

@@ -8,6 +8,6 @@
 void main() {
     uint row = castRow();
     if (row == NO_INDEX) return;
-    bool hits = trace(instanceRay(loadCastRay(row))).disc != NO_INDEX;
-    imageStore(cast_stopped, int(row), uvec4(hits ? 1u : 0u));
+    LoadedRay loaded = loadRay(row);
+    storeStopped(row, loaded, trace(instanceRay(loaded.ray)).disc != NO_INDEX);
 }

@@ -41,6 +41,8 @@ enum class SpecId : std::uint32_t {};
 #define SPEC_CORED POINTRT_SPEC(20)
 // Boxes of a sieve (shaders/trace/sift.glsl), a multiple of 8 up to SIEVE_TARGETS.
 #define SPEC_SIEVE_BOXES POINTRT_SPEC(21)
+// Whether rays of batches are given in doubles (shaders/cast/given_rays.glsl).
+#define SPEC_CAST_DOUBLES POINTRT_SPEC(22)
 // The display pipeline's and the denoiser's.
 #define SPEC_HAS_FIRST_HITS POINTRT_SPEC(14)
 #define SPEC_KNOWS_VARIANCE POINTRT_SPEC(15)

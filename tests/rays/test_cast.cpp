@@ -227,6 +227,44 @@ TEST_F(Cast, OcclusionsAreThereWhereHitsAre) {
     EXPECT_LT(blocked, 18000u);
 }
 
+TEST_F(Cast, RaysFromAcrossTheSkyAreAsExact) {
+    const GridPlace place;
+    const std::vector<pro_splat> splats = planeSplats(40, 0.5f);
+    const TraceScene scene(device, {scan("plane.pro", splats, place)});
+    const double height = place.origin[2] + place.edge * (0.5 + 0.5 * 0x1p-21);
+    for (const double distance : {1e3, 1e5, 1e7, 1e9}) { // powers of two keep what a double loses at the origin apart
+        const double away = std::exp2(std::floor(std::log2(distance)));
+        std::vector<double> rays;
+        addRay(rays, {place.origin[0] + 64 + away, place.origin[1] + 64, height + away}, {-1, 0, -1});
+        addRay(rays, {place.origin[0] + 64 + away, place.origin[1] + 64, height + away}, {1, 0, 1});
+        addRay(rays, {place.origin[0] + 64, place.origin[1] + 64, height + away}, {0, 0, -3});
+        const Hits hits = cast(scene, rays);
+        EXPECT_NEAR(hits.t_hit[0], away, 1e-3 * place.edge * splats[0].radius + 2 * away * 0x1p-52) << away;
+        EXPECT_EQ(hits.t_hit[1], kInfinity) << away;
+        EXPECT_NEAR(hits.t_hit[2] * 3, away, 1e-3 * place.edge * splats[0].radius + 2 * away * 0x1p-52) << away;
+    }
+}
+
+TEST_F(Cast, OddRaysAmongOthersLeaveTheseAsTheyAre) {
+    const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f))});
+    std::vector<double> rays = anyRays(3000, {}, 6);
+    const Hits expected = cast(scene, rays);
+    for (const std::size_t odd : {7u, 1500u, 2999u}) // too short and too long for floats, the second one's length too
+        for (std::size_t k = 3; k < 6; ++k) rays[6 * odd + k] *= odd == 7 ? 1e-180 : 1e180;
+    const Hits hits = cast(scene, rays);
+    EXPECT_EQ(hits.splat_ids, expected.splat_ids);
+    for (std::size_t i = 0; i < hits.t_hit.size(); ++i) {
+        const double size = i == 7 ? 1e-180 : i == 1500 || i == 2999 ? 1e180 : 1;
+        if (std::isfinite(expected.t_hit[i])) {
+            ASSERT_NEAR(hits.t_hit[i] * size, expected.t_hit[i], 1e-3) << i;
+        }
+    }
+    std::vector<std::uint8_t> occluded(hits.t_hit.size());
+    scene.testOcclusions(std::span<const double>(rays), {}, occluded);
+    for (std::size_t i = 0; i < occluded.size(); ++i)
+        ASSERT_EQ(occluded[i] != 0, std::isfinite(expected.t_hit[i])) << i;
+}
+
 TEST_F(Cast, FloatsAreTheSameRaysAsDoubles) {
     const GridPlace near_zero{{0, 0, 0}, 2};
     const TraceScene scene(device, {scan("sphere.pro", sphereSplats(500, 0.3f), near_zero)});

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
-#include "runtime/trace/cast_slot.h"
+#include "runtime/trace/given_rays.h"
 #include "runtime/trace/targets/describe_targets.h"
 #include "shaders/shared/params.h"
 #include "tests/rays/ray_scenes.h"
@@ -42,6 +43,23 @@ Found castDown(Device& device, const std::string& path) {
     return found;
 }
 
+/// Lines through the cube at place, towards points of it, from around; some lengths are not 1.
+std::vector<double> raysAround(const GridPlace& place, std::size_t count) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        double through[3], away[3];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            through[axis] = place.origin[axis] + place.edge * unit(random);
+            away[axis] = place.edge * (unit(random) - 0.5);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) rows.push_back(through[axis] + 3 * away[axis]);
+        for (const double step : away) rows.push_back(i % 2 == 0 ? -step : -step / place.edge);
+    }
+    return rows;
+}
+
 TEST(CastSlot, FindsTheSameInPages) {
     const TemporaryFolder folder;
     const std::string path = folder.file("sphere.pro");
@@ -58,6 +76,47 @@ TEST(CastSlot, FindsTheSameInPages) {
     const auto misses = std::count(expected.splats.begin(), expected.splats.end(), NO_INDEX);
     EXPECT_GT(misses, 500);
     EXPECT_LT(misses, 3000);
+}
+
+TEST(CastSlot, RaysAsGivenFindWhatPackedOnesDo) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("sphere.pro");
+    writeScan(path, sphereSplats(400, 0.4f), {});
+    ValidatedDevice validated;
+    Device& device = validated.device;
+    ResidentTargets resident(device, describeTargets({path}), 0);
+    const PlacedTarget& target = *resident.find(0);
+    if (!takesGiven(device, target)) GTEST_SKIP() << "the device does not reckon in doubles";
+    const std::vector<double> rows = raysAround(GridPlace{}, 5000);
+    const RayRows rays{std::span<const double>(rows)};
+    const RayLimits limits{0.5, 300};
+    CastPrograms programs(device);
+    CastSlot slot = createSlot(device);
+    const CastRun run{&target, 0, static_cast<std::uint32_t>(rays.count)};
+    packRays(target.frame, rays, limits, 0, slot.rayRows(rays.count), std::span(slot.starts).first(rays.count));
+    traceSlot(slot, programs, {&run, 1}, false);
+    std::vector<RayHit> expected;
+    for (std::size_t i = 0; i < rays.count; ++i)
+        expected.push_back(hitOf(slot.hitRows(rays.count)[i], 0, slot.starts[i], limits, {}));
+    GivenRays(device, rays).trace(slot, programs, target, limits, 0, rays.count, false);
+    std::vector<double> t(rays.count);
+    std::vector<std::uint32_t> splats(rays.count);
+    EXPECT_TRUE(putGiven(slot, resident.list(), rays, 0, rays.count, {.t_hit = t, .splat_ids = splats}));
+    const double radius = GridPlace{}.edge * static_cast<double>(sphereSplats(400, 0.4f)[0].radius);
+    std::size_t hits = 0, others = 0;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+        const bool is_hit = expected[i].target == 0;
+        hits += is_hit;
+        others += splats[i] != (is_hit ? expected[i].splat : NO_INDEX);
+        if (is_hit && splats[i] == expected[i].splat) {
+            const double size = length({rows[6 * i + 3], rows[6 * i + 4], rows[6 * i + 5]});
+            EXPECT_NEAR(t[i] * size, expected[i].t * size, 1e-4 * radius) << i;
+        }
+    }
+    destroySlot(slot);
+    EXPECT_GT(hits, 1000u);
+    EXPECT_LT(hits, 4500u);
+    EXPECT_LE(others, 5u); // rims, where the last bit decides
 }
 
 } // namespace

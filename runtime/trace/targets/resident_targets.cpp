@@ -38,6 +38,14 @@ Bounds boxOf(const DeviceScan& scan, const Placement& placement) {
     return placedBounds(placement, grid);
 }
 
+/// Whether its rows change nothing.
+bool isUnit(const gpu::InstanceParams& params) {
+    const auto is = [](const gpu::vec4& row, float x, float y, float z) {
+        return row.x == x && row.y == y && row.z == z && row.w == 0;
+    };
+    return is(params.row_x, 1, 0, 0) && is(params.row_y, 0, 1, 0) && is(params.row_z, 0, 0, 1);
+}
+
 /// Around the cube of a target's file.
 RenderSpace spaceOf(const Target& target, const DeviceScan& scan) {
     SceneDescription alone;
@@ -192,6 +200,7 @@ void ResidentTargets::place(std::uint32_t number) {
     placed->frame = {space, renderPoint(space, target.box.lo), renderPoint(space, target.box.hi)};
     placed->traits = traitsOf(scan, (scan.info.flags & PRO_FLAG_ORIENTED) != 0, target.core.has_value());
     gpu::InstanceParams params = placeInstance(space, scan, target.placement, target.instance);
+    placed->in_cube = isUnit(params);
     if (target.core) placeCore(scan, *target.core, params);
     placed->params = createBuffer(device_, "instance parameters", sizeof params, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     placed_[number] = std::move(placed);

@@ -29,7 +29,8 @@ struct PlacedTarget {
     const DeviceScan* scan = nullptr;
     RayFrame frame;
     InstanceTraits traits;
-    Buffer params; ///< gpu::InstanceParams
+    bool in_cube = false; ///< its render space is its cube, to the bit
+    Buffer params;        ///< gpu::InstanceParams
 };
 
 class ResidentTargets;

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The buffers of a batch of rays.
+#ifndef POINTRT_SHADERS_CAST_BINDINGS_GLSL
+#define POINTRT_SHADERS_CAST_BINDINGS_GLSL
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/cast_layout.h"
+#include "shaders/shared/params.h"
+
+layout(rgba32ui, binding = BINDING_CAST_RAYS) uniform readonly uimageBuffer cast_ray_texels; // CastRay, or as given
+layout(r32ui, binding = BINDING_CAST_STOPPED) uniform writeonly uimageBuffer cast_stopped; // 0: it is not
+
+#endif

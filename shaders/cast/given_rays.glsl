@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays as callers give them, in doubles or floats of the world, and their hits as callers want them: what lies between
+// is done where a ray is traced, so that the host copies rows at most.
+//
+// Floats tell a ray finely only from beside what it may hit. So doubles are for the sum that puts it there: floats say
+// roughly how far along to start, and any start will do as long as all that follows takes the same one. Render space is
+// the instance's cube.
+#ifndef POINTRT_SHADERS_GIVEN_RAYS_GLSL
+#define POINTRT_SHADERS_GIVEN_RAYS_GLSL
+#include "shaders/cast/cast_bindings.glsl"
+#include "shaders/shared/spec_constants.h"
+
+// Whether numbers are doubles; else floats.
+layout(constant_id = SPEC_CAST_DOUBLES) const bool kDoubles = true;
+
+layout(push_constant) uniform Push { GivenPush push; };
+
+// GivenHit, in two words of 64 bits each: lavapipe takes as long for one of 32. The host has put misses there, so that
+// these cost nothing.
+layout(std430, binding = BINDING_CAST_HITS) writeonly buffer Hits { double given_hits[]; };
+
+uint rowOfLane(uint lane) { return lane; }
+
+struct LoadedRay {
+    CastRay ray;
+    bool odd;       // not for this program: no ray at all, or with numbers too large or too small for floats
+    double start;   // where ray starts, in lengths of the given direction
+    float per_unit; // lengths of the given direction in a world unit
+};
+
+void loadDoubles(uint row, out dvec3 origin, out dvec3 direction) {
+    int at = int(push.first_texel + 3u * row);
+    uvec4 a = imageLoad(cast_ray_texels, at), b = imageLoad(cast_ray_texels, at + 1);
+    uvec4 c = imageLoad(cast_ray_texels, at + 2);
+    origin = dvec3(packDouble2x32(a.xy), packDouble2x32(a.zw), packDouble2x32(b.xy));
+    direction = dvec3(packDouble2x32(b.zw), packDouble2x32(c.xy), packDouble2x32(c.zw));
+}
+
+// Two rays are three texels.
+void loadFloats(uint row, out dvec3 origin, out dvec3 direction) {
+    int at = int(push.first_texel + row + (row >> 1u));
+    uvec4 a = imageLoad(cast_ray_texels, at), b = imageLoad(cast_ray_texels, at + 1);
+    bool second = (row & 1u) != 0u;
+    origin = dvec3(uintBitsToFloat(second ? uvec3(a.zw, b.x) : a.xyz));
+    direction = dvec3(uintBitsToFloat(second ? b.yzw : uvec3(a.w, b.xy)));
+}
+
+LoadedRay loadRay(uint row) {
+    dvec3 world, given;
+    if (kDoubles)
+        loadDoubles(row, world, given);
+    else
+        loadFloats(row, world, given);
+    dvec3 origin = world - dvec3(push.origin_x, push.origin_y, push.origin_z);
+    vec3 from = vec3(origin), along = vec3(given);
+    float squared = dot(along, along), per_unit = 1.0 / sqrt(squared);
+    bool odd = !(squared > GIVEN_LEAST && squared < GIVEN_MOST && dot(from, from) < GIVEN_MOST);
+    vec3 direction = along * per_unit;
+    // to the sphere around the cube, which is wide enough for what floats lose on the way
+    float ahead = (-dot(from, direction) - push.radius) * GIVEN_SHORT;
+    double start = double(ahead > 0.0 ? ahead * per_unit : 0.0);
+    start = start > push.t_min ? start : push.t_min;
+    vec3 there = vec3(origin + start * given) * push.units + 0.5;
+    float reach = float(push.t_max - start) * (squared * per_unit * push.units);
+    reach = reach < CAST_FARTHEST ? reach : CAST_FARTHEST;
+    return LoadedRay(CastRay(odd ? vec3(0.0) : there, odd ? -1.0 : reach, direction, 0.0), odd, start, per_unit);
+}
+
+// t: cube units; splat: NO_INDEX for a miss.
+void storeHit(uint row, LoadedRay loaded, float t, uint splat, uint normal) {
+    double given = loaded.start + double(t) * (double(loaded.per_unit) * push.scale);
+    given = given < push.t_min ? push.t_min : given > push.t_max ? push.t_max : given;
+    splat = loaded.odd ? CAST_ODD : splat;
+    if (splat != NO_INDEX) {
+        given_hits[2u * row] = given;
+        given_hits[2u * row + 1u] = packDouble2x32(uvec2(splat, normal));
+    }
+}
+
+void storeStopped(uint row, LoadedRay loaded, bool hits) {
+    if (hits || loaded.odd) imageStore(cast_stopped, int(row), uvec4(loaded.odd ? CAST_ODD : 1u));
+}
+
+#endif
