@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "format/base/run_tool.h"
+#include "tests/bench/speed/file_rays.h"
 #include "tests/bench/speed/speed.h"
 
 namespace pointrt::test {
@@ -17,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
     std::string scene, device;
+    std::string rays, hits;         ///< files; empty: none
     std::vector<std::string> kinds; ///< empty: all
     int runs = 7;
     std::uint32_t size = 1024;
@@ -68,7 +70,23 @@ void printTable(const Setting& setting, std::span<const Speed> speeds) {
                     speed.ratio_max, speed.ratio_blended, 100 * speed.agreement, nameOf(speed.embree_mode));
 }
 
+/// Of the file's rays, by our walk alone.
+int runFile(const Options& options) {
+    RayCaster caster(options.scene, {options.device}, options.size * options.size);
+    const FileWalk walk =
+        walkFile(caster, options.scene, options.rays, options.hits, options.size * options.size, options.runs);
+    const double million_rays = 1e-6 * static_cast<double>(walk.rays);
+    std::printf("%s\n", Json{{"rays", walk.rays},
+                             {"hits", walk.hits},
+                             {"mrays_per_second", million_rays / walk.seconds},
+                             {"device", caster.deviceName()}}
+                            .dump()
+                            .c_str());
+    return 0;
+}
+
 int run(const Options& options) {
+    if (!options.rays.empty()) return runFile(options);
     const std::vector<CubeSplat> splats = loadCubeSplats(options.scene);
     const EmbreeDiscs discs(splats, options.robust ? EmbreeFlag::kRobust : EmbreeFlag::kFast);
     RayCaster caster(options.scene, {options.device}, options.size * options.size);
@@ -110,6 +128,9 @@ int parseAndRun(int argc, char** argv) {
         ->check(CLI::IsMember({"primary", "shadow", "mirror", "diffuse"}));
     app.add_option("--fov", options.fov_deg, "Vertical field of view in degrees; a smaller one looks closer")
         ->check(CLI::Range(1.0, 40.0)); // beyond the default's, the scene only gets smaller
+    const auto rays =
+        app.add_option("--rays", options.rays, "An array of rays (.npy) for our walk alone, in place of the view's");
+    app.add_option("--hits", options.hits, "What they hit, an array (.npy) of t_hit and splat_ids")->needs(rays);
     app.add_option("--device", options.device, "Vulkan device, by index or name");
     app.add_flag("--robust", options.robust, "Embree with its robust flag, which is slower");
     app.add_flag("--json", options.json, "JSON on standard output instead of a table");
