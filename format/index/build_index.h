@@ -8,6 +8,10 @@
 
 namespace pointrt {
 
+/// Of what buildTracingIndex makes: to be raised where the same octree gets other words, so that indices that were kept
+/// (runtime/index_store) are built anew.
+constexpr unsigned kIndexVersion = 1;
+
 struct TracingIndex {
     EntryGrid grid;
     Bricks bricks; ///< without corners

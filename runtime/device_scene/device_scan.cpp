@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "format/base/error.h"
 #include "format/base/printable.h"
 #include "format/base/require_pro.h"
 #include "pointrt/pro_index_layout.h"
+#include "runtime/index_store/index_store.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {
@@ -85,11 +87,23 @@ void uploadIndex(Device& device, DeviceScan& scan) {
         uploadSection(device, scan, kScanBuffers[k], words[k].data(), words[k].size_bytes());
 }
 
-/// Of a file without an index; what was copied to the device is let go.
-void buildAndUploadIndex(Device& device, DeviceScan& scan) {
-    scan.built = buildTracingIndex(scan.info, scan.view);
+/// Of a file without an index. Where it can be kept, what is kept is mapped in place of what was built: those pages are
+/// the system's to take back.
+void buildIndex(DeviceScan& scan, const ScanUpload& how) {
+    scan.index_source = IndexSource::kBuilt;
+    scan.built = buildTracingIndex(scan.info, scan.view, {how.threads, {}});
     scan.index = indexView(scan.built);
-    uploadIndex(device, scan);
+    const KeptFiles store = userIndexStore();
+    const std::string unkept = keepIndex(store, scan.file, scan.index);
+    scan.kept = unkept.empty() ? openKeptIndex(store, scan.file) : nullptr;
+    if (scan.kept && pro_get_index(scan.kept, &scan.index) == 1) scan.built = {};
+    if (how.verbose && !unkept.empty())
+        std::fprintf(stderr, "%s: its index is not kept: %s\n", printable(scan.path).c_str(),
+                     printable(unkept, std::string::npos).c_str());
+}
+
+/// What was built and copied to the device.
+void letGoOfBuilt(DeviceScan& scan) {
     Bricks& bricks = scan.built.bricks;
     std::array<Words*, kIndexBuffers> words{&bricks.words, &bricks.cells,  &bricks.slabs,
                                             &bricks.near,  &bricks.listed, &bricks.blending};
@@ -99,18 +113,21 @@ void buildAndUploadIndex(Device& device, DeviceScan& scan) {
 }
 
 /// All that the device reads. Errors name the file.
-void upload(Device& device, DeviceScan& scan) {
+void upload(Device& device, DeviceScan& scan, const ScanUpload& how) {
     try {
         uploadSplats(device, scan);
         uploadNoise(device, scan);
-        if (pro_get_index(scan.file, &scan.index))
-            uploadIndex(device, scan);
-        else
-            buildAndUploadIndex(device, scan);
+        if (pro_get_index(scan.kept ? scan.kept : scan.file, &scan.index) == 0) buildIndex(scan, how);
+        uploadIndex(device, scan);
+        letGoOfBuilt(scan);
     } catch (const Error& error) {
         throw Error(error.code, scan.path + ": " + error.what());
     }
     scan.pages = pageCounts(device, pagedBuffers(scan));
+}
+
+const char* sourceWord(IndexSource source) {
+    return source == IndexSource::kFile ? "from the file" : source == IndexSource::kKept ? "kept" : "built";
 }
 
 } // namespace
@@ -127,20 +144,34 @@ DeviceScan mapScan(const std::string& path) {
     return scan;
 }
 
-void uploadScan(Device& device, DeviceScan& scan, bool verbose) {
+DeviceScan mapTracedScan(const std::string& path) {
+    DeviceScan scan = mapScan(path);
+    pro_index index;
+    if (pro_get_index(scan.file, &index) == 1) return scan;
+    try {
+        scan.kept = openKeptIndex(userIndexStore(), scan.file);
+    } catch (...) {
+        pro_close(scan.file);
+        throw;
+    }
+    if (scan.kept) scan.index_source = IndexSource::kKept;
+    return scan;
+}
+
+void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how) {
     const OnError undo([&] { destroyScan(device, scan); });
-    upload(device, scan);
-    if (verbose)
+    upload(device, scan, how);
+    if (how.verbose)
         std::fprintf(stderr, "%s: %u splats, %s%s, tracing index %s, entry grid of %u x %u x %u cells\n",
                      printable(scan.path).c_str(), scan.info.splat_count,
                      isImported(scan.splats) ? "mapped pages imported" : "sections uploaded",
-                     isPaged(scan.pages) ? ", in pages" : "", scan.built.grid.size[0] == 0 ? "from the file" : "built",
-                     scan.index.size[0], scan.index.size[1], scan.index.size[2]);
+                     isPaged(scan.pages) ? ", in pages" : "", sourceWord(scan.index_source), scan.index.size[0],
+                     scan.index.size[1], scan.index.size[2]);
 }
 
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose) {
-    DeviceScan scan = mapScan(path);
-    uploadScan(device, scan, verbose);
+    DeviceScan scan = mapTracedScan(path);
+    uploadScan(device, scan, {0, verbose});
     return scan;
 }
 
@@ -173,8 +204,8 @@ void destroyScan(Device& device, DeviceScan& scan) {
     destroyBuffer(device, scan.noise);
     scan.built = {};
     scan.index = {};
-    if (scan.file) pro_close(scan.file);
-    scan.file = nullptr;
+    for (pro_file** file : {&scan.file, &scan.kept})
+        if (*file) pro_close(std::exchange(*file, nullptr));
 }
 
 } // namespace pointrt

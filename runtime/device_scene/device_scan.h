@@ -2,6 +2,8 @@
 // A mapped .pro as device buffers.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,14 +16,19 @@
 
 namespace pointrt {
 
+/// Where the tracing index of a scan is from.
+enum class IndexSource : std::uint8_t { kFile, kKept, kBuilt };
+
 /// One .pro on the device: its splats and its tracing index, all read as texel buffers.
 struct DeviceScan {
     std::string path;
     pro_file* file = nullptr;
+    pro_file* kept = nullptr; ///< of a file without an index: that with the index that is kept for it, if any
+    IndexSource index_source = IndexSource::kFile;
     pro_info info{};
     pro_view view{};
-    pro_index index{};  ///< frame and counts; its pointers hold for an index from the file
-    TracingIndex built; ///< of a file without an index, as far as the device reads it here
+    pro_index index{};  ///< frame and counts; its pointers hold for an index from a file
+    TracingIndex built; ///< of a file without an index that cannot be kept, as far as the device reads it here
     Buffer grid_words;  ///< too few for pages (PRO_GRID_WORDS_MAX)
     PagedBuffer splats, brick_words, cells, slabs, near, listed, blending;
     PageCounts pages; ///< of those
@@ -34,10 +41,18 @@ struct DeviceScan {
 /// Maps and validates path, without anything on the device; of a file with an index its view has no octree. Throws
 /// Error kBadInput "FILE: reason".
 DeviceScan mapScan(const std::string& path);
-/// Uploads (or imports) what mapScan gave; of a file without an index that is built. Throws Error: kBadInput "FILE:
-/// reason" or kCannotRun. scan is destroyed then.
-void uploadScan(Device& device, DeviceScan& scan, bool verbose);
-/// Both.
+/// The same for who uploads it: of a file without an index with the one that is kept for it. Throws as mapScan and
+/// userIndexStore do.
+DeviceScan mapTracedScan(const std::string& path);
+
+struct ScanUpload {
+    std::size_t threads = 0; ///< that build an index, at most; 0: all cores
+    bool verbose = false;
+};
+/// Uploads (or imports) what mapTracedScan gave; of a file without an index that is built, and kept. Throws Error:
+/// kBadInput "FILE: reason" or kCannotRun. scan is destroyed then.
+void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
+/// Both, on all cores.
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
 /// A scene of nothing: small buffers for programs that must be given some.
 DeviceScan blankScan(Device& device);

@@ -2,9 +2,11 @@
 #include "runtime/device_scene/scene_tiles.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <thread>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -31,6 +33,10 @@ constexpr float kCoreSteps = 4, kMatrixRounding = 4e-7f; // a few times 2^-24
 /// their cells: of the radii up to which hits are on the surface that a ray leaves half do. Else roofs a few radii over
 /// the ground cast no shadow on coarser levels (tests/bench/NOTES.md, Outlines).
 constexpr float kMergedOwnShare = 0.5f;
+
+/// Of tiles without an index, a splat's share of it once it is built, as of most surfaces; lidar has 30 to 127, mostly
+/// 35 to 55. It may not depend on what is there already: the same command chooses the same tiles.
+constexpr std::uint32_t kBuiltIndexBytes = 82;
 
 std::unordered_map<std::string, std::uint32_t> filesByPath(const DeviceScene& scene) {
     std::unordered_map<std::string, std::uint32_t> files;
@@ -82,18 +88,21 @@ private:
     std::unordered_map<std::string, std::uint32_t> files_;
 };
 
-/// Paths of the files that instances and cuts name.
-std::unordered_set<std::string> usedFiles(const DeviceScene& scene) {
+/// Paths of the files that instances and cuts name, those of sets that are to come as well.
+std::unordered_set<std::string> usedFiles(const DeviceScene& scene, const std::vector<OpenedSet>& coming) {
     std::unordered_set<std::string> used;
     for (const InstanceDescription& each : scene.description.instances) used.insert(each.path);
-    for (const SceneSet& set : scene.sets)
-        for (const std::uint32_t tile : set.opened.cut.tiles) used.insert(tilePath(set.opened, tile));
+    const auto use = [&](const OpenedSet& set) {
+        for (const std::uint32_t tile : set.cut.tiles) used.insert(tilePath(set, tile));
+    };
+    for (const SceneSet& set : scene.sets) use(set.opened);
+    for (const OpenedSet& set : coming) use(set);
     return used;
 }
 
 /// Lets go what nothing names any more: those first that were used the longest ago, until the others fit in the cache.
-void dropUnused(Device& device, DeviceScene& scene) {
-    const std::unordered_set<std::string> used = usedFiles(scene);
+void dropUnused(Device& device, DeviceScene& scene, const std::vector<OpenedSet>& coming) {
+    const std::unordered_set<std::string> used = usedFiles(scene, coming);
     ++scene.tile_uses;
     std::uint64_t bytes = 0;
     std::vector<std::uint64_t> unused; ///< when they were used last
@@ -131,11 +140,17 @@ struct TileFile {
 void openTile(const OpenedSet& set, TileFile& file) {
     try {
         requireTile(set.set, set.set.tiles[file.tile], set.folder);
-        file.scan = mapScan(tilePath(set, file.tile));
+        file.scan = mapTracedScan(tilePath(set, file.tile));
     } catch (...) {
         file.failure = std::current_exception();
     }
 }
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begun) { return std::chrono::duration<double>(Clock::now() - begun).count(); }
+
+std::size_t halfOfCores() { return std::max(std::thread::hardware_concurrency() / 2, 1u); }
 
 /// Loads tiles for a delivery.
 class TileLoader {
@@ -150,25 +165,35 @@ public:
     }
 
 private:
-    /// What is not there yet. False where something of it is lost.
+    /// What is not there yet, as far as there is time. False where something of it is lost.
     bool loadCut(OpenedSet& set) {
         std::vector<TileFile> missing;
         for (const std::uint32_t tile : set.cut.tiles)
             if (order_.resident.count(tilePath(set, tile)) == 0) missing.push_back({tile, {}, {}});
+        const auto close = [&] {
+            for (TileFile& file : missing) destroyScan(device_, file.scan);
+        };
+        const OnError undo(close);
         // they are read from end to end
-        const std::size_t at_once = order_.on_all_cores ? missing.size() : 0;
-        forAll(at_once, [&](std::size_t i) { openTile(set, missing[i]); });
-        for (std::size_t i = at_once; i < missing.size(); ++i) openTile(set, missing[i]);
-        bool whole = true;
-        for (TileFile& file : missing) whole &= take(set, file);
-        return whole;
+        if (order_.on_all_cores) forAll(missing.size(), [&](std::size_t i) { openTile(set, missing[i]); });
+        bool found = true;
+        for (TileFile& file : missing) {
+            if (!delivery_.files.empty() && secondsSince(begun_) > order_.seconds) {
+                delivery_.whole = false;
+                close();
+                return true;
+            }
+            if (!order_.on_all_cores) openTile(set, file);
+            found &= take(set, file);
+        }
+        return found;
     }
 
     /// True where it was there; else it is marked as lost. A root has no other that would stand for it.
     bool take(OpenedSet& set, TileFile& file) {
         try {
             if (file.failure) std::rethrow_exception(file.failure);
-            uploadScan(device_, file.scan, order_.verbose);
+            uploadScan(device_, file.scan, {order_.on_all_cores ? 0 : halfOfCores(), order_.verbose});
             delivery_.files.push_back(std::exchange(file.scan, {}));
             order_.resident.insert(delivery_.files.back().path);
             return true;
@@ -184,6 +209,7 @@ private:
     Device& device_;
     TileOrder order_;
     TileDelivery& delivery_;
+    Clock::time_point begun_ = Clock::now();
 };
 
 CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileRequest& request) {
@@ -193,6 +219,8 @@ CutRequest cutRequest(const DeviceScene& scene, const SceneSet& set, const TileR
     wanted.detail = request.detail;
     wanted.memory = request.memory / scene.sets.size();
     wanted.splat_bytes = request.painted ? PRO_SPLAT_WORDS * sizeof(std::uint32_t) : 0;
+    pro_index index;
+    if (pro_get_index(set.root.file, &index) == 0) wanted.splat_bytes += kBuiltIndexBytes; // a bake's tiles are alike
     return wanted;
 }
 
@@ -285,7 +313,7 @@ std::uint64_t chooseTiles(TileOrder& order, double share) {
         request.memory = static_cast<std::uint64_t>(share * static_cast<double>(request.memory));
         chooseCuts(set, request);
         for (const std::uint32_t tile : set.cut.tiles)
-            if (order.resident.count(tilePath(set, tile)) == 0) missing += set.set.tiles[tile].bytes;
+            if (order.resident.count(tilePath(set, tile)) == 0) missing += bytesInCut(set.set.tiles[tile], request);
     }
     return missing;
 }
@@ -307,12 +335,17 @@ bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles) {
         scene.device_bytes += file.device_bytes;
         scene.files.push_back(std::move(file));
     }
+    if (!tiles.whole) {
+        for (std::size_t i = 0; i < scene.sets.size(); ++i) scene.sets[i].opened.lost = tiles.sets[i].lost;
+        dropUnused(device, scene, tiles.sets);
+        return false;
+    }
     bool others = scene.instances.empty();
     for (std::size_t i = 0; i < scene.sets.size(); ++i) {
         others |= scene.sets[i].opened.cut.tiles != tiles.sets[i].cut.tiles;
         scene.sets[i].opened = std::move(tiles.sets[i]);
     }
-    dropUnused(device, scene);
+    dropUnused(device, scene, {});
     if (!others) return false;
     scene.device_bytes -= deviceBytes(scene.paint);
     destroyScenePaint(device, scene.paint);

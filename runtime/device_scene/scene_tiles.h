@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -28,7 +29,9 @@ struct TileOrder {
     std::vector<OpenedSet> sets;              ///< the scene's, in its order
     std::vector<CutRequest> requests;         ///< for each of them
     std::unordered_set<std::string> resident; ///< paths of files that are on the device
-    bool on_all_cores = true;                 ///< else on the caller's alone
+    bool on_all_cores = true;                 ///< else on the caller's, and where an index is built on half of them
+    /// After so many seconds no tile is begun but the first: whoever asked may want others by then.
+    double seconds = std::numeric_limits<double>::infinity();
     bool verbose = false;
 };
 TileOrder orderTiles(const DeviceScene& scene, const TileRequest& request);
@@ -41,6 +44,7 @@ struct TileDelivery {
     std::vector<OpenedSet> sets;   ///< the scene's, in its order, with other cuts
     std::vector<DeviceScan> files; ///< what was not on the device yet
     std::vector<std::string> lost; ///< of each tile that could not be opened, why
+    bool whole = true;             ///< else time ran out: the cuts cannot stand yet
 };
 /// Loads what of order's cuts, which were chosen, is not on the device; where a tile cannot be opened, its parent is
 /// loaded in its place, and stands for it from then on. Throws Error kBadInput where a root is lost, kCannotRun as
@@ -49,7 +53,8 @@ TileDelivery loadTiles(Device& device, TileOrder order);
 void destroyTiles(Device& device, TileDelivery& tiles);
 
 /// Puts tiles into scene in place of those that stand for its sets, and makes its instances anew; its tables, and
-/// tracers of it, have to be made anew then, too. False where they are the tiles that there were, and nothing is done.
+/// tracers of it, have to be made anew then, too. False where they are the tiles that there were, and nothing is done,
+/// and where the delivery is not whole: then its files are there for the next one.
 bool standTiles(Device& device, DeviceScene& scene, TileDelivery tiles);
 /// All of that, on this thread. A tile that is lost is told of on standard error, once; so is a cut that memory made
 /// coarser.

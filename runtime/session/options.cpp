@@ -22,6 +22,8 @@ constexpr const char* kNotes =
     "the signal's all the same. A second Ctrl-C ends at once.\n"
     "A PNG is written while it is rendered, in 1.3 GiB of memory at most. EXRs, turntables and what\n"
     "--time-limit or --noise may end are held whole, in 112 bytes a pixel; where memory lacks nothing is begun.\n"
+    "POINTRT_INDEX_CACHE=20G, or off, in the environment says how much is kept in ~/.cache/pointrt/index of\n"
+    "what is built for files without an index; 8 GiB where nothing is said.\n"
     "POINTRT_VALIDATION=1 in the environment turns the Vulkan validation layer on; any message is exit code 3.";
 
 /// Adds an option whose text goes through set; what set throws as std::invalid_argument becomes "NAME: reason".

@@ -80,9 +80,7 @@ private:
         }
     };
 
-    std::uint64_t bytesOf(std::uint32_t tile) const {
-        return set_.tiles[tile].bytes + set_.tiles[tile].stored * request_.splat_bytes;
-    }
+    std::uint64_t bytesOf(std::uint32_t tile) const { return bytesInCut(set_.tiles[tile], request_); }
 
     double pixelsOf(std::uint32_t tile) const {
         const TileBox core = coreOf(set_, set_.tiles[tile]);
@@ -175,6 +173,10 @@ bool isInPicture(const TileBox& box, const CutView& view) {
     };
     return within(normals.right, right) && within(-1.0 * normals.right, right) && within(normals.up, up) &&
            within(-1.0 * normals.up, up);
+}
+
+std::uint64_t bytesInCut(const SetTile& tile, const CutRequest& request) {
+    return tile.bytes + tile.stored * request.splat_bytes;
 }
 
 double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& view) {

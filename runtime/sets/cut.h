@@ -31,7 +31,7 @@ struct CutRequest {
     /// With 0 none is that has finer ones; with kMaxPixelSide or more, which no picture has, every one is.
     double detail = RenderSettings{}.detail;
     std::uint64_t memory = 0;        ///< bytes that the tiles may take, but for the root's, which is always there
-    std::uint32_t splat_bytes = 0;   ///< that a stored splat takes besides the file
+    std::uint32_t splat_bytes = 0;   ///< that a stored splat takes besides the file: its paint, an index that is built
     std::vector<bool> wanted_unseen; ///< of each tile, or empty: many rays meet it though no camera sees it
     std::vector<bool> lost;          ///< of each tile, or empty: it cannot be had, and its parent stands for it
 };
@@ -49,6 +49,8 @@ struct TileCut {
 TileCut chooseCut(const TileSet& set, const std::vector<std::vector<std::uint32_t>>& children,
                   const CutRequest& request);
 
+/// What a tile takes.
+std::uint64_t bytesInCut(const SetTile& tile, const CutRequest& request);
 /// How many of the view's pixels lie across what a tile leaves out where the camera comes nearest to its core; 0 of
 /// original ones. Infinite from within.
 double leftOutPixels(const TileSet& set, const SetTile& tile, const CutView& view);

@@ -5,7 +5,7 @@
 set -euo pipefail
 
 : "${POINTRT_BIN:?the folder of the built tools}"
-export PATH=$POINTRT_BIN:$PATH LC_ALL=C
+export PATH=$POINTRT_BIN:$PATH LC_ALL=C POINTRT_INDEX_CACHE=off
 suite_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 fail() {

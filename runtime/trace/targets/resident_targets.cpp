@@ -150,10 +150,10 @@ void ResidentTargets::load(const std::vector<std::uint32_t>& files) {
             const TargetSet& set = list_.sets[file.set];
             requireTile(set.set, set.set.tiles[file.tile], set.folder);
         }
-        scans[k] = mapScan(file.path);
+        scans[k] = mapTracedScan(file.path);
     });
     for (std::size_t k = 0; k < files.size(); ++k) {
-        uploadScan(device_, scans[k], false);
+        uploadScan(device_, scans[k], {});
         take(files[k], std::exchange(scans[k], {}));
         // more than was expected: that one was used last, and stays
         while (tile_bytes_ > memory_ && tiles_ > 1) drop(*oldestTile());

@@ -8,6 +8,8 @@ namespace {
 
 /// A step's files: a fifth of a second from memory, two from a slow disk.
 constexpr std::uint64_t kStepBytes = 64 << 20;
+/// So long it goes on to load tiles that the camera may be past: those without an index take a second or more each.
+constexpr double kStep_s = 0.5;
 /// Levels have four times as many splats as the next coarser one: so a step is about a level.
 constexpr double kStepShare = 0.25;
 constexpr double kLeastShare = kStepShare * kStepShare * kStepShare;
@@ -45,7 +47,9 @@ void TileJob::work(TileOrder order) {
     wanted_ = tilesOf(order.sets);
     last_ = chooseStep(order);
     order.on_all_cores = false; // the window has work for the others
+    order.seconds = kStep_s;
     tiles_ = loadTiles(worker_.get(), std::move(order));
+    last_ &= tiles_.whole;
 }
 
 TileDelivery TileJob::take() { return std::exchange(tiles_, {}); }

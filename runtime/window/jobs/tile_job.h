@@ -9,7 +9,8 @@
 namespace pointrt {
 
 /// Loads a step towards the tiles that order asks for: coarse ones first, so that something is seen of all of them
-/// soon. To be started where no other thread uses device, which must outlive it.
+/// soon; what takes long, such as building indices, ends it with what is there by then. To be started where no other
+/// thread uses device, which must outlive it.
 class TileJob {
 public:
     TileJob(Device& device, TileOrder order);

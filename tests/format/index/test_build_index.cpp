@@ -49,6 +49,29 @@ TEST(BuildIndex, TheSameForAnyNumberOfThreads) {
     for (const std::size_t threads : {2u, 5u, 0u}) expectSame(one, buildTracingIndex(scene.info, view, {threads, {}}));
 }
 
+/// Discs that lie in two planes: all numbers are exact, so that it is the same scene on any machine.
+Scene exactScene() {
+    std::vector<pro_splat> splats;
+    for (unsigned k = 0; k < 3000; ++k) {
+        const float x = static_cast<float>(k * 7919 % 1000) / 1024, y = static_cast<float>(k * 104729 % 1000) / 1024;
+        splats.push_back({{x, y, 0.5f}, {0, 0, 1}, 0.02f, {}, 0});
+        splats.push_back({{0.25f, x / 16, y / 16}, {1, 0, 0}, 0.001f, {}, 0}); // crowded
+    }
+    return test::sceneOf(splats);
+}
+
+/// Who kept indices would go on with those of another builder: where this fails, raise kIndexVersion.
+TEST(BuildIndex, WhatItMakesHasAVersion) {
+    Scene scene = exactScene();
+    const TracingIndex index = buildTracingIndex(scene.info, scene.view());
+    std::uint64_t sum = 0;
+    for (const Words* words : {&index.grid.words, &index.bricks.words, &index.bricks.cells, &index.bricks.slabs,
+                               &index.bricks.near, &index.bricks.listed, &index.bricks.blending})
+        sum = XXH3_64bits_withSeed(words->data(), words->size() * sizeof(std::uint32_t), sum);
+    EXPECT_EQ(kIndexVersion, 1u);
+    EXPECT_EQ(sum, 1731134349194401415u);
+}
+
 TEST(BuildIndex, PassesTheFormatsChecksAndIsReadAsItWas) {
     const test::TemporaryFolder folder;
     Scene scene = crowdedScene();

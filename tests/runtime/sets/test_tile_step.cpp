@@ -57,6 +57,12 @@ TEST(TileStep, CoarseTilesComeFirst) {
     EXPECT_EQ(order.sets[0].cut.tiles, (Numbers{3, 4, 5, 6}));
 }
 
+TEST(TileStep, WhatIsBuiltIsToComeAsWell) {
+    TileOrder order = orderOfFour();
+    order.requests[0].splat_bytes = 30 * kMebibyte; // tiles here have a splat each
+    EXPECT_EQ(chooseTiles(order), (4 * 40 + 4 * 30) * kMebibyte);
+}
+
 TEST(TileStep, WhatIsThereTakesNoStep) {
     TileOrder order = orderOfFour();
     for (std::uint32_t tile = 0; tile < 7; ++tile) order.resident.insert(tilePath(order.sets[0], tile));
