@@ -114,12 +114,6 @@ bool AtomicFile::fail(int error) {
     return false;
 }
 
-bool AtomicFile::failExisting() {
-    error_ = "exists already";
-    name_is_taken_ = true;
-    return false;
-}
-
 bool AtomicFile::open(const std::string& path, Existing existing) {
     existing_ = existing;
     if (path.empty()) return fail(ENOENT);

@@ -39,7 +39,11 @@ public:
 
 private:
     bool fail(int error);
-    bool failExisting();
+    bool failExisting() {
+        error_ = "exists already";
+        name_is_taken_ = true;
+        return false;
+    }
     bool openNamed();
     bool nameUnnamed();
     bool replace();

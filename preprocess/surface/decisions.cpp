@@ -15,8 +15,7 @@ void PlacesOfCloud::add(const SurfaceReport& report, const Splats& splats) {
 }
 
 CloudTraits PlacesOfCloud::traits() {
-    constexpr std::size_t kFewPoints = 1000; // as sheetShares has it
-    if (points_ < kFewPoints) return {};
+    if (points_ < surface::kFewForSheets) return {};
     return {{},
             surface::isScattered(scattered_, points_),
             surface::rowsToFill(filling_, points_),

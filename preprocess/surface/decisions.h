@@ -36,7 +36,7 @@ public:
     /// @param splats of the place, whose radii were decided to have no limit and no scale
     void add(const SurfaceReport& report, const Splats& splats);
 
-    /// Nothing is told by fewer than 1000 points.
+    /// Nothing is told by fewer points than tell sheets (dimension.h).
     CloudTraits traits();
 
 private:

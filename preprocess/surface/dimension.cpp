@@ -35,9 +35,6 @@ constexpr float kAmongSheets = 0.5f, kAmongScatter = 0.25f;
 /// that reach around them. Of a million samples of scanned meshes 3 in a thousand do.
 constexpr double kMinScattered = 0.01;
 
-/// With fewer points 16 neighbours reach round a whole body, and nothing of it is flat.
-constexpr std::size_t kFewPoints = 1000;
-
 /// 1 at `sure` and beyond, 0 at `none` and beyond, a straight line between.
 float ramp(float value, float none, float sure) { return std::clamp((value - none) / (sure - none), 0.0f, 1.0f); }
 
@@ -131,7 +128,7 @@ std::vector<float> sheetShares(const Points& points, const NeighborLists& lists,
                                const std::vector<std::uint8_t>& inner, std::size_t& scattered,
                                const StageShare& share) {
     scattered = 0;
-    if (points.size() < kFewPoints || decided == false) return {};
+    if (points.size() < kFewForSheets || decided == false) return {};
     std::vector<float> shares = ownShares(points, lists, share);
     const std::size_t own = countScattered(shares, inner);
     if (!decided && own == 0) return {};

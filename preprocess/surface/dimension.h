@@ -2,6 +2,7 @@
 // Whether a point lies on a surface, or among points scattered in space.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,9 +11,12 @@
 
 namespace pointrt::surface {
 
+/// With fewer points 16 neighbours reach round a whole body, and nothing of it is flat.
+constexpr std::size_t kFewForSheets = 1000;
+
 /// How far the surroundings of each point are a surface: 1 a smooth one, an edge or a corner, however noisy, as long as
 /// the neighbourhood shows it; 0 points scattered in space, as leaves and strays are; in between neither is clear.
-/// Empty where the cloud is one of surfaces (isScattered), or has fewer than 1000 points. The dimension of a
+/// Empty where the cloud is one of surfaces (isScattered), or has fewer than kFewForSheets points. The dimension of a
 /// neighbourhood by the eigenvalues of its covariance, at the scale where it is most a plane (Pauly et al., Efficient
 /// simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar
 /// point clouds, 2011). Points need normals.

@@ -56,12 +56,17 @@ case_rays_meet_the_same() {
     [ "$(find "$kept" -type f | wc -l)" = 1 ] || fail "not one file is kept"
 }
 
+# bakeSets TILE_SPLATS: shipped.proset, with indices, and compact.proset, without.
+bakeSets() {
+    sphere 20000 >ball.xyz
+    pointrt-bake -q ball.xyz -o shipped.proset --tile-splats "$1"
+    pointrt-bake -q ball.xyz -o compact.proset --tile-splats "$1" --compact
+}
+
 case_a_set_is_indexed_once() {
     local tiles
     useCache
-    sphere 20000 >ball.xyz
-    pointrt-bake -q ball.xyz -o shipped.proset --tile-splats 2000
-    pointrt-bake -q ball.xyz -o compact.proset --tile-splats 2000 --compact
+    bakeSets 2000
     expectDone pointrt-view -v shipped.proset -o out/shipped.png --size 96x64 --spp 1 --detail 0
     tiles=$(grep -c "tracing index from the file" stderr)
     [ "$tiles" -gt 4 ] || fail "there are few tiles"
@@ -75,9 +80,7 @@ case_a_set_is_indexed_once() {
 case_memory_counts_what_is_built() {
     local each
     useCache
-    sphere 20000 >ball.xyz
-    pointrt-bake -q ball.xyz -o shipped.proset --tile-splats 5000
-    pointrt-bake -q ball.xyz -o compact.proset --tile-splats 5000 --compact
+    bakeSets 5000
     [ "$(du -sb compact.proset | cut -f 1)" -lt 1000000 ] || fail "that does not fit"
     for each in shipped compact; do
         expectDone pointrt-view "$each.proset" -o "out/$each.png" --size 96x64 --spp 1 --detail 0 --memory 1M
