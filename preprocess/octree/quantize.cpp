@@ -17,8 +17,9 @@ namespace {
 /// Room left around the discs, as a share of the extent: keeps float rounding from pushing a disc out of the cube.
 constexpr double kCubeMargin = 1.0 / 1024;
 
-/// Codes span at most 16 octaves (65536 : 1); smaller radii are raised to the smallest code.
-constexpr float kRadiusOctavesMax = 16.0f;
+/// Radius codes to an octave, as powers of two: 255 codes of the coarsest span 15.9 octaves (62,000 : 1), and smaller
+/// radii are raised to the smallest code; a code of the finest is a radius's 6000th.
+constexpr int kCoarsestRadiusBits = 4, kFinestRadiusBits = 12;
 
 struct Bounds {
     Vec3d lo = Vec3d::Constant(std::numeric_limits<double>::infinity());
@@ -63,8 +64,9 @@ void fillFrame(const Splats& splats, pro_info& frame) {
         frame.bounds_min[axis] = splats.origin[axis] + centers.lo[axis];
         frame.bounds_max[axis] = splats.origin[axis] + centers.hi[axis];
     }
-    frame.radius_max = static_cast<float>(radius_max / frame.scale);
-    frame.radius_step = radiusStep(radius_min, radius_max);
+    const RadiusCoding coding = radiusCoding(radius_min, radius_max);
+    frame.radius_max = static_cast<float>(coding.most / frame.scale);
+    frame.radius_step = coding.step;
     frame.blend_slab = kBlendSlab;
     frame.flags = (splats.colors.empty() ? 0u : PRO_FLAG_COLOR) | (splats.oriented ? PRO_FLAG_ORIENTED : 0u);
 }
@@ -95,9 +97,14 @@ void packSampling(const Splats& splats, const std::vector<CurveKey>& keys, Packe
 
 } // namespace
 
-float radiusStep(float radius_min, float radius_max) {
-    const float octaves = std::min(kRadiusOctavesMax, std::log2(radius_max / radius_min));
-    return octaves / PRO_RADIUS_CODE_MAX;
+RadiusCoding radiusCoding(float radius_min, float radius_max) {
+    if (!(radius_min < radius_max)) return {radius_max, 0};
+    const double least = std::log2(double{radius_min}), most = std::log2(double{radius_max});
+    int bits = kFinestRadiusBits;
+    const auto top = [&] { return std::ceil(std::ldexp(most, bits)); };
+    while (bits > kCoarsestRadiusBits && top() - std::ldexp(least, bits) > double{PRO_RADIUS_CODE_MAX}) --bits;
+    const auto widest = static_cast<float>(std::exp2(std::ldexp(top(), -bits)));
+    return {std::max(widest, radius_max), std::ldexp(1.0f, -bits)};
 }
 
 void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed) {

@@ -42,8 +42,16 @@ constexpr float kBlendSlab = 0.5f;
 /// radii): 1.66 at 8, 1.92 at 6, 2.47 at 4.
 constexpr double kLeafEdgeRadii = 8.0;
 
-/// Octaves a code, so that the codes reach from the largest radius to the smallest one, or 16 octaves at most.
-float radiusStep(float radius_min, float radius_max);
+/// Code c stands for the radius most * 2^(-c * step).
+struct RadiusCoding {
+    float most = 0; ///< the unit of the radii
+    float step = 0; ///< octaves
+};
+
+/// Codes that reach from the largest radius to the smallest one, or 15.9 octaves at most. All radii that they stand for are
+/// of one series, 2^(k / 2^n): what has the same radius in two files, or in two tiles, has the same in both once coded,
+/// whatever else there is, as long as their n is the same. A larger n has the radii of a smaller one, too.
+RadiusCoding radiusCoding(float radius_min, float radius_max);
 
 /// The k-th of packed is this splat: its words, and its disc as readers will decode it. Cube units of packed.frame.
 void packSplat(const pro_splat& splat, std::size_t k, PackedSplats& packed);

@@ -32,7 +32,9 @@ std::vector<LevelCoding> findLevelCodings(const TileTree& tree, double edge,
         const float limit = static_cast<float>(kRadiusPerEdge * edge_here);
         const float most = std::min(ranges[level].most, limit), least = std::min(ranges[level].least, most);
         codings.emplace_back();
-        if (most > 0) codings.back() = {static_cast<float>(most / (2 * edge_here)), radiusStep(least, most)};
+        if (!(most > 0)) continue;
+        const RadiusCoding coding = radiusCoding(least, most);
+        codings.back() = {static_cast<float>(std::min(coding.most, limit) / (2 * edge_here)), coding.step};
     }
     return codings;
 }

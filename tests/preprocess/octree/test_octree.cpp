@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "preprocess/cloud/morton.h"
@@ -144,6 +146,37 @@ TEST(Quantize, KeepsPositionsNormalsAndRadii) {
         EXPECT_LE(radius, given.radii[i] * std::exp2(packed.frame.radius_step) * 1.00001);
     }
     EXPECT_TRUE(std::is_sorted(packed.morton.begin(), packed.morton.end()));
+}
+
+/// A radius as readers decode it where these are the least and the largest.
+float codedRadius(float radius, float least, float most) {
+    const RadiusCoding coding = radiusCoding(least, most);
+    const pro_splat splat{{0.5f, 0.5f, 0.5f}, {0, 0, 1}, radius, {0, 0, 0}, 0};
+    std::array<std::uint32_t, PRO_SPLAT_WORDS> words;
+    pro_splat_encode(&splat, coding.most, coding.step, words.data());
+    pro_splat decoded;
+    pro_splat_decode(words.data(), coding.most, coding.step, &decoded);
+    return decoded.radius;
+}
+
+TEST(Quantize, RadiiAreOfOneSeriesWhateverTheLargestIs) {
+    // 6.6 to 7.9 octaves: 32 codes each
+    for (const float most : {0.99f, 1.0f, 1.3f, 2.4f})
+        for (const float radius : {0.0102f, 0.1f, 0.3333f, 0.98f}) {
+            const float coded = codedRadius(radius, 0.0101f, most);
+            EXPECT_FLOAT_EQ(coded, codedRadius(radius, 0.0101f, 1.1f)) << radius << " of " << most;
+            EXPECT_GE(coded, radius * 0.999999f);
+            EXPECT_LE(coded, radius * std::exp2(1 / 32.0f) * 1.000001f);
+        }
+}
+
+TEST(Quantize, RadiusCodesAreAsFineAsTheRangeAllows) {
+    EXPECT_EQ(radiusCoding(0.3f, 0.3f).step, 0); // exact
+    EXPECT_EQ(codedRadius(0.3f, 0.3f, 0.3f), 0.3f);
+    EXPECT_EQ(radiusCoding(0.3f, 0.3001f).step, std::ldexp(1.0f, -12));
+    EXPECT_EQ(radiusCoding(1, 1.9f).step, 1 / 256.0f); // 0.93 octaves are 238 codes
+    EXPECT_EQ(radiusCoding(1e-9f, 1).step, 1 / 16.0f);
+    EXPECT_FLOAT_EQ(codedRadius(1e-9f, 1e-9f, 1), std::exp2(-255 / 16.0f)); // raised to the smallest
 }
 
 TEST(Quantize, PointsComeBeforeWhatFillsGaps) {
