@@ -36,8 +36,9 @@ std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const 
 void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes);
 
 /// Position and normal are the means by area. Where the members lie in a plane, side by side, the disc covers what
-/// of theirs closes the surface, so that it stays closed. Elsewhere, as in a tree, its area is the sum of theirs but for
-/// what they hide of each other, as far as they reach: a ray of any direction then meets it as often as it met them.
+/// of theirs closes the surface, so that it stays closed. Elsewhere, as in a tree, its area is the sum of theirs but
+/// for what they hide of each other, as far as they reach: a ray of any direction then meets it as often as it met
+/// them.
 MergedDisc mergeDiscs(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented);
 
 } // namespace pointrt

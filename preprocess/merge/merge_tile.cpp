@@ -67,7 +67,7 @@ Input takeInput(const TileKey& parent, const std::vector<MergeChild>& children, 
         const MergeChild& child = children[source.tile];
         input.discs.positions[k] = placeOf(parent, child.tile, child.splats.positions[source.splat]);
         input.discs.normals[k] = normalOf(child.splats.normals[source.splat]);
-        input.discs.radii[k] = static_cast<float>(child.splats.radii[source.splat] / edge);
+        input.discs.radii[k] = static_cast<float>(child.splats.radius(source.splat) / edge);
     });
     return input;
 }
@@ -185,11 +185,11 @@ TileSplats mergeSplats(const TileKey& parent, std::vector<MergeChild> children, 
 }
 
 void mergeTile(const std::string& folder, const TileKey& parent, const std::vector<TileKey>& children, double edge,
-               std::uint64_t tile_splats, bool oriented) {
+               std::uint64_t tile_splats, bool oriented, float widest) {
     std::vector<std::unique_ptr<SplatFile>> files;
     std::vector<MergeChild> merged;
     for (const TileKey& child : children) {
-        files.push_back(std::make_unique<SplatFile>(folder, child));
+        files.push_back(std::make_unique<SplatFile>(folder, child, widest));
         merged.push_back({child, files.back()->splats(), files.back()->head().error});
     }
     writeSplats(folder, parent,

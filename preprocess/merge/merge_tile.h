@@ -2,6 +2,7 @@
 // Splats of a coarser level: a parent's out of its children's.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "preprocess/tiles/splat_file.h"
@@ -29,7 +30,8 @@ TileSplats mergeSplats(const TileKey& parent, std::vector<MergeChild> children, 
                        double edge, std::uint64_t tile_splats, bool oriented);
 
 /// The same from file to file. Children are those that have files. Throws Error.
+/// @param widest of the original splats' radii, input units
 void mergeTile(const std::string& folder, const TileKey& parent, const std::vector<TileKey>& children, double edge,
-               std::uint64_t tile_splats, bool oriented);
+               std::uint64_t tile_splats, bool oriented, float widest = std::numeric_limits<float>::infinity());
 
 } // namespace pointrt

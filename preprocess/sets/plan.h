@@ -168,6 +168,12 @@ void writePlan(const SetPlan& plan);
 /// Makes a file of no more than its name. Throws Error (kCannotWrite).
 void writeMark(const std::string& path);
 
+/// Takes down how wide discs may be, once all are known: infinity, where nothing limits them. Throws Error
+/// (kCannotWrite).
+void writeWidestRadius(const SetPlan& plan, float radius);
+/// Nothing before that. Throws Error (kBadInput).
+std::optional<float> readWidestRadius(const SetPlan& plan);
+
 /// Takes down what holds for all of the plan's points beside it. Throws Error (kCannotWrite).
 void writeTraits(const SetPlan& plan, const CloudTraits& traits);
 

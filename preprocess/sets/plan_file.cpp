@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // plan.json, and beside it sides.bin: the sample whose normals tell sides, rows of 3 doubles and 3 floats; and, once
-// points are split, traits.json.
+// points are split, traits.json; and, once all blocks are baked, widest.json.
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "format/base/atomic_file.h"
@@ -22,6 +24,7 @@ constexpr int kVersion = 2;
 
 std::string sidesFile(const std::string& work) { return work + "/sides.bin"; }
 std::string traitsFile(const std::string& work) { return work + "/traits.json"; }
+std::string widestFile(const std::string& work) { return work + "/widest.json"; }
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
@@ -288,6 +291,24 @@ void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
                        {"fill_rows", jsonOf(traits.fill_rows)},
                        {"radius_limit", jsonOf(traits.radius_limit)}};
     writeWhole(traitsFile(plan.work), json.dump() + "\n");
+}
+
+void writeWidestRadius(const SetPlan& plan, float radius) {
+    const std::optional<float> limit = std::isfinite(radius) ? std::optional(radius) : std::nullopt;
+    writeWhole(widestFile(plan.work), Json({{"radius", jsonOf(limit)}}).dump() + "\n");
+}
+
+std::optional<float> readWidestRadius(const SetPlan& plan) {
+    const std::string path = widestFile(plan.work);
+    std::ifstream stream(path);
+    if (!stream) return std::nullopt;
+    try {
+        const float radius =
+            takeMaybe<float>(Json::parse(stream), "radius").value_or(std::numeric_limits<float>::infinity());
+        if (radius > 0) return radius;
+    } catch (const Json::exception&) {
+    }
+    throw Error(ExitCode::kBadInput, path + ": is no file of this program");
 }
 
 SetPlan readPlan(const std::string& work) {

@@ -260,11 +260,17 @@ void tightenSmoothed(std::vector<float>& radii, const std::vector<float>& noise)
         if (noise[i] > 0) radii[i] *= kSmoothed;
 }
 
+std::optional<RadiusLimitRule> radiusLimitRule(std::size_t count) {
+    if (count < kMinLimitPoints) return std::nullopt;
+    return RadiusLimitRule{std::size_t(kLimitShare * double(count)), kLimit};
+}
+
 float radiusLimit(std::vector<float>& radii) {
-    if (radii.size() < kMinLimitPoints) return std::numeric_limits<float>::infinity();
-    const auto at = radii.begin() + std::ptrdiff_t(kLimitShare * double(radii.size()));
+    const auto rule = radiusLimitRule(radii.size());
+    if (!rule) return std::numeric_limits<float>::infinity();
+    const auto at = radii.begin() + std::ptrdiff_t(rule->place);
     std::nth_element(radii.begin(), at, radii.end());
-    return kLimit * *at;
+    return rule->times * *at;
 }
 
 void limitRadii(std::vector<float>& radii, std::optional<float> decided) {

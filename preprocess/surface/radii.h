@@ -31,6 +31,14 @@ void shrinkPlates(std::vector<float>& radii, const Points& points, const Neighbo
 /// @param decided for a larger cloud: the widest
 void limitRadii(std::vector<float>& radii, std::optional<float> decided);
 
+/// How wide the discs of so many may be: which of the radii, counted from the least, tells it, and how many times as
+/// wide; nothing where there are too few to tell.
+struct RadiusLimitRule {
+    std::size_t place = 0;
+    float times = 1;
+};
+std::optional<RadiusLimitRule> radiusLimitRule(std::size_t count);
+
 /// The widest that a disc of a cloud may be, by the radii of all; infinity: of too few to tell. Changes their order.
 float radiusLimit(std::vector<float>& radii);
 

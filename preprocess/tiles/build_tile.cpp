@@ -19,13 +19,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder) {
+GatheredSplats gatherAll(const TileSet& set, const TileTree& tree, const TileKey& tile, const std::string& folder,
+                         float widest) {
     GatheredSplats gathered;
     if (readSplatSummary(folder, tile).head.count == 0)
         return gathered; // what cleaning moved here has no parent either
     const double edge = edgeOf(set, tile.level);
     for (const TileKey& source : sourcesOf(tree, tile)) {
-        const SplatFile file(folder, source);
+        const SplatFile file(folder, source, widest);
         if (gathered.splats.attributes.empty()) gathered.splats.attributes = file.schema();
         if (gathered.splats.attributes.size() != file.schema().size())
             throw Error(ExitCode::kBadInput,
@@ -98,7 +99,7 @@ std::vector<TileKey> sourcesOf(const TileTree& tree, const TileKey& tile) {
 std::optional<SetTile> buildTile(const TileSet& set, const TileTree& tree, const TileKey& tile,
                                  const std::vector<LevelCoding>& codings, const SetFolders& folders,
                                  const TileOptions& options) {
-    GatheredSplats gathered = gatherAll(set, tree, tile, folders.splats);
+    GatheredSplats gathered = gatherAll(set, tree, tile, folders.splats, options.widest);
     if (gathered.own == 0) return std::nullopt;
     PackedSplats packed = packTile(set, tile, codings.at(tile.level), gathered.splats);
     const ProContent content = contentOf(set, options, tile, gathered, packed);

@@ -2,6 +2,7 @@
 // Splat files to one tile of a set.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +17,10 @@ struct TileOptions {
     OctreeOptions octree;
     bool prune = true;
     PruneOptions pruning;
-    bool index = true;           ///< write the tracing index
-    std::size_t threads = 0;     ///< of the index; 0: all
-    float reflectivity = 0;      ///< of the material, 0 to 1
+    bool index = true;                                     ///< write the tracing index
+    std::size_t threads = 0;                               ///< of the index; 0: all
+    float widest = std::numeric_limits<float>::infinity(); ///< of the original splats' radii, input units
+    float reflectivity = 0;                                ///< of the material, 0 to 1
     std::string metadata = "{}"; ///< JSON object that META holds; what tile it is comes on top
 };
 

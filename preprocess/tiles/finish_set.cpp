@@ -64,11 +64,14 @@ private:
 
 } // namespace
 
-std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, const std::string& splats_folder) {
+std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, const std::string& splats_folder,
+                                          float widest) {
     std::map<TileKey, RadiusRange> ranges;
     for (const TileKey& tile : tree.tiles()) {
         const SplatFileHead head = readSplatSummary(splats_folder, tile).head;
         ranges[tile] = {head.radius_min, head.radius_max};
+        if (tree.isOriginal(tile)) ranges[tile].least = std::min(head.radius_min, widest);
+        if (tree.isOriginal(tile)) ranges[tile].most = std::min(head.radius_max, widest);
     }
     return findLevelCodings(tree, edge, [&](const TileKey& tile) { return ranges.at(tile); });
 }

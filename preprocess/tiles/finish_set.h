@@ -2,12 +2,16 @@
 // The last step of a bake in tiles: set.json.
 #pragma once
 
+#include <limits>
+
 #include "preprocess/tiles/build_tile.h"
 
 namespace pointrt {
 
 /// How all levels code their radii, from the files of all tiles. Throws Error (kBadInput).
-std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, const std::string& splats_folder);
+/// @param widest of the original splats' radii, input units
+std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, const std::string& splats_folder,
+                                          float widest = std::numeric_limits<float>::infinity());
 
 /// Fills in what the tiles tell: rows, levels, attributes with their ranges, bounds and noise of the original splats,
 /// and writes set.json. The noise is the median of the original tiles' medians, by their splats. Throws Error.

@@ -47,7 +47,7 @@ void gatherSplats(const TileKey& tile, double edge, const TileKey& from, const S
         const auto code = codeIn(tile, from, splats.positions[i]);
         if (!code) continue;
         const bool own = isInCore(*code);
-        if (!own && !reachesCore(*code, splats.normals[i], static_cast<float>(splats.radii[i] / scale))) continue;
+        if (!own && !reachesCore(*code, splats.normals[i], static_cast<float>(splats.radius(i) / scale))) continue;
         appendSplat(gathered.splats, splats, i, *code);
         gathered.own += own;
     }

@@ -186,9 +186,10 @@ void writeSplats(const std::string& folder, const TileKey& tile, const TileSplat
     pieces.write(splatFileOf(folder, tile));
 }
 
-SplatFile::SplatFile(const std::string& folder, const TileKey& tile) : path_(splatFileOf(folder, tile)) {
+SplatFile::SplatFile(const std::string& folder, const TileKey& tile, float widest) : path_(splatFileOf(folder, tile)) {
     if (!file_.map(path_.c_str())) fail(path_, file_.error());
     take(tile);
+    if (head_.error == 0) view_.widest = widest;
 }
 
 void SplatFile::take(const TileKey& tile) {
@@ -228,6 +229,19 @@ TileSplats readSplats(const std::string& folder, const TileKey& tile) {
     splats.error = file.head().error;
     splats.spacing = file.head().spacing;
     return splats;
+}
+
+std::vector<float> readRadii(const std::string& folder, const TileKey& tile) {
+    const std::string path = splatFileOf(folder, tile);
+    format::MappedFile file;
+    if (!file.map(path.c_str())) fail(path, file.error());
+    Taker taker(file.bytes(), path);
+    const SplatFileHead head = taker.take<SplatFileHead>(1).front();
+    requireOf(head, tile, path);
+    taker.take<AttributeRecord>(head.attribute_count);
+    taker.take<PositionCode>(head.count);
+    taker.take<std::uint32_t>(head.count); // normals
+    return copyOf(taker.take<float>(head.count));
 }
 
 bool hasSplatFile(const std::string& folder, const TileKey& tile) {

@@ -39,8 +39,8 @@ void writeSplats(const std::string& folder, const TileKey& tile, const TileSplat
 /// A file mapped and checked: its size, its checksum, that it is of this tile.
 class SplatFile {
 public:
-    /// Throws Error (kBadInput).
-    SplatFile(const std::string& folder, const TileKey& tile);
+    /// @param widest of original splats' radii, input units: SplatsView::widest. Throws Error (kBadInput).
+    SplatFile(const std::string& folder, const TileKey& tile, float widest = std::numeric_limits<float>::infinity());
 
     const SplatFileHead& head() const { return head_; }
     /// Points into the file.
@@ -64,6 +64,9 @@ void dropArrays(const std::string& folder, const TileKey& tile);
 
 /// All of it in memory. Throws Error (kBadInput).
 TileSplats readSplats(const std::string& folder, const TileKey& tile);
+
+/// As in the file, which is not held against its checksum. Throws Error (kBadInput).
+std::vector<float> readRadii(const std::string& folder, const TileKey& tile);
 
 /// Whether the file is there, whole, and of this tile.
 bool hasSplatFile(const std::string& folder, const TileKey& tile);

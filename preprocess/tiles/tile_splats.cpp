@@ -32,7 +32,12 @@ void squaresAround(const std::vector<PositionCode>& sorted, std::size_t at, std:
 } // namespace
 
 SplatsView viewOf(const TileSplats& splats) {
-    SplatsView view{splats.positions, splats.normals, splats.radii, splats.colors, splats.noise, {}};
+    SplatsView view;
+    view.positions = splats.positions;
+    view.normals = splats.normals;
+    view.radii = splats.radii;
+    view.colors = splats.colors;
+    view.noise = splats.noise;
     for (const Attribute& each : splats.attributes) view.attributes.push_back({each.values.data(), each.bytesEach()});
     return view;
 }
@@ -62,7 +67,7 @@ void appendSplat(TileSplats& to, const SplatsView& from, std::size_t i, const Po
     const std::size_t before = to.positions.size();
     to.positions.push_back(position);
     to.normals.push_back(from.normals[i]);
-    to.radii.push_back(from.radii[i]);
+    to.radii.push_back(from.radius(i));
     if (!from.colors.empty()) to.colors.push_back(from.colors[i]);
     if (!from.noise.empty()) to.noise.resize(before, 0);
     if (!from.noise.empty() || !to.noise.empty()) to.noise.push_back(from.noise.empty() ? 0 : from.noise[i]);

@@ -2,6 +2,8 @@
 // The splats that a tile has computed, as its own file and its neighbours' will hold them.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,6 +37,9 @@ struct SplatsView {
         std::size_t bytes_each;
     };
     std::vector<Values> attributes;
+    float widest = std::numeric_limits<float>::infinity(); ///< radii above it count as this
+
+    float radius(std::size_t i) const { return std::min(radii[i], widest); }
 };
 SplatsView viewOf(const TileSplats& splats);
 

@@ -10,6 +10,7 @@
 #include "preprocess/sets/bake/bake_block.h"
 #include "preprocess/sets/bake/lanes.h"
 #include "preprocess/sets/bake/splat_readers.h"
+#include "preprocess/sets/bake/widest_radius.h"
 #include "preprocess/tiles/finish_set.h"
 #include "preprocess/tiles/splat_file.h"
 
@@ -35,9 +36,10 @@ struct TileMaker {
 
     TileMaker(const SetPlan& plan, const std::string& metadata, std::size_t threads)
         : set(latticeOf(plan)), tree(treeOf(plan)), folders{plan.output, splatsFolder(plan)},
-          codings(readLevelCodings(tree, set.edge, folders.splats)), room(mostPointsAtOnce(plan.bake.max_memory)) {
-        options = {plan.bake.octree, plan.bake.prune,        plan.bake.pruning, plan.bake.index,
-                   threads,          plan.bake.reflectivity, metadata};
+          room(mostPointsAtOnce(plan.bake.max_memory)) {
+        options = {plan.bake.octree, plan.bake.prune,          plan.bake.pruning,      plan.bake.index,
+                   threads,          widestRadius(plan, tree), plan.bake.reflectivity, metadata};
+        codings = readLevelCodings(tree, set.edge, folders.splats, options.widest);
         std::filesystem::create_directories(folders.set + "/tiles");
         if (plan.bake.drop_work)
             readers = std::make_unique<SplatReaders>(
@@ -67,6 +69,7 @@ void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t thr
     const TileTree tree = treeOf(plan);
     const TileSet set = latticeOf(plan);
     const std::string folder = splatsFolder(plan);
+    const float widest = widestRadius(plan, tree);
     PointRoom room(mostPointsAtOnce(plan.bake.max_memory));
     for (std::uint32_t level = 1; level <= tree.root().level; ++level) { // children first
         const std::vector<TileKey> merged = mergedTiles(tree, level);
@@ -74,7 +77,7 @@ void mergeLevels(const SetPlan& plan, std::uint64_t tile_splats, std::size_t thr
             if (hasSplatFile(folder, merged[k])) return;
             const std::vector<TileKey> children = tree.childrenOf(merged[k]);
             const PointRoom::Share share = room.take(splatsIn(folder, children));
-            mergeTile(folder, merged[k], children, edgeOf(set, level), tile_splats, set.oriented);
+            mergeTile(folder, merged[k], children, edgeOf(set, level), tile_splats, set.oriented, widest);
         });
         // three quarters of the splats that are left go from level to level
         if (progress) progress("levels", 1 - std::pow(0.25, level));

@@ -169,6 +169,8 @@ CloudTraits measureTraits(const SetPlan& plan) {
     measurePlaces(plan, kOtherSampling, options,
                   [&](const SurfaceReport& report, const Splats& splats, auto&) { places.add(report, splats); });
     CloudTraits traits = places.traits();
+    // places miss where the widest are; where none brings its own radius the radii of all will tell (widest_radius.h)
+    if (!plan.schema.radii) traits.radius_limit = std::numeric_limits<float>::max();
     if (plan.bake.surface.clean > 0) traits.noise = measureNoise(plan);
     return traits;
 }
