@@ -3,6 +3,7 @@
 // points are split, traits.json.
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -281,6 +282,12 @@ void writePlan(const SetPlan& plan) {
 }
 
 void writeMark(const std::string& path) { writeWhole(path, "{}\n"); }
+
+void makeFolder(const std::string& path) {
+    std::error_code failure;
+    std::filesystem::create_directories(path, failure);
+    if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
+}
 
 void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
     const Json json = {{"noise", traits.noise},

@@ -2,7 +2,6 @@
 #include "preprocess/sets/bake/make_tiles.h"
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "format/base/error.h"
@@ -38,7 +37,7 @@ struct TileMaker {
           codings(readLevelCodings(tree, set.edge, folders.splats)), room(mostPointsAtOnce(plan.bake.max_memory)) {
         options = {plan.bake.octree, plan.bake.prune,        plan.bake.pruning, plan.bake.index,
                    threads,          plan.bake.reflectivity, metadata};
-        std::filesystem::create_directories(folders.set + "/tiles");
+        makeFolder(folders.set + "/tiles");
         if (plan.bake.drop_work)
             readers = std::make_unique<SplatReaders>(
                 tree, folders.splats, [&](const TileKey& tile) { return findTileRow(folders, tile).has_value(); });
