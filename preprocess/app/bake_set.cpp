@@ -151,7 +151,8 @@ private:
         if (!fs::exists(planFile(work_))) return false;
         try {
             openPlan();
-            if (!isSplit(report_.plan)) requireSameInputs(report_.plan, options_.inputs);
+            requireSameInputs(report_.plan, options_.inputs);
+            if (!isSplit(report_.plan)) requireUnwritten(report_.plan, options_.inputs); // which are read once more
             return true;
         } catch (const Error&) {
             if (!options_.force) throw;
