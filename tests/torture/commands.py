@@ -21,6 +21,7 @@ class Case:
     whole: tuple = ()     # folders that are there as a whole, or not
     stays: tuple = ()     # what a run that fails may leave, to go on with it
     optional: tuple = ()  # of use only: no run fails for it
+    is_window: bool = False  # goes on after what fails and tells of it; never takes a name again
     environment: dict = dataclasses.field(default_factory=dict)
     most: int = 60        # runs of a group, where not all are asked for
 
@@ -179,6 +180,27 @@ def case_view_turntable():
 
 def case_view_cameras():
     return of(VIEW.replace("--size 32x32 ", "") + "--cameras in/list.json -o out/set", prepare=three_cameras, most=16)
+
+
+# A picture, as PNG and film, and the scene.
+USER = """pointrt-recording 1 window 64x48 scale 1
+0 wait 1
+1 key down F12
+1 key up F12
+2 key down Control
+2 key down S
+3 key up S
+3 key up Control
+4 quit
+"""
+
+
+def case_view_window():
+    def prepare(torture):
+        ball_pro(torture)
+        (torture.folder / "in/user.txt").write_text(USER)
+    return Case(["sh", "-c", "cd out && exec pointrt-view ../in/ball.pro --replay ../in/user.txt --offscreen --spp 1"],
+                prepare=prepare, is_window=True, most=16)
 
 
 def case_view_cache():
