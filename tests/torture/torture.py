@@ -203,7 +203,8 @@ class Torture:
     def damage(self, tree):
         """Names under which there is neither what was there nor what is to be."""
         found = [name for name in sorted(self.before.keys() | self.after.keys())
-                 if tree.get(name) not in (self.before.get(name), self.after.get(name)) and not self.is_optional(name)]
+                 if tree.get(name) not in (self.before.get(name), self.after.get(name)) and not self.is_optional(name)
+                 and not name.startswith(self.case.stays)]
         found += [folder for folder in self.case.whole
                   if below(folder, tree) not in (below(folder, self.before), below(folder, self.after))]
         return [f"damaged: {name}" for name in found]
