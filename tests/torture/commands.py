@@ -92,9 +92,10 @@ SET = "pointrt-bake -q in/a.xyz in/b.xyz -o out/site.proset --tile-splats 1000"
 SET_PARTS = {"whole": ("out/site.proset",), "stays": ("out/site.proset.work",)}
 
 
-def hills(torture):
-    write_hill(torture.folder / "in/a.xyz", 2500)
-    write_hill(torture.folder / "in/b.xyz", 2500, 64.0)
+def hills(torture, points=1500):
+    """Each of them a tile, and another one above."""
+    write_hill(torture.folder / "in/a.xyz", points)
+    write_hill(torture.folder / "in/b.xyz", points, 64.0)
 
 
 def other_set(torture):
@@ -127,7 +128,8 @@ def case_bake_set_anew():
 
 def case_bake_set_steps():
     steps = ("plan", "split", "block:0", "block:1", "levels", "tile:0", "tile:1", "top")
-    return Case(["sh", "-c", " && ".join(f"{SET} --step {step}" for step in steps)], prepare=hills, most=30, **SET_PARTS)
+    return Case(["sh", "-c", " && ".join(f"{SET} --step {step}" for step in steps)], most=24, **SET_PARTS,
+                prepare=lambda torture: hills(torture, 2500))  # enough for two blocks
 
 
 # Pictures.
