@@ -187,17 +187,24 @@ bool AtomicFile::overwrite(std::uint64_t offset, const void* data, std::size_t b
     return true;
 }
 
+/// Gives a file without a name this one, unless something has it. False, with errno, where it does or cannot.
+bool AtomicFile::link(const std::string& name) const {
+    return linkat(AT_FDCWD, descriptorPath(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+}
+
+/// For a moment it has a temporary name then, since a link replaces nothing.
 bool AtomicFile::nameUnnamed() {
-    const std::string unnamed = descriptorPath(descriptor_);
+    removeStale(path_, folder_);
     temporary_ = temporaryStem(path_) + randomLetters();
     flock(descriptor_, LOCK_EX | LOCK_NB);
-    if (linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) return fail(errno);
-    named_ = true;
-    return true;
+    named_ = link(temporary_);
+    return named_ || fail(errno);
 }
 
 bool AtomicFile::replace() {
     takeOver();
+    if (!named_ && link(path_)) return true;
+    if (!named_ && errno != EEXIST) return fail(errno);
     if (!named_ && !nameUnnamed()) return false;
     if (rename(temporary_.c_str(), path_.c_str()) != 0) return fail(errno);
     named_ = false;
@@ -205,9 +212,7 @@ bool AtomicFile::replace() {
 }
 
 bool AtomicFile::appear() {
-    const bool appeared =
-        named_ ? renameUnlessThere(temporary_, path_)
-               : linkat(AT_FDCWD, descriptorPath(descriptor_).c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    const bool appeared = named_ ? renameUnlessThere(temporary_, path_) : link(path_);
     if (!appeared) return errno == EEXIST ? failExisting() : fail(errno);
     named_ = false;
     return true;

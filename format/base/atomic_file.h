@@ -14,10 +14,10 @@ enum class Existing {
     kKept      ///< the new one fails, whoever made the other one and whenever
 };
 
-/// Where the file system allows it, the file has no name until commit, so that not even SIGKILL leaves anything behind;
-/// elsewhere it is PATH.tmp-XXXXXXXX until then, locked, and the next one that is opened for PATH takes away what a
-/// killed process has left of those. Without commit the destructor removes it. Where path is a symbolic link, the file
-/// is the one it leads to, and the link stays.
+/// Where the file system allows it, the file has no name until commit, so that not even SIGKILL leaves anything behind.
+/// Elsewhere, and for the moment in which it replaces another one, it is PATH.tmp-XXXXXXXX, locked, and the next one of
+/// PATH that takes such a name removes what a killed process has left of those. Without commit the destructor removes
+/// it. Where path is a symbolic link, the file is the one it leads to, and the link stays.
 class AtomicFile {
 public:
     AtomicFile() = default;
@@ -45,6 +45,7 @@ private:
         return false;
     }
     bool openNamed();
+    bool link(const std::string& name) const;
     bool nameUnnamed();
     bool replace();
     bool appear();

@@ -16,6 +16,7 @@
 #include "preprocess/app/bake_progress.h"
 #include "preprocess/app/checks.h"
 #include "preprocess/app/interrupt.h"
+#include "preprocess/app/name_set.h"
 #include "preprocess/app/report.h"
 #include "preprocess/app/set_options.h"
 #include "preprocess/sets/bake/bake_block.h"
@@ -76,10 +77,11 @@ public:
           progress_(options.verbosity, options.progress, kSetWeights) {}
 
     SetReport run() {
+        clearNamed(options_.output, work_, options_.tiles.keep_work);
         checkOutput();
         sayThatWorkStays();
         if (does(SetStep::kPlan) || does(SetStep::kSplit)) {
-            makeFolder();
+            makeFolder(work_);
             const Lock lock(work_);
             try {
                 plan();
@@ -113,12 +115,6 @@ private:
             throw Error(ExitCode::kCannotWrite, options_.output + ": is there already; --force overwrites it");
     }
 
-    void makeFolder() const {
-        std::error_code failure;
-        fs::create_directories(work_, failure);
-        if (failure) throw Error(ExitCode::kCannotWrite, work_ + ": " + failure.message());
-    }
-
     /// The plan that is there, of the same request.
     void openPlan() {
         report_.plan = readPlan(work_);
@@ -144,7 +140,7 @@ private:
     /// The plan, but for where the set is made.
     SetPlan making() const {
         SetPlan plan = report_.plan;
-        plan.output = finishedFolder(plan);
+        plan.output = finishedFolder(work_);
         return plan;
     }
 
@@ -155,13 +151,28 @@ private:
         if (!fs::exists(planFile(work_))) return false;
         try {
             openPlan();
-            if (!isSplit(report_.plan)) requireSameInputs(report_.plan, options_.inputs);
+            requireSameInputs(report_.plan, options_.inputs);
+            if (!isSplit(report_.plan)) requireUnwritten(report_.plan, options_.inputs); // which are read once more
             return true;
         } catch (const Error&) {
             if (!options_.force) throw;
         }
-        for (const fs::directory_entry& entry : fs::directory_iterator(work_)) fs::remove_all(entry.path());
+        beginAnew();
         return false;
+    }
+
+    /// The plan goes last: what was done by it would be taken for the next one's.
+    void beginAnew() const {
+        const std::string plan = planFile(work_);
+        for (const fs::directory_entry& entry : fs::directory_iterator(work_))
+            if (entry.path() != plan) takeAway(entry.path());
+        takeAway(plan);
+    }
+
+    static void takeAway(const fs::path& path) {
+        std::error_code failure;
+        fs::remove_all(path, failure);
+        if (failure) throw Error(ExitCode::kCannotWrite, path.string() + ": " + failure.message());
     }
 
     void plan() {
@@ -254,21 +265,8 @@ private:
         for (const SetTile& tile : set.tiles) report_.bytes += tile.bytes;
         add("top", report_.plan.points, report_.bytes);
         const InterruptGuard guard;
-        giveName();
+        nameSet(report_.plan, options_.tiles.keep_work);
         report_.done = true;
-        std::error_code failure; // what cannot be taken away is in nobody's way
-        if (!options_.tiles.keep_work) fs::remove_all(work_, failure);
-    }
-
-    /// The set appears under its name in one moment; one that was there before goes first, to be taken away.
-    void giveName() const {
-        const std::string finished = finishedFolder(report_.plan), before = work_ + "/replaced";
-        std::error_code failure;
-        fs::remove_all(before, failure);
-        if (fs::exists(options_.output)) fs::rename(options_.output, before, failure);
-        fs::rename(finished, options_.output, failure);
-        if (failure) throw Error(ExitCode::kCannotWrite, options_.output + ": " + failure.message());
-        fs::remove_all(before, failure);
     }
 
     void showReading(const ReadStatus& status) {

@@ -56,6 +56,6 @@ std::string levelsMark(const SetPlan& plan) { return plan.work + "/levels.json";
 
 std::string splatsFolder(const SetPlan& plan) { return plan.work + "/splats"; }
 
-std::string finishedFolder(const SetPlan& plan) { return plan.work + "/set"; }
+std::string finishedFolder(const std::string& work) { return work + "/set"; }
 
 } // namespace pointrt

@@ -160,13 +160,16 @@ std::string blocksMark(const SetPlan& plan);
 std::string levelsMark(const SetPlan& plan);
 std::string splatsFolder(const SetPlan& plan); ///< splats, of splat files
 /// set: the set while it is made, with its folder tiles. Once set.json stands in it, it is renamed to plan.output.
-std::string finishedFolder(const SetPlan& plan);
+std::string finishedFolder(const std::string& work);
 
 /// Writes plan.json, whole or not at all. Same plan, same bytes. Throws Error (kCannotWrite).
 void writePlan(const SetPlan& plan);
 
 /// Makes a file of no more than its name. Throws Error (kCannotWrite).
 void writeMark(const std::string& path);
+
+/// With those above it, where they are missing. Throws Error (kCannotWrite).
+void makeFolder(const std::string& path);
 
 /// Takes down how wide discs may be, once all are known: infinity, where nothing limits them. Throws Error
 /// (kCannotWrite).

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -284,6 +285,12 @@ void writePlan(const SetPlan& plan) {
 }
 
 void writeMark(const std::string& path) { writeWhole(path, "{}\n"); }
+
+void makeFolder(const std::string& path) {
+    std::error_code failure;
+    std::filesystem::create_directories(path, failure);
+    if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
+}
 
 void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
     const Json json = {{"noise", traits.noise},

@@ -109,6 +109,8 @@ case_other_options_and_inputs_are_refused() {
     expectError 1 "the step split has not been done" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:0
     bakeHills out/site.proset --step split
+    expectError 1 "site.proset.work: was begun with a.xyz where b.xyz is now; --force begins anew" \
+        pointrt-bake -q b.xyz a.xyz -o out/site.proset --tile-splats 1000
     expectError 2 "there is no block 99" \
         pointrt-bake -q a.xyz b.xyz -o out/site.proset --tile-splats 1000 --step block:99
     echo "1 2 3" >>a.xyz

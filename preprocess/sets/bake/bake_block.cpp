@@ -2,7 +2,6 @@
 #include "preprocess/sets/bake/bake_block.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -178,7 +177,7 @@ TileSplats bakeTile(const SetPlan& plan, const TileTree& tree, std::uint32_t num
 TileCounts bakeBlocks(const SetPlan& plan, BlockRange blocks, std::size_t threads, const StageProgress& progress) {
     const TileTree tree = treeOf(plan);
     const std::string folder = splatsFolder(plan);
-    std::filesystem::create_directories(folder);
+    makeFolder(folder);
     const TileRange range = tilesOf(plan, blocks);
     std::vector<TileCounts> counts(range.end - range.first);
     PointRoom room(mostPointsAtOnce(plan.bake.max_memory));

@@ -2,7 +2,6 @@
 #include "preprocess/sets/bake/make_tiles.h"
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "format/base/error.h"
@@ -40,7 +39,7 @@ struct TileMaker {
         options = {plan.bake.octree, plan.bake.prune,          plan.bake.pruning,      plan.bake.index,
                    threads,          widestRadius(plan, tree), plan.bake.reflectivity, metadata};
         codings = readLevelCodings(tree, set.edge, folders.splats, options.widest);
-        std::filesystem::create_directories(folders.set + "/tiles");
+        makeFolder(folders.set + "/tiles");
         if (plan.bake.drop_work)
             readers = std::make_unique<SplatReaders>(
                 tree, folders.splats, [&](const TileKey& tile) { return findTileRow(folders, tile).has_value(); });

@@ -99,10 +99,7 @@ BucketWriter::BucketWriter(const SetPlan& plan, std::uint64_t most_buffered)
         buckets_.push_back(std::make_unique<Bucket>());
         corners_.push_back(coreOf(plan, tile).min());
     }
-    std::error_code failure;
-    const std::string folder = bucketsFolder(plan);
-    std::filesystem::create_directories(folder, failure);
-    if (failure) throw Error(ExitCode::kCannotWrite, folder + ": " + failure.message());
+    makeFolder(bucketsFolder(plan));
 }
 
 BucketWriter::~BucketWriter() = default;
@@ -254,8 +251,8 @@ void BucketWriter::beginAnew() {
     const std::string folder = bucketsFolder(plan_);
     std::error_code failure;
     std::filesystem::remove_all(folder, failure);
-    std::filesystem::create_directories(folder, failure);
     if (failure) throw Error(ExitCode::kCannotWrite, folder + ": " + failure.message());
+    makeFolder(folder);
     for (const auto& bucket : buckets_) {
         bucket->written = 0;
         XXH3_64bits_reset(bucket->hash);

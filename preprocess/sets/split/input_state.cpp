@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "format/base/error.h"
 
@@ -26,18 +27,34 @@ std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
     return states;
 }
 
+namespace {
+
+[[noreturn]] void refuse(const SetPlan& plan, const std::string& reason) {
+    throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force begins anew");
+}
+
+/// As the plan has it, in UTF-8 whatever it is.
+std::string named(const std::string& path) {
+    using Json = nlohmann::json;
+    return Json::parse(Json(path).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+} // namespace
+
 void requireSameInputs(const SetPlan& plan, const std::vector<std::string>& paths) {
-    const auto refuse = [&](const std::string& reason) {
-        throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force begins anew");
-    };
     if (paths.size() != plan.inputs.size())
-        refuse(fmt::format("was begun with {} input files, not {}", plan.inputs.size(), paths.size()));
+        refuse(plan, fmt::format("was begun with {} input files, not {}", plan.inputs.size(), paths.size()));
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (named(paths[i]) != plan.inputs[i].path)
+            refuse(plan, fmt::format("was begun with {} where {} is now", plan.inputs[i].path, paths[i]));
+}
+
+void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths) {
     const std::vector<PlanInput> now = statesOf(paths);
     for (std::size_t i = 0; i < now.size(); ++i) {
-        const PlanInput& then = plan.inputs[i];
-        if (now[i].path != then.path) refuse(fmt::format("was begun with {} where {} is now", then.path, now[i].path));
+        const PlanInput& then = plan.inputs.at(i);
         if (now[i].bytes != then.bytes || now[i].modified_ns != then.modified_ns)
-            refuse(then.path + " has been written since it was begun");
+            refuse(plan, then.path + " has been written since it was begun");
     }
 }
 

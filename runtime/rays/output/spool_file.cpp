@@ -2,17 +2,18 @@
 #include "runtime/rays/output/spool_file.h"
 
 #include <fcntl.h>
-#include <stdlib.h>
 #include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "format/base/error.h"
+#include "format/base/temporary_name.h"
 
 namespace pointrt {
 namespace {
@@ -23,13 +24,23 @@ constexpr std::size_t kAtOnce = std::size_t{1} << 20; // large enough that calls
     throw Error(ExitCode::kCannotWrite, output + ": " + std::strerror(errno));
 }
 
+/// Where the file system has no nameless files it has a name until the next line: one that the next AtomicFile of the
+/// output takes away, if a process is killed between them.
+int openNameless(const std::string& output) {
+    constexpr mode_t kUserAlone = 0600;
+    const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+    const int nameless = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kUserAlone);
+    if (nameless >= 0) return nameless;
+    const std::string name = format::temporaryStem(output) + format::randomLetters();
+    const int named = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kUserAlone);
+    if (named >= 0) ::unlink(name.c_str());
+    return named;
+}
+
 } // namespace
 
-SpoolFile::SpoolFile(std::string output) : output_(std::move(output)) {
-    std::string name = output_ + ".tmp-XXXXXX";
-    descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+SpoolFile::SpoolFile(std::string output) : output_(std::move(output)), descriptor_(openNameless(output_)) {
     if (descriptor_ < 0) failWriting(output_);
-    ::unlink(name.c_str());
 }
 
 SpoolFile::~SpoolFile() {

@@ -60,13 +60,15 @@ TEST_F(SetTest, OtherOptionsAndInputsAreToldInALine) {
     const SetPlan plan = makePlan(request);
     requireSameRequest(plan, request);
     requireSameInputs(plan, request.inputs);
+    requireUnwritten(plan, request.inputs);
     request.settings = R"({"tile-splats":2000})";
     EXPECT_NE(reasonOf([&] { requireSameRequest(plan, request); }, ExitCode::kBadUsage)
                   .find("was begun with 1000 of --tile-splats, not 2000"),
               std::string::npos);
     reasonOf([&] { requireSameInputs(plan, {input, input}); }, ExitCode::kBadInput);
+    reasonOf([&] { requireSameInputs(plan, {folder.file("b.csv")}); }, ExitCode::kBadInput);
     writeHill("a.csv", 3001);
-    EXPECT_NE(reasonOf([&] { requireSameInputs(plan, {input}); }, ExitCode::kBadInput).find("has been written since"),
+    EXPECT_NE(reasonOf([&] { requireUnwritten(plan, {input}); }, ExitCode::kBadInput).find("has been written since"),
               std::string::npos);
     reasonOf([&] { makePlan(requestOf({folder.file("missing.csv")})); }, ExitCode::kBadInput);
     reasonOf([&] { makePlan(requestOf({"-"})); }, ExitCode::kBadUsage);

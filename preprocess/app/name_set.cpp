@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/app/name_set.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "format/base/error.h"
+#include "format/set/set_words.h"
+#include "format/set/tile_set.h"
+#include "preprocess/sets/checksum.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// There from before a set has its name until all else is gone. It is of this set alone, whose set.json has the sums of
+/// all tiles: it tells a set that has got the name from one that is still to be replaced.
+std::string namedMark(const std::string& work, const std::string& set) {
+    std::ifstream stream(setFileOf(set), std::ios::binary);
+    const std::string json{std::istreambuf_iterator<char>(stream), {}};
+    return work + "/named-" + checksumWord(XXH3_64bits(json.data(), json.size()));
+}
+
+std::string replacedFolder(const std::string& work) { return work + "/replaced"; }
+
+/// What cannot be taken away is in nobody's way, and the mark stays with it.
+void clear(const std::string& work, const std::string& mark, bool keep_work) {
+    std::error_code failure;
+    for (fs::directory_iterator entry(work, failure), end; !failure && entry != end; entry.increment(failure)) {
+        const std::string path = entry->path().string();
+        const bool is_of_set = path == finishedFolder(work) || path == replacedFolder(work);
+        if (path != mark && (is_of_set || !keep_work)) fs::remove_all(path, failure);
+        if (failure) return;
+    }
+    fs::remove(mark, failure);
+    if (!keep_work) fs::remove(work, failure);
+}
+
+bool swapNames(const std::string& one, const std::string& other) {
+    return ::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+/// Where the file system cannot swap names: neither set has the name for a moment.
+bool moveAway(const std::string& finished, const std::string& output, const std::string& replaced) {
+    std::error_code failure;
+    fs::remove_all(replaced, failure);
+    if (::rename(output.c_str(), replaced.c_str()) != 0) return false;
+    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    const int reason = errno;
+    ::rename(replaced.c_str(), output.c_str());
+    errno = reason;
+    return false;
+}
+
+bool giveName(const std::string& finished, const std::string& output, const std::string& replaced) {
+    if (::rename(finished.c_str(), output.c_str()) == 0) return true;
+    if (errno != ENOTEMPTY && errno != EEXIST && errno != ENOTDIR) return false;
+    if (swapNames(finished, output)) return true;
+    return (errno == EINVAL || errno == ENOSYS) && moveAway(finished, output, replaced);
+}
+
+} // namespace
+
+void nameSet(const SetPlan& plan, bool keep_work) {
+    const std::string finished = finishedFolder(plan.work), mark = namedMark(plan.work, finished);
+    writeMark(mark);
+    if (!giveName(finished, plan.output, replacedFolder(plan.work)))
+        throw Error(ExitCode::kCannotWrite, plan.output + ": " + std::strerror(errno));
+    clear(plan.work, mark, keep_work);
+}
+
+void clearNamed(const std::string& output, const std::string& work, bool keep_work) {
+    const std::string mark = namedMark(work, output);
+    std::error_code failure;
+    if (fs::exists(mark, failure)) clear(work, mark, keep_work);
+    if (fs::exists(output, failure)) fs::remove(work, failure); // only where it is empty: the last thing to go
+}
+
+} // namespace pointrt
