@@ -86,7 +86,14 @@ void writePath(const char* path) {
     }
 }
 
+/// Several threads may come here at once: the first one goes on, and the process ends with it.
+void goAlone(std::atomic_flag& gone) {
+    while (gone.test_and_set()) pause();
+}
+
 void onBusError(int number, siginfo_t* info, void*) {
+    static std::atomic_flag told;
+    goAlone(told); // all who read a file that is cut short
     if (info->si_code == BUS_ADRERR)
         withMappedFile(reinterpret_cast<std::uintptr_t>(info->si_addr), [](const char* path) {
             writeWord(running_tool);
@@ -101,10 +108,9 @@ void onBusError(int number, siginfo_t* info, void*) {
 /// How large the process may become, for the message: there is no asking then.
 char address_limit[64] = "";
 
-/// Several threads may come here at once: one tells.
 [[noreturn]] void tellOfLackOfMemory() {
     static std::atomic_flag told;
-    while (told.test_and_set()) pause();
+    goAlone(told);
     writeWord(running_tool);
     writeWord(": error: crashed, most likely for lack of memory: ulimit -v allows ");
     writeWord(address_limit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <initializer_list>
@@ -12,7 +13,14 @@ namespace {
 
 constexpr int kSignalExitBase = 128; // the shells' convention
 
-volatile std::sig_atomic_t guarded = 0, work_stays = 0;
+/// Signals come to any thread: of one that begins to write and one that is interrupted at that moment, one is first.
+enum class State { kComputing, kWriting, kEnding };
+std::atomic<State> state = State::kComputing;
+std::atomic<bool> work_stays = false;
+static_assert(decltype(state)::is_always_lock_free && decltype(work_stays)::is_always_lock_free); // within a handler
+
+/// False where the state is another one.
+bool change(State from, State to) { return state.compare_exchange_strong(from, to); }
 
 template <std::size_t kSize>
 void tell(const char (&line)[kSize]) {
@@ -23,7 +31,7 @@ void tell(const char (&line)[kSize]) {
 }
 
 extern "C" void onInterrupt(int signal) {
-    if (guarded) return;
+    if (!change(State::kComputing, State::kEnding)) return;
     if (work_stays)
         tell("\r\033[Kpointrt-bake: interrupted; the same command goes on from here\n");
     else
@@ -44,10 +52,12 @@ void installInterruptHandlers() {
     }
 }
 
-void sayThatWorkStays() { work_stays = 1; }
+void sayThatWorkStays() { work_stays = true; }
 
-InterruptGuard::InterruptGuard() { guarded = 1; }
+InterruptGuard::InterruptGuard() {
+    while (!change(State::kComputing, State::kWriting)) pause(); // another thread has said that nothing was written
+}
 
-InterruptGuard::~InterruptGuard() { guarded = 0; }
+InterruptGuard::~InterruptGuard() { state = State::kComputing; }
 
 } // namespace pointrt

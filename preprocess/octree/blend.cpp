@@ -8,7 +8,8 @@
 
 // One binary for all processors, twice as fast on those with AVX2. Both versions add in the same order and round the
 // same way (no fused operations), so that it makes no difference to the result.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+// Not with sanitizers, whose run time is not there yet when the loader asks which one to take.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define POINTRT_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define POINTRT_WIDE

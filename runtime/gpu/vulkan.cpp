@@ -32,11 +32,7 @@ void loadInstanceFunction(VkInstance instance, const char* name, Function& funct
                                               ", which a window needs; -o FILE renders without one"};
 }
 
-} // namespace
-
-void loadVulkan() {
-    static void* library = nullptr;
-    if (library) return;
+void* openVulkan() {
     void* opened = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!opened)
         throw Error{ExitCode::kCannotRun, "no Vulkan loader (libvulkan.so.1): install it and a driver "
@@ -44,7 +40,13 @@ void loadVulkan() {
 #define POINTRT_LOAD_VULKAN(name) loadFunction(opened, #name, name);
     POINTRT_VULKAN_FUNCTIONS(POINTRT_LOAD_VULKAN)
 #undef POINTRT_LOAD_VULKAN
-    library = opened;
+    return opened;
+}
+
+} // namespace
+
+void loadVulkan() {
+    [[maybe_unused]] static void* const library = openVulkan(); // once, whichever threads ask; again where it failed
 }
 
 void loadWindowFunctions(VkInstance instance) {

@@ -3,12 +3,15 @@
 
 #include <signal.h>
 
+#include <atomic>
 #include <cstdio>
 
 namespace pointrt {
 namespace {
 
-volatile sig_atomic_t noted = 0;
+/// Not a sig_atomic_t: the signal may come to another thread than the one that asks.
+std::atomic<int> noted = 0;
+static_assert(decltype(noted)::is_always_lock_free); // within a signal handler
 
 void note(int number) { noted = number; }
 

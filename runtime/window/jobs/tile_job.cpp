@@ -37,10 +37,8 @@ bool chooseStep(TileOrder& order) {
 }
 
 TileJob::TileJob(Device& device, TileOrder order)
-    : device_(device), worker_(device),
+    : worker_(device), kept_{device, {}},
       job_("Loading tiles", [this, order = std::move(order)](JobControl&) { work(order); }) {}
-
-TileJob::~TileJob() { destroyTiles(device_, tiles_); }
 
 void TileJob::work(TileOrder order) {
     chooseTiles(order);
@@ -48,10 +46,10 @@ void TileJob::work(TileOrder order) {
     last_ = chooseStep(order);
     order.on_all_cores = false; // the window has work for the others
     order.seconds = kStep_s;
-    tiles_ = loadTiles(worker_.get(), std::move(order));
-    last_ &= tiles_.whole;
+    kept_.tiles = loadTiles(worker_.get(), std::move(order));
+    last_ &= kept_.tiles.whole;
 }
 
-TileDelivery TileJob::take() { return std::exchange(tiles_, {}); }
+TileDelivery TileJob::take() { return std::exchange(kept_.tiles, {}); }
 
 } // namespace pointrt

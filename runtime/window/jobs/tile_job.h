@@ -14,7 +14,6 @@ namespace pointrt {
 class TileJob {
 public:
     TileJob(Device& device, TileOrder order);
-    ~TileJob();
     TileJob(const TileJob&) = delete;
     TileJob& operator=(const TileJob&) = delete;
 
@@ -27,11 +26,16 @@ public:
     std::size_t wanted() const { return wanted_; }
 
 private:
+    /// What nobody has taken goes from the device with it.
+    struct Kept {
+        Device& device;
+        TileDelivery tiles;
+        ~Kept() { destroyTiles(device, tiles); }
+    };
     void work(TileOrder order);
 
-    Device& device_;
     JobDevice worker_;
-    TileDelivery tiles_; ///< the thread's until the job has ended
+    Kept kept_; ///< the thread's until the job has ended
     bool last_ = false;
     std::size_t wanted_ = 0;
     Job job_; ///< last: ends before the others go

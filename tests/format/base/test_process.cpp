@@ -8,7 +8,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <barrier>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "format/base/mapped_file.h"
 #include "pointrt/pro.hpp"
@@ -33,6 +36,30 @@ TEST(ProcessDeathTest, NamesTheFileThatWasCutShort) {
     const test::TemporaryFolder folder;
     const std::string path = folder.write("cut.pro", std::string(2 * kPage, 'x'));
     EXPECT_EXIT(exit(readBehindTheEnd(path)), testing::ExitedWithCode(1),
+                "^test-tool: error: .*/cut\\.pro: was cut short while it was read, or its disk fails\n$");
+}
+
+/// The same on several threads at once, as a scan is read.
+int readTogetherBehindTheEnd(const std::string& path) {
+    prepareProcess("test-tool");
+    MappedFile mapped;
+    if (!mapped.map(path.c_str()) || truncate(path.c_str(), kPage) != 0) return 99;
+    constexpr std::ptrdiff_t kThreads = 8;
+    std::barrier begin(kThreads);
+    std::vector<std::jthread> readers;
+    for (std::ptrdiff_t k = 0; k < kThreads; ++k)
+        readers.emplace_back([&] {
+            begin.arrive_and_wait();
+            [[maybe_unused]] const volatile auto read = mapped.bytes()[kPage];
+        });
+    readers.clear();
+    return 98;
+}
+
+TEST(ProcessDeathTest, NamesItOnceThoughAllThreadsReadIt) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("cut.pro", std::string(2 * kPage, 'x'));
+    EXPECT_EXIT(exit(readTogetherBehindTheEnd(path)), testing::ExitedWithCode(1),
                 "^test-tool: error: .*/cut\\.pro: was cut short while it was read, or its disk fails\n$");
 }
 

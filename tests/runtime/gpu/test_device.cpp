@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <numeric>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "format/base/error.h"
@@ -241,6 +243,24 @@ Candidate goodCandidate(const char* name, VkPhysicalDeviceType type) {
     candidate.queue_family = 0;
     candidate.reads_texels = true;
     return candidate;
+}
+
+/// Of a process that has not looked for devices before; where there is no driver all are told that.
+TEST(Devices, AreFoundByAllWhoLookFirst) {
+    std::vector<std::string> answers(4);
+    {
+        std::vector<std::jthread> threads;
+        for (std::string& answer : answers)
+            threads.emplace_back([&answer] {
+                try {
+                    answer = listDevices();
+                } catch (const Error& error) {
+                    answer = error.what();
+                }
+            });
+    }
+    EXPECT_FALSE(answers[0].empty());
+    for (const std::string& answer : answers) EXPECT_EQ(answer, answers[0]);
 }
 
 TEST(DeviceChoice, RefusesWithReasons) {
