@@ -65,7 +65,10 @@ outcomes() {
 buildTbb
 read -ra targets <<<"${TSAN_TARGETS:-all}"
 say "building with the tsan preset, $(buildJobs) at a time"
-cmake --preset tsan >/dev/null
+output=$(cmake --preset tsan 2>&1) || {
+    printf '%s\n' "$output" >&2
+    die "cmake could not configure the build"
+}
 cmake --build --preset tsan --parallel "$(buildJobs)" --target "${targets[@]}"
 readelf -d "$build"/bin/test_octree | grep -q "RUNPATH.*$tbb/lib" || die "the tests have another TBB than $tbb/lib"
 
