@@ -48,9 +48,9 @@ struct RadiusCoding {
     float step = 0; ///< octaves
 };
 
-/// Codes that reach from the largest radius to the smallest one, or 15.9 octaves at most. All radii that they stand for are
-/// of one series, 2^(k / 2^n): what has the same radius in two files, or in two tiles, has the same in both once coded,
-/// whatever else there is, as long as their n is the same. A larger n has the radii of a smaller one, too.
+/// Codes that reach from the largest radius to the smallest one, or 15.9 octaves at most. All radii that they stand for
+/// are of one series, 2^(k / 2^n): what has the same radius in two files, or in two tiles, has the same in both once
+/// coded, whatever else there is, as long as their n is the same. A larger n has the radii of a smaller one, too.
 RadiusCoding radiusCoding(float radius_min, float radius_max);
 
 /// The k-th of packed is this splat: its words, and its disc as readers will decode it. Cube units of packed.frame.

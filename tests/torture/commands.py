@@ -23,7 +23,7 @@ class Case:
     optional: tuple = ()  # of use only: no run fails for it
     is_window: bool = False  # goes on after what fails and tells of it; never takes a name again
     environment: dict = dataclasses.field(default_factory=dict)
-    most: int = 60        # runs of a group, where not all are asked for
+    most: int = 20        # runs of a group, where not all are asked for
 
 
 def case_of(name):
@@ -128,7 +128,7 @@ def case_bake_set_anew():
 
 def case_bake_set_steps():
     steps = ("plan", "split", "block:0", "block:1", "levels", "tile:0", "tile:1", "top")
-    return Case(["sh", "-c", " && ".join(f"{SET} --step {step}" for step in steps)], most=24, **SET_PARTS,
+    return Case(["sh", "-c", " && ".join(f"{SET} --step {step}" for step in steps)], most=12, **SET_PARTS,
                 prepare=lambda torture: hills(torture, 2500))  # enough for two blocks
 
 
@@ -161,27 +161,27 @@ def bare_ball(torture):
 
 
 def case_view_png():
-    return of(VIEW + "-o out/a.png --stats out/stats.json", prepare=ball_pro, told=("out/stats.json",), most=16)
+    return of(VIEW + "-o out/a.png --stats out/stats.json", prepare=ball_pro, told=("out/stats.json",), most=8)
 
 
 def case_view_exr():
-    return of(VIEW + "-o out/a.exr", prepare=ball_pro, most=16)
+    return of(VIEW + "-o out/a.exr", prepare=ball_pro, most=8)
 
 
 def case_view_named():
-    return of(VIEW + "-o out/a.png", prepare=ball_pro, environment=NAMED, most=16)
+    return of(VIEW + "-o out/a.png", prepare=ball_pro, environment=NAMED, most=8)
 
 
 def case_view_resume():
-    return of(RESUME + "--spp 4", prepare=film, most=16)
+    return of(RESUME + "--spp 4", prepare=film, most=8)
 
 
 def case_view_turntable():
-    return of(VIEW + "--turntable 2 -o out/%02d.png", prepare=ball_pro, most=16)
+    return of(VIEW + "--turntable 2 -o out/%02d.png", prepare=ball_pro, most=8)
 
 
 def case_view_cameras():
-    return of(VIEW.replace("--size 32x32 ", "") + "--cameras in/list.json -o out/set", prepare=three_cameras, most=16)
+    return of(VIEW.replace("--size 32x32 ", "") + "--cameras in/list.json -o out/set", prepare=three_cameras, most=8)
 
 
 # A picture, as PNG and film, and the scene.
@@ -202,11 +202,11 @@ def case_view_window():
         ball_pro(torture)
         (torture.folder / "in/user.txt").write_text(USER)
     return Case(["sh", "-c", "cd out && exec pointrt-view ../in/ball.pro --replay ../in/user.txt --offscreen --spp 1"],
-                prepare=prepare, is_window=True, most=16)
+                prepare=prepare, is_window=True, most=8)
 
 
 def case_view_cache():
-    return of(VIEW + "-o out/a.png", prepare=bare_ball, optional=("cache",), most=16)
+    return of(VIEW + "-o out/a.png", prepare=bare_ball, optional=("cache",), most=8)
 
 
 # Points out of files.
@@ -234,28 +234,28 @@ def ball_rays(torture):
 
 def case_rays_npz():
     return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.npz --stats out/stats.json", prepare=ball_rays,
-              told=("out/stats.json",), most=16)
+              told=("out/stats.json",), most=8)
 
 
 def case_rays_npy():
-    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.npy", prepare=ball_rays, most=16)
+    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.npy", prepare=ball_rays, most=8)
 
 
 def case_rays_csv():
-    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.csv", prepare=ball_rays, most=16)
+    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.csv", prepare=ball_rays, most=8)
 
 
 def case_rays_ply():
-    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.ply", prepare=ball_rays, most=16)
+    return of("pointrt-rays cast -q in/ball.pro --rays in/rays.txt -o out/a.ply", prepare=ball_rays, most=8)
 
 
 def case_rays_sun():
     return of("pointrt-rays sun -q in/ball.pro --at 47.37,8.54 --date 2026-06-21 --every 120 -o out/a.laz",
-              prepare=ball_pro, most=16)
+              prepare=ball_pro, most=8)
 
 
 def case_rays_viewshed():
-    return of("pointrt-rays viewshed -q in/ball.pro --from 3,0,1 -o out/a.ply", prepare=ball_pro, most=16)
+    return of("pointrt-rays viewshed -q in/ball.pro --from 3,0,1 -o out/a.ply", prepare=ball_pro, most=8)
 
 
 SENSOR = """[flash]
@@ -275,4 +275,4 @@ def case_rays_lidar():
         ball_pro(torture)
         (torture.folder / "in/flash.toml").write_text(SENSOR)
     return of("pointrt-rays lidar -q in/ball.pro --sensor in/flash.toml --pose -3,0,0 -o out/a.laz", prepare=prepare,
-              most=16)
+              most=8)
