@@ -62,7 +62,6 @@ GROUPS = {
     },
     "short": {"short": lambda name: name in DATA},
 }
-BEFALLS = {how: befalls for group in GROUPS.values() for how, befalls in group.items()}  # calls of which names
 # Left: by runs, beside what was there and what is to be. Wrong: something damaged, or not told as it should be.
 TABLE_HEAD = """| command | what befalls it | calls | runs | done all the same | left | wrong | stale after the next run | what was left |
 |---|---|---|---|---|---|---|---|---|
@@ -260,7 +259,8 @@ class Torture:
         """With the call that it was in this run, or none: threads do not do the same each time."""
         calls = self.read_log()
         name, path = calls[fault.at - 1] if fault.at <= len(calls) else ("", "")
-        if not fault.how.endswith("+") and not BEFALLS[fault.how](name):
+        fails = GROUPS["failed"].get(fault.how)
+        if fails and not fault.how.endswith("+") and not fails(name):
             name, path = "", ""  # which nth_call let through
         return dataclasses.replace(fault, name=name, path=path)
 
