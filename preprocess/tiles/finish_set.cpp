@@ -69,9 +69,8 @@ std::vector<LevelCoding> readLevelCodings(const TileTree& tree, double edge, con
     std::map<TileKey, RadiusRange> ranges;
     for (const TileKey& tile : tree.tiles()) {
         const SplatFileHead head = readSplatSummary(splats_folder, tile).head;
-        ranges[tile] = {head.radius_min, head.radius_max};
-        if (tree.isOriginal(tile)) ranges[tile].least = std::min(head.radius_min, widest);
-        if (tree.isOriginal(tile)) ranges[tile].most = std::min(head.radius_max, widest);
+        const float limit = tree.isOriginal(tile) ? widest : std::numeric_limits<float>::infinity();
+        ranges[tile] = {std::min(head.radius_min, limit), std::min(head.radius_max, limit)};
     }
     return findLevelCodings(tree, edge, [&](const TileKey& tile) { return ranges.at(tile); });
 }
