@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/renderer/film_readout.h"
+#include "runtime/renderer/frame_tiling.h"
 #include "runtime/renderer/strip_pace.h"
 
 namespace pointrt {
@@ -52,7 +53,7 @@ bool ProgressiveRenderer::openStrip(std::uint32_t most_rows) {
         if (schedule_->breaksOff()) return false;
     const RenderSettings& settings = plan_.settings;
     const Band& band = open_->band;
-    const std::uint32_t rows = std::min(most_rows, band.rows - rows_done_);
+    const std::uint32_t rows = stripRows(rows_done_, most_rows, band.rows);
     openBand(device_, tracer_, settings, plan_.camera, {band.first_row + rows_done_, rows},
              {settings.width * band.rows, settings.width * rows_done_});
     BandSample sample{settings.width, rows, open_->samples, plan_.preview || settings.spp == 1};

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "shaders/shared/params.h"
-
 namespace pointrt {
 namespace {
 
@@ -34,8 +32,7 @@ StripPace::StripPace(double splats_per_cell) : least_(kSecondsPerListed * splats
 std::uint32_t StripPace::rowsFor(std::uint32_t width, std::uint32_t most) const {
     const double rows = kStripSeconds / (std::max(seconds_, least_) * width);
     if (!(rows < most)) return most;
-    const auto whole = std::max(static_cast<std::uint32_t>(rows), 1u);
-    return whole < TILE_SIDE ? whole : whole / TILE_SIDE * TILE_SIDE;
+    return std::max(static_cast<std::uint32_t>(rows), 1u);
 }
 
 void StripPace::learn(std::uint64_t pixels, double seconds) {

@@ -17,7 +17,7 @@ class StripPace {
 public:
     explicit StripPace(double splats_per_cell);
 
-    /// Rows of so many pixels that take about a second, 1 to most: whole tiles, where they are more than one.
+    /// Rows of so many pixels that take about a second, 1 to most.
     std::uint32_t rowsFor(std::uint32_t width, std::uint32_t most) const;
     /// A sample of each of so many pixels has taken that long.
     void learn(std::uint64_t pixels, double seconds);

@@ -58,7 +58,7 @@ struct FrameParams {
     float depth_black; // distance at which the depth view is black
     uint width;        // of the image
     uint height;
-    uint first_row; // of the band
+    uint first_row; // of the band, which begins with one of the picture's tiles or ends in that which it begins in
     uint rows;
     uint light_count;
     uint options; // OPTION_*

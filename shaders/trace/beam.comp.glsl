@@ -87,7 +87,9 @@ float marchBeam(Beam beam) {
 void main() {
     uint tile = gl_GlobalInvocationID.x;
     bool live = tile < bandTiles();
-    float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile))));
+    // around the picture's whole tile, of whose rows a band may have a few: distances are the same in whatever bands
+    float rows_above = float(params.first_row % TILE_SIDE);
+    float safe = marchBeam(tileBeam(pixelCorner(tileCorner(tile)) - vec2(0.0, rows_above)));
     if (hasStep(STEP_PLACES)) safe = 0.0; // its pixels lie anywhere
     if (live) beams[tile] = safe;
 

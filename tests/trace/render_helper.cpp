@@ -43,7 +43,8 @@ RenderSettings square(std::uint32_t size) {
     return settings;
 }
 
-Rendered renderScene(SceneDescription description, RenderSettings settings, FormRequest form, bool in_steps) {
+Rendered renderScene(SceneDescription description, RenderSettings settings, FormRequest form,
+                     std::uint32_t strip_rows) {
     Device& device = sharedDevice();
     settings.first_hits = true;
     LoadRequest request;
@@ -66,7 +67,7 @@ Rendered renderScene(SceneDescription description, RenderSettings settings, Form
     FrameJob job;
     job.samples = settings.spp;
     renderer.begin({settings, rendered.camera, tilingFor(device, settings.width, settings.height)}, job);
-    while (in_steps && renderer.openStrip(16))
+    while (strip_rows > 0 && renderer.openStrip(strip_rows))
         for (std::uint32_t passes = 0; !renderer.traceStrip(passes); passes = 1) continue;
     renderer.run();
     rendered.rays = renderer.takeRays();

@@ -29,8 +29,10 @@ struct Rendered {
 /// size x size pixels, one sample through each centre, three lights on the ring, no room.
 RenderSettings square(std::uint32_t size);
 
-/// first_hits is always on. form: of its passes. in_steps: in strips of 16 rows, each pass by itself, as windows do.
-Rendered renderScene(SceneDescription scene, RenderSettings settings, FormRequest form = {}, bool in_steps = false);
+/// first_hits is always on. form: of its passes. strip_rows: in strips of so many rows, each pass by itself, as windows
+/// do; 0: as frames are cut.
+Rendered renderScene(SceneDescription scene, RenderSettings settings, FormRequest form = {},
+                     std::uint32_t strip_rows = 0);
 /// The same of a .pro alone.
 Rendered renderFile(const std::string& path, RenderSettings settings);
 

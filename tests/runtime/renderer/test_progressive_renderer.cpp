@@ -361,9 +361,19 @@ TEST(StripPace, TakesFewRowsOfWhatTakesLong) {
     EXPECT_EQ(crowded.rowsFor(512, 512), 5u) << "nothing was there: what comes may be as crowded as any";
     StripPace slow(20);
     slow.learn(512 * 512, 10);
-    EXPECT_EQ(slow.rowsFor(512, 512), 48u) << "whole tiles of about a second";
-    slow.learn(512 * 48, 0.01);
-    EXPECT_GT(slow.rowsFor(512, 512), 48u);
+    EXPECT_EQ(slow.rowsFor(512, 512), 51u) << "of about a second";
+    slow.learn(512 * 51, 0.01);
+    EXPECT_GT(slow.rowsFor(512, 512), 51u);
+}
+
+TEST(FrameTiling, CutsStripsWhereTilesEnd) {
+    EXPECT_EQ(stripRows(0, 512, 33), 33u);
+    EXPECT_EQ(stripRows(0, 21, 33), 16u);
+    EXPECT_EQ(stripRows(16, 21, 33), 17u) << "with the tile that the band ends in";
+    EXPECT_EQ(stripRows(0, 5, 33), 5u);
+    EXPECT_EQ(stripRows(5, 48, 33), 3u) << "to the tile's end";
+    EXPECT_EQ(stripRows(5, 2, 33), 2u);
+    EXPECT_EQ(stripRows(32, 5, 33), 1u);
 }
 
 TEST(FrameTiling, KeepsBandsWithinTheirBuffers) {
