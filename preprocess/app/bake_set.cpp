@@ -169,12 +169,6 @@ private:
         takeAway(plan);
     }
 
-    static void takeAway(const fs::path& path) {
-        std::error_code failure;
-        fs::remove_all(path, failure);
-        if (failure) throw Error(ExitCode::kCannotWrite, path.string() + ": " + failure.message());
-    }
-
     void plan() {
         const bool goes_on = goesOn();
         if (!goes_on) {

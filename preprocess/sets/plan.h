@@ -171,6 +171,9 @@ void writeMark(const std::string& path);
 /// With those above it, where they are missing. Throws Error (kCannotWrite).
 void makeFolder(const std::string& path);
 
+/// Removes a file, or a folder with all that it holds, where there is one. Throws Error (kCannotWrite).
+void takeAway(const std::string& path);
+
 /// Takes down how wide discs may be, once all are known: infinity, where nothing limits them. Throws Error
 /// (kCannotWrite).
 void writeWidestRadius(const SetPlan& plan, float radius);

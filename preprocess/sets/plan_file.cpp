@@ -292,6 +292,12 @@ void makeFolder(const std::string& path) {
     if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
 }
 
+void takeAway(const std::string& path) {
+    std::error_code failure;
+    std::filesystem::remove_all(path, failure);
+    if (failure) throw Error(ExitCode::kCannotWrite, path + ": " + failure.message());
+}
+
 void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
     const Json json = {{"noise", traits.noise},
                        {"scattered", jsonOf(traits.scattered)},

@@ -15,6 +15,9 @@ seconds=${1:?run.sh SECONDS [TARGET...]}
 shift
 [ $# -gt 0 ] || mapfile -t targets < <(cd "$bin" && printf '%s\n' fuzz_* | sed 's/^fuzz_//')
 [ $# -eq 0 ] || targets=("$@")
+for name in "${targets[@]}"; do
+    [ -x "$bin/fuzz_$name" ] || { echo "run.sh: no $bin/fuzz_$name: build first" >&2 && exit 2; }
+done
 share=$((seconds * at_once / ${#targets[@]}))
 [ "$share" -gt 0 ] || share=1
 

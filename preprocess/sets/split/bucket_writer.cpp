@@ -248,11 +248,8 @@ bool BucketWriter::goOn(const std::vector<std::uint64_t>& bytes) {
 }
 
 void BucketWriter::beginAnew() {
-    const std::string folder = bucketsFolder(plan_);
-    std::error_code failure;
-    std::filesystem::remove_all(folder, failure);
-    if (failure) throw Error(ExitCode::kCannotWrite, folder + ": " + failure.message());
-    makeFolder(folder);
+    takeAway(bucketsFolder(plan_));
+    makeFolder(bucketsFolder(plan_));
     for (const auto& bucket : buckets_) {
         bucket->written = 0;
         XXH3_64bits_reset(bucket->hash);
