@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "format/base/error.h"
+#include "format/base/printable.h"
 
 namespace pointrt {
 
@@ -37,7 +38,10 @@ inline bool liesIn(std::uint64_t at, std::uint64_t size, std::uint64_t bytes) {
 /// Text in a field of fixed length: up to the first 0.
 inline std::string fieldText(std::string_view field) { return std::string(field.substr(0, field.find('\0'))); }
 
-/// Throws Error for a file that is wrong; the reader adds its name.
-[[noreturn]] inline void refuseFile(const std::string& reason) { throw Error(ExitCode::kBadInput, reason); }
+/// Throws Error for a file that is wrong; the reader adds its name. Libraries' own words may quote any byte of the
+/// file.
+[[noreturn]] inline void refuseFile(const std::string& reason) {
+    throw Error(ExitCode::kBadInput, printable(reason, reason.size()));
+}
 
 } // namespace pointrt

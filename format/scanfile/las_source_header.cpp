@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "format/scanfile/base64.h"
 #include "format/scanfile/bytes.h"
@@ -36,7 +37,10 @@ Json recordJson(const LasVlr& vlr) {
 LasSource::Record recordOf(const Json& json) {
     LasSource::Record record;
     record.vlr.user_id = json.at("user_id").get<std::string>();
-    record.vlr.record_id = json.at("record_id").get<std::uint16_t>();
+    const Json& record_id = json.at("record_id"); // anybody's: get() leaves casts of large floats undefined
+    if (!record_id.is_number_unsigned() || record_id.get<std::uint64_t>() > 0xFFFF)
+        throw std::out_of_range("record_id of a LAS record");
+    record.vlr.record_id = record_id.get<std::uint16_t>();
     record.vlr.description = json.at("description").get<std::string>();
     record.vlr.extended = json.at("extended").get<bool>();
     record.data = fromBase64(json.at("data").get<std::string>()).value();

@@ -40,7 +40,8 @@ void keepPoints(Cloud& cloud, const std::vector<bool>& keep);
 /// Replaces the vertices of sampled meshes by points spread evenly over all of their faces, with unit normals,
 /// interpolated colours and the attributes of the nearest corner; other points stay, in front. The faces go. The same
 /// seed gives the same points. cloud.normals must hold a normal per vertex (addMeshNormals).
-/// Returns the number of samples of each scan. Throws Error when the faces have no area.
+/// Returns the number of samples of each scan. Throws Error, which names the first of them, when the faces have no
+/// area.
 std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
                                         std::uint64_t seed);
 

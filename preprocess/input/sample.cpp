@@ -102,16 +102,18 @@ void addSample(const Cloud& mesh, const Triangle& face, const Vec3d& weights, Cl
 
 /// A point a stratum of equal area, jittered along the order of the faces; within faces by the R2 sequence (Roberts,
 /// "The unreasonable effectiveness of quasirandom sequences", 2018), of which consecutive points spread evenly.
+/// @param name of the file, for messages
 /// @param told hears of the face of each
 template <typename Told>
-void addSamples(const Cloud& mesh, std::uint64_t count, std::uint64_t seed, const Told& told, Cloud& samples) {
+void addSamples(const std::string& name, const Cloud& mesh, std::uint64_t count, std::uint64_t seed, const Told& told,
+                Cloud& samples) {
     constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
     const std::vector<std::uint32_t> order = coherentOrder(mesh);
     std::vector<double> area_up_to;
     double area = 0;
     for (const std::uint32_t face : order)
         area_up_to.push_back(area += faceNormal(mesh, mesh.triangles[face]).stableNorm() / 2);
-    if (!(area > 0)) throw Error(ExitCode::kBadInput, "the faces have no area to spread samples over");
+    if (!(area > 0)) throw Error(ExitCode::kBadInput, name + ": its faces have no area to spread samples over");
     const double start_u = unitShare(mixBits(seed)), start_v = unitShare(mixBits(seed + 1));
     std::size_t at = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -158,11 +160,13 @@ std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRang
     if (sampling.points == 0) return counts;
     const auto isSampled = [&](std::size_t point) { return sampling.scans[scanOf(scans, point)]; };
     std::erase_if(cloud.triangles, [&](const Triangle& face) { return !isSampled(face[0]); });
+    const auto first = std::find(sampling.scans.begin(), sampling.scans.end(), true) - sampling.scans.begin();
     Cloud samples;
     for (const Attribute& each : cloud.attributes)
         samples.attributes.push_back({each.name, each.type, each.components, {}});
     addSamples(
-        cloud, sampling.points, seed, [&](const Triangle& face) { ++counts[scanOf(scans, face[0])]; }, samples);
+        scans[static_cast<std::size_t>(first)].name, cloud, sampling.points, seed,
+        [&](const Triangle& face) { ++counts[scanOf(scans, face[0])]; }, samples);
     removeVertices(cloud, scans, sampling.scans);
     append(samples, cloud);
     return counts;

@@ -3,6 +3,7 @@
 // points are split, traits.json; and, once all blocks are baked, widest.json.
 
 #include <cmath>
+#include <concepts>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
 #include "preprocess/sets/checksum.h"
+#include "preprocess/sets/json_number.h"
 #include "preprocess/sets/plan.h"
 #include "preprocess/sets/plan_check.h"
 
@@ -29,8 +31,16 @@ std::string widestFile(const std::string& work) { return work + "/widest.json"; 
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
+Value valueOf(const Json& json) {
+    if constexpr (std::integral<Value> && !std::same_as<Value, bool>)
+        return wholeNumber<Value>(json);
+    else
+        return json.get<Value>();
+}
+
+template <typename Value>
 Value take(const Json& json, const char* name) {
-    return json.at(name).get<Value>();
+    return valueOf<Value>(json.at(name));
 }
 
 Vec3d vectorOf(const Json& json) {
@@ -159,11 +169,11 @@ Json tilesJson(const std::vector<PlanTile>& tiles) {
 std::vector<PlanTile> tilesOf(const Json& json) {
     std::vector<PlanTile> tiles;
     for (const Json& each : json)
-        tiles.push_back(
-            {each.at(0).get<std::uint32_t>(),
-             {each.at(1).get<std::int32_t>(), each.at(2).get<std::int32_t>(), each.at(3).get<std::int32_t>()},
-             each.at(4).get<std::uint64_t>(),
-             each.at(5).get<double>()});
+        tiles.push_back({wholeNumber<std::uint32_t>(each.at(0)),
+                         {wholeNumber<std::int32_t>(each.at(1)), wholeNumber<std::int32_t>(each.at(2)),
+                          wholeNumber<std::int32_t>(each.at(3))},
+                         wholeNumber<std::uint64_t>(each.at(4)),
+                         each.at(5).get<double>()});
     return tiles;
 }
 
@@ -238,14 +248,15 @@ SetPlan planOf(const Json& json) {
     plan.edge = take<double>(json, "edge");
     plan.levels = take<std::uint32_t>(json, "levels");
     takeWorld(json.at("world"), plan);
-    plan.orient = static_cast<OrientMode>(json.at("orient").get<int>());
+    plan.orient = static_cast<OrientMode>(take<int>(json, "orient"));
     plan.schema = schemaOf(json.at("schema"));
     plan.scans = scansOf(json.at("scans"));
     plan.source_header = take<std::string>(json, "source_header");
     for (const Json& each : json.at("notes"))
         plan.notes.push_back(
             {take<std::string>(each, "file"), take<std::string>(each, "text"), take<std::size_t>(each, "more_files")});
-    plan.first_tile_of_block = json.at("first_tile_of_block").get<std::vector<std::uint32_t>>();
+    for (const Json& each : json.at("first_tile_of_block"))
+        plan.first_tile_of_block.push_back(wholeNumber<std::uint32_t>(each));
     plan.tiles = tilesOf(json.at("tiles"));
     return plan;
 }
@@ -257,7 +268,7 @@ Json jsonOf(const std::optional<Value>& value) {
 
 template <typename Value>
 std::optional<Value> takeMaybe(const Json& json, const char* name) {
-    return json.at(name).is_null() ? std::nullopt : std::optional<Value>(json.at(name).get<Value>());
+    return json.at(name).is_null() ? std::nullopt : std::optional<Value>(take<Value>(json, name));
 }
 
 /// Empty before they are measured.

@@ -105,17 +105,20 @@ public:
         if (content.size() < 4) changeWindow(content);
     }
 
-    /// Elements more or fewer; what counts them in the header goes with them.
-    void resize(Parts& parts, Part& part) {
+    /// Elements more or fewer, but where those take more than that; what counts them in the header goes with them.
+    void resize(Parts& parts, Part& part, std::size_t most) {
         constexpr std::size_t kMore = 4; // a few are as good as many
         const std::size_t stride = std::max<std::size_t>(part.stride(), 1), count = part.content.size() / stride;
         const std::size_t resized = oneIn(2) ? count + 1 + below(kMore) : count - std::min(count, 1 + below(kMore));
-        part.content.resize(resized * stride);
+        const auto resizeTo = [&](Part& each, std::size_t bytes) { // a mutant's strides are any
+            if (bytes <= most) each.content.resize(bytes);
+        };
+        resizeTo(part, resized * stride);
         const std::uint32_t kind = part.kind();
         if (kind == PRO_KIND_SPLT)
             for (Part& each : parts.sections)
                 if (each.kind() == PRO_KIND_ORDR || each.kind() == PRO_KIND_NOIS || each.kind() == PRO_KIND_ATTR)
-                    each.content.resize(resized * each.stride());
+                    resizeTo(each, resized * each.stride());
         const std::pair<std::uint32_t, std::size_t> counts[] = {{PRO_KIND_SPLT, PRO_OFF_SPLAT_COUNT},
                                                                 {PRO_KIND_NODE, PRO_OFF_NODE_COUNT},
                                                                 {PRO_KIND_LEAF, PRO_OFF_LEAF_COUNT},
@@ -190,7 +193,7 @@ std::vector<std::uint8_t> mutatePro(std::vector<std::uint8_t> file, std::size_t 
     if (sections == 0 || mutation.oneIn(8))
         mutation.changeField(parts);
     else if (mutation.oneIn(8))
-        mutation.resize(parts, parts.sections[mutation.below(sections)]);
+        mutation.resize(parts, parts.sections[mutation.below(sections)], most);
     else
         mutation.changeContent(parts.sections[mutation.below(sections)]);
     Bytes mutant = putTogether(parts);

@@ -14,7 +14,7 @@
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
 
-namespace pointrt {
+namespace pointrt::format {
 namespace {
 
 bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -81,4 +81,4 @@ double PlyBody::numberOf(std::string_view word, std::uint32_t type) const {
                                          printable(std::string(word.substr(0, 40))) + "\" is no " + typeName(type));
 }
 
-} // namespace pointrt
+} // namespace pointrt::format

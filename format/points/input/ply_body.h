@@ -8,7 +8,7 @@
 
 #include "format/points/input/ply_header.h"
 
-namespace pointrt {
+namespace pointrt::format {
 
 class PlyBody {
 public:
@@ -31,4 +31,4 @@ private:
     std::size_t line_;
 };
 
-} // namespace pointrt
+} // namespace pointrt::format

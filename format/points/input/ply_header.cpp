@@ -10,7 +10,7 @@
 #include "format/base/printable.h"
 #include "pointrt/pro.h"
 
-namespace pointrt {
+namespace pointrt::format {
 namespace {
 
 constexpr const char* kAdvice = ": make a .pro of it with pointrt-bake, which is taken as well";
@@ -142,4 +142,4 @@ std::size_t PlyHeader::rowBytes() const {
 
 PlyHeader readPlyHeader(const std::string& path, std::string_view file) { return HeaderReader(path, file).read(); }
 
-} // namespace pointrt
+} // namespace pointrt::format

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pointrt {
+namespace pointrt::format {
 
 enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
 
@@ -32,4 +32,4 @@ struct PlyHeader {
 /// @param path for messages
 PlyHeader readPlyHeader(const std::string& path, std::string_view file);
 
-} // namespace pointrt
+} // namespace pointrt::format

@@ -47,7 +47,8 @@ public:
     PlyPointsReader(std::string path, std::unique_ptr<format::MappedFile> mapped)
         : path_(std::move(path)), mapped_(std::move(mapped)),
           file_(reinterpret_cast<const char*>(mapped_->bytes().data()), mapped_->bytes().size()),
-          header_(readPlyHeader(path_, file_)), body_(path_, file_, header_), numbers_(header_.properties.size()) {
+          header_(format::readPlyHeader(path_, file_)), body_(path_, file_, header_),
+          numbers_(header_.properties.size()) {
         outline_.count = header_.vertices;
         placeProperties();
         findBounds();
@@ -69,7 +70,7 @@ public:
 private:
     std::size_t numberOf(const std::string& name) const {
         const auto found = std::find_if(header_.properties.begin(), header_.properties.end(),
-                                        [&](const PlyProperty& each) { return each.name == name; });
+                                        [&](const format::PlyProperty& each) { return each.name == name; });
         return static_cast<std::size_t>(found - header_.properties.begin());
     }
 
@@ -135,14 +136,14 @@ private:
                 is_first = false;
             }
         done_ = 0;
-        body_ = PlyBody(path_, file_, header_);
+        body_ = format::PlyBody(path_, file_, header_);
     }
 
     std::string path_;
     std::unique_ptr<format::MappedFile> mapped_;
     std::string_view file_;
-    PlyHeader header_;
-    PlyBody body_;
+    format::PlyHeader header_;
+    format::PlyBody body_;
     std::vector<double> numbers_; ///< of a vertex
     std::vector<Place> places_;   ///< of the properties
     PointOutline outline_;

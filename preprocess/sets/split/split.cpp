@@ -10,6 +10,7 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "preprocess/sets/json_number.h"
 #include "preprocess/sets/split/bucket_writer.h"
 #include "preprocess/sets/split/measure_traits.h"
 
@@ -47,11 +48,11 @@ std::optional<Mark> readMark(const SetPlan& plan) {
     const Json json = Json::parse(stream, nullptr, false);
     try {
         Mark mark;
-        mark.place.file = json.at("file").get<std::size_t>();
-        mark.place.scan = json.at("scan").get<std::size_t>();
-        mark.place.kept = json.at("kept").get<std::uint64_t>();
-        mark.place.seen = json.at("seen").get<std::uint64_t>();
-        mark.bytes = json.at("bytes").get<std::vector<std::uint64_t>>();
+        mark.place.file = wholeNumber<std::size_t>(json.at("file"));
+        mark.place.scan = wholeNumber<std::size_t>(json.at("scan"));
+        mark.place.kept = wholeNumber<std::uint64_t>(json.at("kept"));
+        mark.place.seen = wholeNumber<std::uint64_t>(json.at("seen"));
+        for (const Json& each : json.at("bytes")) mark.bytes.push_back(wholeNumber<std::uint64_t>(each));
         if (mark.place.file > plan.inputs.size() || mark.place.scan > plan.scans.size()) return std::nullopt;
         return mark;
     } catch (const Json::exception&) {

@@ -249,7 +249,8 @@ TEST_F(SampleTest, BadRequestsSayWhy) {
     EXPECT_EQ(last_code, ExitCode::kBadUsage);
     EXPECT_HAS(reasonOf(write("a.off", kCube), {.format = "", .sample_count = 1ull << 40}), "1099511627776 samples");
     EXPECT_EQ(last_code, ExitCode::kBadUsage);
-    EXPECT_HAS(reasonOf(write("b.obj", "v 0 0 0\nf 1 1 1\n"), {.format = "", .sample_count = 10}), "no area");
+    EXPECT_HAS(reasonOf(write("b.obj", "v 0 0 0\nf 1 1 1\n"), {.format = "", .sample_count = 10}),
+               "b.obj: its faces have no area");
 }
 
 TEST_F(SampleTest, VertexNormalsDoNotDependOnTheTriangulation) {
