@@ -8,7 +8,8 @@
 # No driver is found here. Lavapipe runs shaders that it compiles itself, on threads of its own, and hands on work in
 # ways that ThreadSanitizer does not see either. What asks for a device runs until there, fails, and is counted apart.
 # Left out are torture, which runs the same commands as end_to_end some thousand times, and the wheel, whose Python
-# cannot load what is instrumented.
+# cannot load what is instrumented. Two tests ask what ThreadSanitizer cannot do: it hands on signals where a call may
+# block, of which open, of a pipe that nobody writes to, is none to it, and wants more addresses than ulimit -v leaves.
 # Exit status: 1 where there is a report, or where a test failed for another reason.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -79,7 +80,7 @@ rm -rf "$reports" "$junit"
 mkdir -p "$reports"
 status=0
 TSAN_OPTIONS="log_path=$reports/report" ctest --preset tsan -j "$(nproc)" --no-tests=error --label-exclude '^(torture|python)$' \
-    --output-junit "$junit" "$@" >"$build/ctest.log" 2>&1 || status=$?
+    --exclude-regex '^end_to_end\.(endings\.signals_end_a_bake|film\.refuses_what_memory_cannot_hold)$' --output-junit "$junit" "$@" >"$build/ctest.log" 2>&1 || status=$?
 [ -s "$junit" ] || die "ctest left no report, exit status $status: $build/ctest.log"
 
 outcomes >"$build/outcomes"
