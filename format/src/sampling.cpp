@@ -7,7 +7,7 @@ namespace pointrt::format {
 
 float medianNoise(const pro_info& info, const Content& content) {
     const std::uint8_t* noise = content.sampling.noise;
-    if (!noise || !content.view.splats) return 0;
+    if (!noise || !content.view.splats || info.splat_count == 0) return 0;
     std::vector<float> sigmas(info.splat_count);
     for (std::size_t i = 0; i < sigmas.size(); ++i) {
         pro_splat splat;
