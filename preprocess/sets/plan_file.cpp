@@ -31,16 +31,11 @@ std::string widestFile(const std::string& work) { return work + "/widest.json"; 
 
 Json vectorJson(const Vec3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 template <typename Value>
-Value valueOf(const Json& json) {
-    if constexpr (std::integral<Value> && !std::same_as<Value, bool>)
-        return wholeNumber<Value>(json);
-    else
-        return json.get<Value>();
-}
-
-template <typename Value>
 Value take(const Json& json, const char* name) {
-    return valueOf<Value>(json.at(name));
+    if constexpr (std::integral<Value> && !std::same_as<Value, bool>)
+        return wholeNumber<Value>(json.at(name));
+    else
+        return json.at(name).get<Value>();
 }
 
 Vec3d vectorOf(const Json& json) {
