@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "preprocess/sets/bucket_layout.h"
 #include "preprocess/sets/split/input_state.h"
 #include "preprocess/sets/split/make_plan.h"
+#include "preprocess/tiles/tile_splats.h"
 
 namespace pointrt {
 namespace {
@@ -22,6 +24,20 @@ std::string gigabytes(std::uint64_t bytes) {
 std::filesystem::path folderOf(const std::string& path) {
     const std::filesystem::path parent = std::filesystem::path(path).parent_path();
     return parent.empty() ? "." : parent;
+}
+
+double attributeBytes(const SetPlan& plan) {
+    double bytes = 0;
+    for (const PlanAttribute& each : plan.schema.attributes) bytes += static_cast<double>(each.bytesEach());
+    return bytes;
+}
+
+/// Of a splat that waits for its tile: TileSplats.
+double waitingBytes(const SetPlan& plan) {
+    const std::size_t position_normal_radius = sizeof(PositionCode) + sizeof(std::uint32_t) + sizeof(float);
+    const std::size_t color = plan.schema.colors ? sizeof(Rgb8) : 0;
+    const std::size_t noise = plan.bake.surface.clean > 0 ? sizeof(float) : 0;
+    return static_cast<double>(position_normal_radius + color + noise) + attributeBytes(plan);
 }
 
 } // namespace
@@ -41,26 +57,24 @@ void requirePossible(const SetRequest& request) {
     if (request.bake.max_memory < std::uint64_t{512} << 20) refuse("--max-memory: below 512M there is no room to work");
 }
 
-/// Splats wait for their tiles with position, normal, radius, noise, colour and attributes. A tile has some 24 bytes a
-/// splat (README) and attributes, and in sets of airborne lidar 56 of index, of which it was 82 in single files;
-/// coarser levels and what tiles repeat of each other were a seventh of the original splats there.
+/// A tile has some 24 bytes a splat (README) and attributes, and in sets of airborne lidar 50 to 56 of index, of which
+/// it was 82 in single files; coarser levels and what tiles repeat of each other were a seventh of the original splats
+/// there, and a third of what waits.
 SpaceNeeded spaceNeeded(const SetPlan& plan) {
-    constexpr std::uint64_t kWaiting = 40, kTile = 24, kIndex = 60;
-    constexpr double kLevelsAndRepeats = 1.2;
-    std::uint64_t attributes = 0;
-    for (const PlanAttribute& each : plan.schema.attributes) attributes += each.bytesEach();
-    SpaceNeeded needed;
-    needed.temporary = plan.points * (BucketLayout(plan.schema).record_bytes + kWaiting + attributes);
-    const std::uint64_t each = kTile + attributes + (plan.bake.index ? kIndex : 0);
-    needed.final = static_cast<std::uint64_t>(kLevelsAndRepeats * static_cast<double>(plan.points * each));
-    // Splats go as tiles come, but those of coarser tiles, a third of the original ones, and those at the border of
-    // what is made.
-    constexpr std::uint64_t kWaitingToTheEnd = kWaiting / 2;
-    needed.peak = needed.temporary + needed.final;
-    if (plan.bake.drop_work)
-        needed.peak = std::max(needed.temporary + plan.points * kWaitingToTheEnd, // of levels, before tiles
-                               needed.final + plan.points * kWaitingToTheEnd);
-    return needed;
+    constexpr double kTile = 24, kIndex = 60, kLevelsAndRepeats = 1.2, kWithLevels = 1.4;
+    const auto points = static_cast<double>(plan.points);
+    const double buckets = points * static_cast<double>(BucketLayout(plan.schema).record_bytes);
+    const double splats = points * waitingBytes(plan), all_splats = kWithLevels * splats;
+    const double originals = points * (kTile + attributeBytes(plan) + (plan.bake.index ? kIndex : 0));
+    const double final = kLevelsAndRepeats * originals;
+    // Splats go as tiles come, but not those that coarser tiles read: once the original ones were made, two thirds of
+    // as much as had waited of these were left.
+    constexpr double kLeftForCoarser = 0.7;
+    const double at_once = plan.bake.drop_work
+                               ? std::max({buckets + splats, all_splats, final, originals + kLeftForCoarser * splats})
+                               : buckets + all_splats + final;
+    const auto whole = [](double bytes) { return static_cast<std::uint64_t>(std::llround(bytes)); };
+    return {whole(buckets + all_splats), whole(final), whole(at_once)};
 }
 
 std::string spaceLine(const SetPlan& plan) {
