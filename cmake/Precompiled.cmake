@@ -16,9 +16,10 @@ if(POINTRT_PRECOMPILE AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
 endif()
 
 set(POINTRT_STANDARD_HEADERS
-  <algorithm> <array> <atomic> <bit> <charconv> <chrono> <cmath> <cstddef> <cstdint> <cstdio> <cstdlib> <cstring> <filesystem>
-  <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <optional> <random> <set> <span> <sstream>
-  <stdexcept> <string> <string_view> <system_error> <thread> <utility> <vector>)
+  <algorithm> <array> <atomic> <bit> <charconv> <chrono> <cmath> <condition_variable> <cstddef> <cstdint> <cstdio> <cstdlib>
+  <cstring> <filesystem> <fstream> <functional> <iomanip> <limits> <map> <memory> <mutex> <numbers> <numeric> <optional>
+  <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <system_error> <thread> <unordered_map> <utility>
+  <variant> <vector>)
 
 # What the sources of `target` may include headers of, through all that it links.
 function(pointrt_links result target)
@@ -51,9 +52,10 @@ function(pointrt_optimize_less target)
   endif()
 endfunction()
 
-# The target that holds the headers which sources with these links share; made where it is new.
-function(pointrt_header_set result links)
-  set(name pointrt_headers)
+# The target that holds the headers which sources with these links share; made where it is new. Code of theirs that is
+# made otherwise, as `code` has it, needs headers that are.
+function(pointrt_header_set result links code)
+  set(name pointrt_headers${code})
   set(headers ${POINTRT_STANDARD_HEADERS})
   set(libraries "")
   if("Eigen3::Eigen" IN_LIST links)
@@ -73,23 +75,46 @@ function(pointrt_header_set result links)
     target_compile_features(${name} PRIVATE cxx_std_20)
     target_link_libraries(${name} PRIVATE ${libraries})
     target_precompile_headers(${name} PRIVATE ${headers})
+    if(code STREQUAL "_shared")
+      set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    elseif(code STREQUAL "_uncontracted")
+      target_compile_options(${name} PRIVATE ${POINTRT_UNCONTRACTED})
+    endif()
     pointrt_optimize_less(${name})
   endif()
   set(${result} ${name} PARENT_SCOPE)
 endfunction()
 
-# Not so targets whose code is made otherwise: position independent, or by options of their own (-f..., -O...).
+# How a target's code is made: "" (by default), "_shared" (position independent), "_uncontracted" (no fused multiply and
+# add) or "other", of which there is too little for headers of its own.
+set(POINTRT_UNCONTRACTED -ffp-contract=off)
+function(pointrt_code_of result target)
+  get_target_property(shared ${target} POSITION_INDEPENDENT_CODE)
+  get_target_property(visibility ${target} CXX_VISIBILITY_PRESET)
+  get_target_property(options ${target} COMPILE_OPTIONS)
+  list(FILTER options INCLUDE REGEX "^-[fO]|:-[fO]")
+  if(options STREQUAL "" AND NOT shared)
+    set(code "")
+  elseif(options STREQUAL "" AND NOT visibility)
+    set(code _shared)
+  elseif(options STREQUAL POINTRT_UNCONTRACTED AND NOT shared)
+    set(code _uncontracted)
+  else()
+    set(code other)
+  endif()
+  set(${result} "${code}" PARENT_SCOPE)
+endfunction()
+
 function(pointrt_precompile_target target)
   get_target_property(type ${target} TYPE)
-  get_target_property(shared_code ${target} POSITION_INDEPENDENT_CODE)
-  get_target_property(options ${target} COMPILE_OPTIONS)
   get_target_property(sources ${target} SOURCES)
   pointrt_links(links ${target})
-  if(NOT type MATCHES "^(STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$" OR shared_code OR options MATCHES "(^|;|:)-[fO]"
+  pointrt_code_of(code ${target})
+  if(NOT type MATCHES "^(STATIC_LIBRARY|OBJECT_LIBRARY|EXECUTABLE)$" OR code STREQUAL "other"
       OR "CGAL::CGAL" IN_LIST links OR sources MATCHES "\\.c(;|$)")
     return()
   endif()
-  pointrt_header_set(headers "${links}")
+  pointrt_header_set(headers "${links}" "${code}")
   target_precompile_headers(${target} REUSE_FROM ${headers})
   pointrt_optimize_less(${target})
 endfunction()
