@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # CPack runs this when the files of the packages lie in their folders: Debian wants a copyright file and a changelog in
-# each, manual pages compressed, and reasons for what lintian finds.
+# each, manual pages compressed, nothing in programs that nobody reads, and reasons for what lintian finds.
 set(here ${CMAKE_CURRENT_LIST_DIR})
 
 if(DEFINED ENV{SOURCE_DATE_EPOCH})
@@ -11,6 +11,14 @@ endif()
 
 function(compress file)
   execute_process(COMMAND gzip -9nf ${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# As dh_strip does.
+function(dropComments)
+  foreach(file IN LISTS ARGN)
+    execute_process(COMMAND strip --strip-debug --remove-section=.comment --enable-deterministic-archives ${file}
+      COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()
 endfunction()
 
 foreach(component IN ITEMS tools dev docs)
@@ -30,6 +38,8 @@ foreach(component IN ITEMS tools dev docs)
     configure_file(${here}/${package}.lintian-overrides ${root}/share/lintian/overrides/${package} COPYONLY
       FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
   endif()
+  file(GLOB code ${root}/bin/* ${root}/lib/*/*.a)
+  dropComments(${code})
   file(GLOB pages ${root}/share/man/man1/*.1)
   foreach(page IN LISTS pages)
     compress(${page})
