@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstring>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tiny_index.h"
@@ -37,9 +37,9 @@ struct Said {
     }
     Said(const Said&) = delete;
 
-    void add(const char* name, std::uint32_t type, std::uint32_t components, const void* values) {
+    void add(std::string_view name, std::uint32_t type, std::uint32_t components, const void* values) {
         pro_attribute attribute{};
-        std::strncpy(attribute.name, name, PRO_ATTRIBUTE_NAME_MAX);
+        name.copy(attribute.name, PRO_ATTRIBUTE_NAME_MAX);
         attribute.type = type;
         attribute.components = components;
         attribute.values = values;
