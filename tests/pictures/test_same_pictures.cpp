@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures in memory beside the OpenEXR files of pointrt-view: the same, to the bit.
+#include <algorithm>
+#include <span>
+
 #include "tests/pictures/same_pictures.h"
 #include "tests/rays/ray_scenes.h"
 
@@ -64,9 +67,8 @@ TEST_F(SamePictures, WhateverWasRenderedBefore) {
     const Picture after = several.render(whole, 40, 30, allLayers());
     ASSERT_EQ(before.layers.size(), after.layers.size());
     for (std::size_t i = 0; i < before.layers.size(); ++i) {
-        EXPECT_EQ(std::memcmp(before.layers[i].floats.data(), after.layers[i].floats.data(),
-                              before.layers[i].floats.size() * sizeof(float)),
-                  0);
+        EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(before.layers[i].floats)),
+                                       std::as_bytes(std::span(after.layers[i].floats))));
         EXPECT_EQ(before.layers[i].words, after.layers[i].words);
     }
 }
