@@ -11,7 +11,6 @@
 #include "preprocess/sets/bucket_layout.h"
 #include "preprocess/sets/split/input_state.h"
 #include "preprocess/sets/split/make_plan.h"
-#include "preprocess/tiles/tile_splats.h"
 
 namespace pointrt {
 namespace {
@@ -32,9 +31,9 @@ double attributeBytes(const SetPlan& plan) {
     return bytes;
 }
 
-/// Of a splat that waits for its tile: TileSplats.
+/// Of a splat that waits for its tile, as preprocess/tiles/tile_splats.h has it.
 double waitingBytes(const SetPlan& plan) {
-    const std::size_t position_normal_radius = sizeof(PositionCode) + sizeof(std::uint32_t) + sizeof(float);
+    const std::size_t position_normal_radius = 3 * sizeof(std::int32_t) + sizeof(std::uint32_t) + sizeof(float);
     const std::size_t color = plan.schema.colors ? sizeof(Rgb8) : 0;
     const std::size_t noise = plan.bake.surface.clean > 0 ? sizeof(float) : 0;
     return static_cast<double>(position_normal_radius + color + noise) + attributeBytes(plan);
