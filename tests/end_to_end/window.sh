@@ -123,7 +123,9 @@ case_survives_any_size_and_key() {
         print "151 resize 160x120 scale 1"
         print "152 quit"
     }' >user.txt
-    POINTRT_VALIDATION=1 expectDone pointrt-view half.pro --replay user.txt --offscreen --stats stats.json
+    # without leaks, as tests/CMakeLists.txt has it
+    POINTRT_VALIDATION=1 ASAN_OPTIONS=detect_leaks=0 expectDone \
+        pointrt-view half.pro --replay user.txt --offscreen --stats stats.json
     expectKeys stats.json device width moving_frame_ms.p95 refining_frame_ms.median first_picture_seconds
     [ "$(jsonValue stats.json width)" = 160 ] || fail "the window kept another size"
 }
