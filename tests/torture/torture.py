@@ -3,13 +3,14 @@
 """The tools killed, or failed by the system, at any system call that writes: nothing damaged, nothing stale after the
 next run.
 
-    torture.py [CASE.GROUP...] [--all] [--table FILE.md]
+    torture.py [CASE[.GROUP]...] [--all] [--table FILE.md]
 
 CASE is a command of commands.py, GROUP what befalls it: killed (before a call, or amid a write), failed (EIO, ENOSPC,
-EACCES, at one call or from one on) or short (a write takes less than it was given). Without names all are run. First
-the command runs undisturbed, which tells its calls and what it leaves. Then it runs once for each call, or without --all
-for as many as take seconds: those that are first of their kind, and others spread evenly over the run.
-POINTRT_BIN is the folder of the tools, POINTRT_NTH_CALL the program nth_call.
+EACCES, at one call or from one on) or short (a write takes less than it was given). Without a group all of them do, without
+names all are run. First the command runs undisturbed, which tells its calls and what it leaves. Then it runs once for each
+call, or without --all for as many as take seconds: those that are first of their kind, and others spread evenly over the run.
+POINTRT_BIN is the folder of the tools, POINTRT_NTH_CALL the program nth_call, POINTRT_DRIVER_CACHE where the driver keeps
+compiled programs from case to case, if it is set.
 
 What a killed or failed run leaves under a name is what was there before, or what an undisturbed run leaves there: all
 of it. A run that failed says so in one line, with exit status 4, and leaves nothing else, but for what a bake of tiles
@@ -134,7 +135,8 @@ class Torture:
         self.environment = dict(
             os.environ, LC_ALL="C", HOME=str(self.folder / "home"), TMPDIR=str(self.folder / "tmp"),
             XDG_CACHE_HOME=str(self.folder / "cache"),
-            MESA_SHADER_CACHE_DIR=str(folder / "driver"),  # files that are not ours
+            # files that are not ours
+            MESA_SHADER_CACHE_DIR=os.environ.get("POINTRT_DRIVER_CACHE", str(folder / "driver")),
             PATH=os.environ["POINTRT_BIN"] + os.pathsep + os.environ["PATH"], **case.environment)
         self.environment.pop("POINTRT_INDEX_CACHE", None)
         self.verdicts = {}  # of next runs, by the tree that they found
@@ -320,27 +322,27 @@ def row_of(case_name, how, run):
 
 
 def torture(name, options, folder):
-    """Runs a case; its complaints, and its rows for the table."""
-    case_name, group = name.split(".")
+    """Runs a case, with one group or all; its complaints, and its rows for the table."""
+    case_name, _, only = name.partition(".")
     case = commands.case_of(case_name)
     run = Torture(case, folder)
     run.prepare()
-    faults = run.choose(group, EVERY if options.all else case.most)
-    print(f"{name}: {len(run.calls)} calls, {len(faults)} runs", flush=True)
-    for fault in faults:
-        run.inflict(fault)
+    for group in [only] if only else GROUPS:
+        faults = run.choose(group, EVERY if options.all else case.most)
+        print(f"{case_name}.{group}: {len(run.calls)} calls, {len(faults)} runs", flush=True)
+        for fault in faults:
+            run.inflict(fault)
     return run.told, [row_of(case_name, how, run) for how in run.rows]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="CASE.GROUP")
+    parser.add_argument("names", nargs="*", metavar="CASE[.GROUP]")
     parser.add_argument("--all", action="store_true", help="every call")
     parser.add_argument("--table", type=pathlib.Path, help="the rows of a table are appended to it")
     options = parser.parse_args()
-    names = options.names or [f"{case}.{group}" for case in commands.names() for group in GROUPS]
     complaints = []
-    for name in names:
+    for name in options.names or commands.names():
         with tempfile.TemporaryDirectory() as folder:
             told, rows = torture(name, options, pathlib.Path(folder).resolve())
         complaints += told
