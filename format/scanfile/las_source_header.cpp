@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/scanfile/las_source_header.h"
 
+#include <exception>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "format/json/whole_number.h"
 #include "format/scanfile/base64.h"
 #include "format/scanfile/bytes.h"
 
@@ -37,10 +38,7 @@ Json recordJson(const LasVlr& vlr) {
 LasSource::Record recordOf(const Json& json) {
     LasSource::Record record;
     record.vlr.user_id = json.at("user_id").get<std::string>();
-    const Json& record_id = json.at("record_id"); // anybody's: get() leaves casts of large floats undefined
-    if (!record_id.is_number_unsigned() || record_id.get<std::uint64_t>() > 0xFFFF)
-        throw std::out_of_range("record_id of a LAS record");
-    record.vlr.record_id = record_id.get<std::uint16_t>();
+    record.vlr.record_id = wholeNumber<std::uint16_t>(json.at("record_id"));
     record.vlr.description = json.at("description").get<std::string>();
     record.vlr.extended = json.at("extended").get<bool>();
     record.data = fromBase64(json.at("data").get<std::string>()).value();

@@ -10,6 +10,7 @@
 #include "format/base/mapped_file.h"
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
+#include "format/json/whole_number.h"
 #include "format/set/set_fault.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
@@ -45,14 +46,12 @@ double numberOf(const Json& object, const char* key) {
 
 template <typename Whole>
 Whole asWhole(const Json& value, const char* key) {
-    constexpr auto kLeast = std::numeric_limits<Whole>::min(), kMost = std::numeric_limits<Whole>::max();
-    const bool fits = value.is_number_unsigned()  ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMost)
-                      : value.is_number_integer() ? value.get<std::int64_t>() >= static_cast<std::int64_t>(kLeast)
-                                                  : false; // integers that are not unsigned are negative
-    if (!fits)
-        throw SetFault(std::string(key) + " is not a whole number from " + std::to_string(kLeast) + " to " +
-                       std::to_string(kMost));
-    return value.get<Whole>();
+    const std::optional<Whole> number = wholeNumberIn<Whole>(value);
+    if (!number)
+        throw SetFault(std::string(key) + " is not a whole number from " +
+                       std::to_string(std::numeric_limits<Whole>::min()) + " to " +
+                       std::to_string(std::numeric_limits<Whole>::max()));
+    return *number;
 }
 
 template <typename Whole>
@@ -145,8 +144,9 @@ std::vector<Element> readList(const Json& json, const char* key, const Read& rea
 }
 
 void requireVersion(const Json& version) {
-    if (!version.is_number_unsigned()) throw SetFault("version is not a whole number");
-    if (version.get<std::uint64_t>() != kTileSetVersion)
+    const auto number = wholeNumberIn<std::uint64_t>(version);
+    if (!number) throw SetFault("version is not a whole number");
+    if (*number != kTileSetVersion)
         throw SetFault("version " + version.dump() + ", but only " + std::to_string(kTileSetVersion) +
                        " can be read: this program is too old, or the file is damaged");
 }

@@ -13,8 +13,8 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
+#include "format/json/whole_number.h"
 #include "preprocess/sets/checksum.h"
-#include "preprocess/sets/json_number.h"
 #include "preprocess/sets/plan.h"
 #include "preprocess/sets/plan_check.h"
 

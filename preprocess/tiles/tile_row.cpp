@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "format/json/whole_number.h"
 #include "pointrt/pro_layout.h"
 #include "preprocess/tiles/build_tile.h"
 
@@ -57,8 +58,7 @@ std::optional<SetTile> findTileRow(const SetFolders& folders, const TileKey& til
     try {
         const Json said = Json::parse(metadataOf(file, header, row.bytes)).at("tile");
         if (said.at("level") != row.level || said.at("cell") != row.cell) return std::nullopt;
-        if (!said.at("splats").is_number_unsigned()) return std::nullopt;
-        row.splats = said.at("splats");
+        row.splats = wholeNumber<decltype(row.splats)>(said.at("splats"));
         row.error = said.at("error");
         row.spacing = said.at("spacing");
     } catch (const Json::exception&) {

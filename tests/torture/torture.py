@@ -6,9 +6,10 @@ next run.
     torture.py [CASE[.GROUP]...] [--all] [--table FILE.md]
 
 CASE is a command of commands.py, GROUP what befalls it: killed (before a call, or amid a write), failed (EIO, ENOSPC,
-EACCES, at one call or from one on) or short (a write takes less than it was given). Without a group all of them do, without
-names all are run. First the command runs undisturbed, which tells its calls and what it leaves. Then it runs once for each
-call, or without --all for as many as take seconds: those that are first of their kind, and others spread evenly over the run.
+EACCES, at one call or from one on) or short (a write takes less than it was given). Without a group all of them do,
+without names all are run. First the command runs undisturbed, which tells its calls and what it leaves. Then it runs
+once for each call, or without --all for as many as take seconds: those that are first of their kind, and others spread
+evenly over the run.
 POINTRT_BIN is the folder of the tools, POINTRT_NTH_CALL the program nth_call, POINTRT_DRIVER_CACHE where the driver keeps
 compiled programs from case to case, if it is set.
 

@@ -10,7 +10,7 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/error.h"
-#include "preprocess/sets/json_number.h"
+#include "format/json/whole_number.h"
 #include "preprocess/sets/split/bucket_writer.h"
 #include "preprocess/sets/split/measure_traits.h"
 
