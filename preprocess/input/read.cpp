@@ -18,7 +18,7 @@ FileReport readFile(const std::string& path, const ReadOptions& options, Sink& s
                       scans_before = sink.scans.size();
     const Source source = openSource(path);
     const InputFormat& format = formatOf(source, options.format);
-    format.reader.read(source, sink);
+    readSource(format, source, sink);
     FileReport report{source.name, std::string(format.title)};
     report.points = sink.cloud.points_read - points_before;
     report.kept = keptPoints(sink) - kept_before;

@@ -140,7 +140,7 @@ FileReport readStreamed(const Source& source, const InputFormat& format, Stream&
     Sink& sink = stream.sink;
     const std::size_t read_before = sink.cloud.points_read, scans_before = sink.scans.size();
     const std::uint64_t kept_before = keptPoints(sink);
-    format.reader.read(source, sink);
+    readSource(format, source, sink);
     FileReport report{source.name, std::string(format.title)};
     report.points = sink.cloud.points_read - read_before;
     report.kept = keptPoints(sink) - kept_before;

@@ -11,6 +11,15 @@ std::span<const InputFormat> inputFormats() {
     return kFormats;
 }
 
+void readSource(const InputFormat& format, const Source& source, Sink& sink) {
+    if (sink.level && !format.reader.knows_levels) noteWithoutLevels(source, sink);
+    format.reader.read(source, sink);
+}
+
+void noteWithoutLevels(const Source& source, Sink& sink) {
+    addNote(sink.cloud, source.name, "has no levels of detail: it is read whole");
+}
+
 std::string readableFormats() {
     const auto formats = inputFormats();
     std::string list;

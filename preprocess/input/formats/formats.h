@@ -28,6 +28,8 @@ struct FormatReader {
     /// Whether read goes on with points handed on in batches: no faces, no grid, nothing that looks at all of them.
     /// Null where it never does.
     bool (*readsInBatches)(const Source& source) = nullptr;
+    /// Whether a file may have levels of detail: read minds Sink::level, and notes where a file has none.
+    bool knows_levels = false;
 };
 
 /// FormatReader::readsInBatches of formats whose files always are.
@@ -64,6 +66,12 @@ struct InputFormat {
     std::string_view name, title, suffixes; ///< suffixes: a blank between two
     Content content;
 };
+
+/// Reads by the format's code, and notes what was asked for that the format does not have.
+void readSource(const InputFormat& format, const Source& source, Sink& sink);
+
+/// Notes that a file has no levels of detail, of which some were asked for.
+void noteWithoutLevels(const Source& source, Sink& sink);
 
 /// In the order of the list.
 std::span<const InputFormat> inputFormats();

@@ -227,6 +227,20 @@ TEST_F(CopcTest, LevelsAndBoundsChooseNodes) {
     EXPECT_EQ(read(write("a.laz", copc.bytes), options).positions.size(), 10u);
 }
 
+TEST_F(LasTest, WhereThereAreNoLevelsThatIsSaid) {
+    LasParts parts;
+    parts.points = linePoints(0, 3);
+    ReadOptions options;
+    options.level = 0;
+    for (const std::string& path : {write("a.las", parts.bytes()), write("a.xyz", "0 0 0\n1 0 0\n2 0 0\n")}) {
+        const Cloud cloud = read(path, options);
+        EXPECT_EQ(cloud.positions.size(), 3u);
+        ASSERT_EQ(cloud.notes.size(), 1u) << path;
+        EXPECT_HAS(cloud.notes[0].text, "has no levels of detail: it is read whole");
+        EXPECT_TRUE(read(path).notes.empty());
+    }
+}
+
 TEST_F(CopcTest, HierarchiesThatLeadAstrayAreRefused) {
     const CopcFile copc;
     ReadOptions options;

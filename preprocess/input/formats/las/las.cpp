@@ -45,7 +45,7 @@ ScanTraits traitsOf(const LasFile& file, const std::vector<LasField>& fields, st
 /// The chunks to read; a file that is not COPC is read whole.
 std::vector<LazChunk> chunksOf(const Source& source, const LasFile& file, const LazLayout& layout, Sink& sink) {
     const bool chooses = sink.level || sink.filter.options().bounds;
-    if (sink.level && !isCopc(file)) addNote(sink.cloud, source.name, "has no levels of detail: it is read whole");
+    if (sink.level && !isCopc(file)) noteWithoutLevels(source, sink);
     if (!file.header.packed) {
         const std::uint64_t bytes = file.header.point_count * file.header.record_bytes;
         return {{file.header.point_offset, bytes, file.header.point_count}};
@@ -113,7 +113,9 @@ void readLas(const Source& source, Sink& sink) {
 
 } // namespace
 
-const FormatReader readers::kLas{[](std::string_view bytes) { return bytes.starts_with("LASF"); }, nullptr, readLas,
-                                 alwaysInBatches};
+const FormatReader readers::kLas{.isStart = [](std::string_view bytes) { return bytes.starts_with("LASF"); },
+                                 .read = readLas,
+                                 .readsInBatches = alwaysInBatches,
+                                 .knows_levels = true};
 
 } // namespace pointrt
