@@ -318,6 +318,9 @@ bool parseOptions(int argc, char** argv, BakeOptions& options) {
     if (app.count("--quiet") > 0 && app.count("--verbose") > 0)
         throw Error(ExitCode::kBadUsage, "-q and -v exclude each other");
     checkTileSetOptions(app, options);
+    for (const char* const probing : {"--probe-rays", "--prune-harm"})
+        if (!options.prune && app.count(probing) > 0)
+            throw Error(ExitCode::kBadUsage, std::string(probing) + ": goes with --prune on");
     checkOptions(options);
     options.inputs = filesOf(options.inputs);
     return true;

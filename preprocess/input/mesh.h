@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
@@ -27,6 +28,9 @@ struct MeshSampling {
 /// which for a mesh of more than half a million vertices is none. cloud.normals must hold a normal per vertex
 /// (addMeshNormals).
 MeshSampling chooseSampling(Cloud& cloud, const std::vector<ScanRange>& scans, std::optional<std::uint64_t> wanted);
+
+/// Throws Error (kBadUsage): samples are wanted of a file that has no faces.
+[[noreturn]] void refuseSampling(const std::string& file);
 
 /// Drops the vertices of meshes that no face uses, and counts them: what programs leave behind lies inside or beside
 /// the surface. A file whose faces use less than a tenth of its vertices is a cloud with some faces: its points stay,

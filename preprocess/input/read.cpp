@@ -44,8 +44,7 @@ void readFiles(const std::vector<std::string>& paths, const ReadOptions& options
 void checkSampling(const ReadOptions& options, const Sink& sink) {
     const std::uint64_t count = options.sample_count.value_or(0);
     if (count == 0) return;
-    if (sink.cloud.triangles.empty())
-        throw Error(ExitCode::kBadUsage, fmt::format("{}: has no faces to sample", sink.scans.front().name));
+    if (sink.cloud.triangles.empty()) refuseSampling(sink.scans.front().name);
     if (count >= kNoSensor - sink.cloud.positions.size())
         throw Error(ExitCode::kBadUsage, fmt::format("cannot take as many as {} samples", count));
 }

@@ -154,6 +154,8 @@ void append(const Cloud& samples, Cloud& cloud) {
 
 } // namespace
 
+void refuseSampling(const std::string& file) { throw Error(ExitCode::kBadUsage, file + ": has no faces to sample"); }
+
 std::vector<std::uint64_t> sampleMeshes(Cloud& cloud, const std::vector<ScanRange>& scans, const MeshSampling& sampling,
                                         std::uint64_t seed) {
     std::vector<std::uint64_t> counts(scans.size());

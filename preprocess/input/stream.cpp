@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "preprocess/input/formats/detect.h"
+#include "preprocess/input/mesh.h"
 #include "preprocess/input/source/sink.h"
 
 namespace pointrt {
@@ -154,6 +155,7 @@ void readFile(const std::string& path, Stream& stream) {
     if (!source.mapped) requireSmall(source, stream, "is unpacked as a whole, as .gz files are");
     const InputFormat& format = formatOf(source, stream.options.read.format);
     const bool streams = format.reader.readsInBatches && format.reader.readsInBatches(source);
+    if (streams && stream.options.read.sample_count.value_or(0) > 0) refuseSampling(source.name);
     FileReport report = streams ? readStreamed(source, format, stream) : readWhole(source, path, stream);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (stream.sink.scales_degrees && stream.sink.files_in_degrees > 0)

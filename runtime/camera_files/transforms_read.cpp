@@ -20,7 +20,8 @@ using Json = nlohmann::json;
 /// What says that a lens is no pinhole's: camera_model of nerfstudio, flags of Instant-NGP.
 constexpr const char* kPinholeModels[] = {"OPENCV",        "PINHOLE", "SIMPLE_PINHOLE",
                                           "SIMPLE_RADIAL", "RADIAL",  "PERSPECTIVE"};
-constexpr const char* kOtherLenses[] = {"is_fisheye", "ftheta_lens"};
+constexpr const char* kOtherLenses[] = {"is_fisheye", "ftheta_lens", "latlong"};
+constexpr const char* kOtherLensTerm = "ftheta_p0"; // of a polynomial
 constexpr const char* kDistortion[] = {"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"};
 /// Of applied_transform, as pinholeCamera takes rotations.
 constexpr double kRotationError = 1e-3;
@@ -127,8 +128,12 @@ void requirePinhole(const Words& words) {
     const bool is_known = model.empty() || std::find(std::begin(kPinholeModels), std::end(kPinholeModels), model) !=
                                                std::end(kPinholeModels);
     if (!is_known) refuse("camera_model " + printable(model) + " is no pinhole's; undistort the pictures first");
+    const auto isOther = [](const char* key) {
+        refuse(std::string(key) + " says that it is no pinhole's; undistort the pictures first");
+    };
     for (const char* key : kOtherLenses)
-        if (words.flag(key)) refuse(std::string(key) + " says that it is no pinhole's; undistort the pictures first");
+        if (words.flag(key)) isOther(key);
+    if (words.find(kOtherLensTerm)) isOther(kOtherLensTerm);
 }
 
 std::string distortionOf(const Words& words) {
@@ -165,6 +170,8 @@ CameraShot shotOf(const Json& file, const Json& frame, const CameraFileRequest& 
     const auto matrix = frame.find("transform_matrix");
     if (matrix == frame.end()) refuse("transform_matrix is missing");
     shot.pose = poseOf(matrixOf(*matrix, "transform_matrix"));
+    if (const double scale = words.number("applied_scale").value_or(1); scale != 1)
+        refuse("applied_scale " + plainText(scale) + " is not 1: the scan has another scale than its cameras");
     if (const auto applied = file.find("applied_transform"); applied != file.end()) {
         const Matrix transform = matrixOf(*applied, "applied_transform");
         requireRotation(transform, "applied_transform");

@@ -87,12 +87,24 @@ FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3
     return framed;
 }
 
+/// A target seen from the side that a view names, as far as frameCamera goes away, or from a scanner's place.
+FramedRequest fromSideOf(CameraRequest request, const SceneSample& sample, Vec3 up) {
+    const ViewChoice choice = chosen(request, sample, up);
+    request.eye = choice.eye;
+    request.side = choice.side;
+    request.up = usable(upIn(*request.view, up), choice.side);
+    request.view.reset();
+    return {request, {}};
+}
+
 } // namespace
 
 FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, Vec3 up, const PictureArea& area,
                          bool free_fov) {
     FramedRequest framed{request, {}};
     framed.camera.view.reset();
+    if (request.view && request.target && !request.eye && !all.splats.empty())
+        return fromSideOf(request, thinned(withoutStrays(all)), up);
     if (request.eye || request.target || all.splats.empty() || (all.furnished && !request.view)) return framed;
     const SceneSample sample = withoutStrays(all);
     // an --up of the picture's own is no scene's: it looks along the side it has

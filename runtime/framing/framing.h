@@ -16,8 +16,9 @@ struct FramedRequest {
 };
 
 /// Completes request where it says neither eye nor target: looks from the side it names, or else from the side that
-/// shows most, and so near that all but strays fill the free part of the picture. Left as it is where it says where to
-/// look; so are cameras of furnished scenes that name no side, which might end up behind a wall.
+/// shows most, and so near that all but strays fill the free part of the picture. A target is looked at from the side
+/// that is named with it. Left as it is where it says where to look; so are cameras of furnished scenes that name no
+/// side, which might end up behind a wall.
 /// up: of the scene, unit length; free_fov: a scanner's place may ask for another field of view than request has.
 /// Throws Error kBadUsage where a scanner's view is asked for and no scanner's place is known.
 FramedRequest frameScene(const CameraRequest& request, const SceneSample& sample, Vec3 up, const PictureArea& area,

@@ -170,12 +170,18 @@ void fillThumbnail(Options& options) {
     options.quiet = !options.verbose;
 }
 
+/// A list of devices is all that is done.
+void requireNothingElse(const Options& options) {
+    if (!options.scene.empty() || !options.output.empty() || options.bench_frames != 0)
+        throw Error{ExitCode::kBadUsage, "--device list: goes alone"};
+}
+
 void requireTask(const Options& options) {
     if (options.quiet && options.verbose) throw Error{ExitCode::kBadUsage, "-q and -v exclude each other"};
     if (options.fov_deg && options.camera.ortho)
         throw Error{ExitCode::kBadUsage,
                     "--fov and --ortho exclude each other: a parallel projection has no field of view"};
-    if (options.list_devices) return;
+    if (options.list_devices) return requireNothingElse(options);
     if (options.thumbnail != 0) requireThumbnail(options);
     if (options.cameras.empty())
         requireNoCameraList(options);

@@ -55,6 +55,16 @@ CameraRequest filedCamera(const Options& options, const SceneDescription& scene)
     return viewNamed(scene, options.view).camera;
 }
 
+/// What is said of colours goes with a colouring, which the scene file may have.
+void requireColored(const RenderChoices& said, const std::string& color_by) {
+    const char* const option = said.color_map                ? "--color-map"
+                               : said.color_range            ? "--color-range"
+                               : said.legend.value_or(false) ? "--legend"
+                                                             : nullptr;
+    if (option && color_by == kOwnColors)
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with --color-by"};
+}
+
 } // namespace
 
 std::optional<StandardView> standardView(const Options& options, const SceneDescription& scene) {
@@ -90,6 +100,7 @@ RenderSettings resolveSettings(const Options& options, const SceneDescription& s
     if (options.limits.seconds || options.limits.noise) filed.spp = kMaxSpp;
     applyChoices(filed, settings);
     applyChoices(options.choices, settings);
+    requireColored(options.choices, settings.color_by);
     settings.first_hits = options.output.ends_with(".exr");
     settings.camera = resolveCamera(options, filedCamera(options, scene));
     return settings;

@@ -100,6 +100,8 @@ TEST_F(CameraListErrors, OfTransforms) {
     expectJson(framed(kLens + ", \"cx\": \"middle\""), "frame 0: cx is not a number");
     expectJson(framed(kLens + ", \"camera_model\": \"OPENCV_FISHEYE\""), "camera_model OPENCV_FISHEYE is no pinhole's");
     expectJson(framed(kLens + ", \"is_fisheye\": true"), "is_fisheye says");
+    expectJson(framed(kLens + ", \"ftheta_p0\": 0.1"), "ftheta_p0 says");
+    expectJson(framed(kLens + ", \"applied_scale\": 0.5"), "applied_scale 0.5 is not 1");
     expectJson(framed(kLens + ", \"applied_transform\": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]"),
                "applied_transform is more than a rotation");
     const auto matrix = [](const std::string& rows) {

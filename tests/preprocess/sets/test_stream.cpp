@@ -100,6 +100,10 @@ TEST_F(SetTest, AMeshIsReadByItselfWhereItIsSmall) {
     });
     EXPECT_EQ(points, 500u);
     EXPECT_EQ(found.files.front().sampled, 500u);
+    const std::string dots = folder.write("points.xyz", "0 0 0\n1 0 0\n");
+    EXPECT_NE(reasonOf([&] { readInBatches({dots}, options, [](const PointBatch&) {}); }, ExitCode::kBadUsage)
+                  .find("points.xyz: has no faces to sample"),
+              std::string::npos);
     options.largest_whole_file = 10;
     const std::string reason =
         reasonOf([&] { readInBatches({ball}, options, [](const PointBatch&) {}); }, ExitCode::kBadInput);

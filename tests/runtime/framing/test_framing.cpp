@@ -226,6 +226,28 @@ TEST(Framing, WordsAreSides) {
     EXPECT_GT(dot(upIn(StandardView::kTop, kZ), kY), 0.99) << "north is up on a map";
 }
 
+TEST(Framing, TargetsAreSeenFromTheSideThatIsNamed) {
+    CameraRequest request;
+    request.target = Vec3{0.5, 0.25, 0};
+    for (const auto& [name, view] : kStandardViewNames) {
+        if (view == StandardView::kSensor) continue;
+        request.view = view;
+        const Camera camera = completed(frameScene(request, ball().sample, kZ, {}, true), 1);
+        EXPECT_GT(dot(camera.forward, -1.0 * sideOf(view, kZ)), 0.999) << name;
+        EXPECT_GT(dot(camera.forward, normalize(*request.target - camera.eye)), 0.999999) << name;
+        EXPECT_GT(dot(camera.up, upIn(view, kZ)), 0.5) << name;
+    }
+    Scene scene = room();
+    scene.sample.sensors = {{5, 1, 1.5}};
+    request.view = StandardView::kSensor;
+    const CameraRequest seen = frameScene(request, scene.sample, kZ, {}, true).camera;
+    EXPECT_EQ(seen.eye, scene.sample.sensors[0]);
+    EXPECT_EQ(seen.target, request.target);
+    request.eye = Vec3{0, 0, 9};
+    EXPECT_EQ(frameScene(request, scene.sample, kZ, {}, true).camera.eye, request.eye)
+        << "a view is overruled by an eye";
+}
+
 TEST(Framing, ScannersAreAsked) {
     CameraRequest request;
     request.view = StandardView::kSensor;

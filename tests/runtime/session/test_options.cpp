@@ -198,7 +198,10 @@ TEST(Options, TakesATurntableWithAPattern) {
               "--turntable and --bench exclude each other");
 }
 
-TEST(Options, ListsDevicesWithoutAScene) { EXPECT_TRUE(parse({"--device", "list"}).list_devices); }
+TEST(Options, ListsDevicesWithoutAScene) {
+    EXPECT_TRUE(parse({"--device", "list"}).list_devices);
+    EXPECT_EQ(refusal({"--device", "list"}), "--device list: goes alone");
+}
 
 TEST(Options, RefusesBadValuesByName) {
     for (const char* text : {"64", "0x64", "64x0", "64x-1", "64x64x64", "16385x1", "ax b", ""})

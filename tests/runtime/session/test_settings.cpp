@@ -67,6 +67,34 @@ TEST(Settings, OfTheLookAreTheSceneFilesToo) {
     EXPECT_EQ(settings.reflectivity, 0);
 }
 
+TEST(Settings, ColorsOfNoColoringAreRefused) {
+    const auto refusal = [](const RenderChoices& said, const SceneDescription& scene) {
+        Options options;
+        options.choices = said;
+        try {
+            resolveSettings(options, scene);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code, ExitCode::kBadUsage);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    RenderChoices map, range, legend, bare;
+    map.color_map = ColorMap::kTurbo;
+    range.color_range = ValueRange{0, 1};
+    legend.legend = true;
+    bare.legend = false;
+    EXPECT_EQ(refusal(map, {}), "--color-map: goes with --color-by");
+    EXPECT_EQ(refusal(range, {}), "--color-range: goes with --color-by");
+    EXPECT_EQ(refusal(legend, {}), "--legend: goes with --color-by");
+    EXPECT_EQ(refusal(bare, {}), "") << "there is none";
+    SceneDescription colored;
+    colored.render.color_by = "height";
+    EXPECT_EQ(refusal(map, colored), "");
+    range.color_by = "class";
+    EXPECT_EQ(refusal(range, {}), "");
+}
+
 TEST(Settings, LookFromTheViewThatIsNamed) {
     SceneDescription scene = talkativeScene();
     scene.path = "a.toml";

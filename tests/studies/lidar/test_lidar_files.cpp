@@ -148,6 +148,11 @@ TEST_F(LidarFiles, WhatASensorMeasuresIsToldByItsLine) {
               "sensor.toml:6: key \"range.min_m\": must be below \"max_m\"");
     EXPECT_EQ(refused(kRange + "noise_m = -1\n"),
               "sensor.toml:7: key \"range.noise_m\": is -1, must be from 0 to 1000000000");
+    EXPECT_EQ(
+        refused(kRange + "[beam]\ndivergence_mrad = 3\n"),
+        "sensor.toml:8: key \"beam.divergence_mrad\": says nothing of a single ray: \"rays\" gives the beam more");
+    EXPECT_EQ(refused(kRange + "resolution_m = 0.3\n[beam]\nrays = 7\n"),
+              "sensor.toml:9: key \"beam.rays\": are all the same one without \"divergence_mrad\"");
     EXPECT_EQ(refused(kRange + "[beam]\nrays = 7\n"), "sensor.toml:8: key \"beam.rays\": several rays need "
                                                       "\"range.resolution_m\": what is nearer together is one return");
     EXPECT_EQ(refused(kRange + "[returns]\nkept = \"best\"\n"),

@@ -36,6 +36,10 @@ void readBeam(const SceneValue& file, LidarSensor& sensor) {
     if (sensor.rays > 1 && sensor.range_resolution_m == 0)
         refuse(*find(*table, "rays"),
                "several rays need \"range.resolution_m\": what is nearer together is one return");
+    if (sensor.rays == 1 && sensor.divergence_mrad > 0)
+        refuse(*find(*table, "divergence_mrad"), "says nothing of a single ray: \"rays\" gives the beam more");
+    if (sensor.rays > 1 && sensor.divergence_mrad == 0)
+        refuse(*find(*table, "rays"), "are all the same one without \"divergence_mrad\"");
 }
 
 void readReturns(const SceneValue& file, LidarSensor& sensor) {
