@@ -108,7 +108,7 @@ class CameraRun {
 public:
     CameraRun(RenderSession& session, const CameraPlan& plan, const Options& options, Report& report)
         : session_(session), plan_(plan), options_(options), report_(report),
-          series_(session.device, *session.loaded, options.memory),
+          series_(session.device, *session.loaded, options.memory.value_or(kTileMemory)),
           progress_(options.quiet, options.verbose, options.progress_lines),
           files_{options.output, options.camera_output, depthUnit(plan, options, session.loaded->scene.bounds),
                  session.settings.exposure} {

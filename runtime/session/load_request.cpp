@@ -18,7 +18,7 @@ LoadRequest loadRequest(const Options& options, SceneDescription scene) {
     request.fov_is_free = !options.fov_deg && request.settings.camera.fov_deg == CameraRequest{}.fov_deg;
     request.scene = std::move(scene);
     if (isSceneFile(options.scene)) request.fallback_up = Vec3{0, 1, 0}; // not the camera's, which may be tilted
-    request.memory = options.memory;
+    request.memory = options.memory.value_or(kTileMemory);
     request.turntable = options.turntable;
     request.verbose = options.verbose;
     return request;

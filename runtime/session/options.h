@@ -31,15 +31,15 @@ struct Options {
     std::optional<Vec3> up_axis;   ///< of the scene too, where that does not say; camera has it as well
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
-    std::uint64_t memory = kTileMemory; ///< bytes for the tiles of sets
-    std::string view;                   ///< name of a view in the scene file, empty: its camera
-    std::string cameras;                ///< a list of them, empty for none; output is then a folder
-    CameraOutput camera_output;         ///< what it gets of each
-    bool drops_distortion = false;      ///< of their lenses
-    std::uint32_t turntable = 0;        ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
-    std::uint32_t thumbnail = 0;        ///< pixels of its sides, 0: none; output is then a PNG whatever its name
-    bool resume = false;                ///< go on with the film in output, which ends in .exr
-    std::uint32_t bench_frames = 0;     ///< 0: no benchmark
+    std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; else kTileMemory
+    std::string view;                    ///< name of a view in the scene file, empty: its camera
+    std::string cameras;                 ///< a list of them, empty for none; output is then a folder
+    CameraOutput camera_output;          ///< what it gets of each
+    bool drops_distortion = false;       ///< of their lenses
+    std::uint32_t turntable = 0;         ///< pictures of a turntable, 0: none; output is then a pattern (turntable.h)
+    std::uint32_t thumbnail = 0;         ///< pixels of its sides, 0: none; output is then a PNG whatever its name
+    bool resume = false;                 ///< go on with the film in output, which ends in .exr
+    std::uint32_t bench_frames = 0;      ///< 0: no benchmark
     bool list_devices = false;
     bool profile = false; ///< goes with output or bench_frames
     // without output and bench_frames there is a window

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 #include "runtime/film/film_resume.h"
 #include "runtime/session/load_request.h"
 #include "runtime/session/settings.h"
+#include "runtime/session/without_effect.h"
 
 namespace pointrt {
 namespace {
@@ -50,6 +52,13 @@ void chooseLayers(const Options& options, const SceneDescription& scene, RenderS
         options.output.ends_with(".exr") || options.turntable != 0 || options.limits.seconds || options.limits.noise;
 }
 
+void tellWithoutEffect(const Options& options, const DeviceScene& scene, Integrator integrator) {
+    if (options.quiet) return;
+    const SceneTraits traits = {!scene.sets.empty(), (scene.features & FEATURE_GOES_ON) != 0, showsLight(integrator)};
+    for (const std::string& line : optionsWithoutEffect(options, traits))
+        std::fprintf(stderr, "pointrt-view: %s\n", line.c_str());
+}
+
 } // namespace
 
 RenderSession::RenderSession(const Options& options) : device(createDevice({options.device, options.verbose})) {}
@@ -69,6 +78,7 @@ void loadSession(RenderSession& session, SceneDescription description, const Opt
     session.loaded = loadScene(session.device, session.device, request, LoadStage{});
     session.settings = session.loaded->settings;
     session.camera = session.loaded->camera;
+    tellWithoutEffect(options, session.loaded->scene, session.settings.integrator);
     chooseLayers(options, session.loaded->scene.description, session.settings);
     if (options.profile) {
         session.profile.emplace();

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/session/without_effect.h"
+
+#include <gtest/gtest.h>
+
+namespace pointrt {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// The options that the lines are of.
+Lines named(const Options& options, const SceneTraits& scene) {
+    Lines names;
+    for (const std::string& line : optionsWithoutEffect(options, scene))
+        names.push_back(line.substr(0, line.find(" changes nothing: ")));
+    return names;
+}
+
+TEST(WithoutEffect, NothingIsSaidOfWhatNobodyGave) {
+    EXPECT_EQ(named({}, {false, false, false}), Lines{});
+    EXPECT_EQ(named({}, {}), Lines{});
+}
+
+TEST(WithoutEffect, TilesHaveToBeThere) {
+    Options options;
+    options.memory = 1 << 30;
+    options.choices.detail = 0;
+    EXPECT_EQ(named(options, {}), (Lines{"--memory", "--detail"}));
+    EXPECT_EQ(named(options, {.has_tiles = true}), Lines{});
+}
+
+TEST(WithoutEffect, BouncesAreOfWhatSendsLightOn) {
+    Options options;
+    options.choices.bounces = 8;
+    EXPECT_EQ(named(options, {}), Lines{"--bounces"});
+    EXPECT_EQ(named(options, {.sends_on = true}), Lines{});
+    options.choices.bounces = 0;
+    EXPECT_EQ(named(options, {}), Lines{}) << "none are wanted, and none there";
+}
+
+TEST(WithoutEffect, NormalsAndDepthsHaveNoLight) {
+    Options options;
+    options.choices.lights = 3;
+    options.choices.bounces = 2;
+    EXPECT_EQ(named(options, {.shows_light = false}), (Lines{"--lights", "--bounces"}));
+    EXPECT_EQ(named(options, {.sends_on = true}), Lines{});
+}
+
+} // namespace
+} // namespace pointrt
