@@ -11,6 +11,8 @@ using namespace pointrt;
 
 namespace {
 
+constexpr float kLargestRadius = 4; // cube units, as SPEC has it of radius_max
+
 /// Decodes all splats as well, which touchEverything does not.
 double sumOfSplats(const test::Bytes& bytes) {
     pro_file* file = nullptr;
@@ -23,8 +25,9 @@ double sumOfSplats(const test::Bytes& bytes) {
     for (std::size_t i = 0; i < info.splat_count; ++i) {
         pro_splat splat;
         pro_splat_decode(view.splats + i * PRO_SPLAT_WORDS, info.radius_max, info.radius_step, &splat);
-        for (const float value : {splat.position[0], splat.normal[1], splat.radius})
+        for (const float value : {splat.position[0], splat.normal[1]})
             if (!(value >= -1 && value <= 1)) std::abort(); // cube units, and a unit vector
+        if (!(splat.radius > 0 && splat.radius <= kLargestRadius)) std::abort();
         sum += double(splat.radius);
     }
     pro_close(file);
