@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draco's decoders with a check that they lack: a byte of the file becomes a PredictionSchemeMethod whatever it is, and
-// what a value that the enumeration cannot hold does is not defined.
+// Draco's decoders with checks that they lack. A byte of the file becomes a PredictionSchemeMethod whatever it is, and
+// what a value that the enumeration cannot hold does is not defined; a second number of points is made room for.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include <draco/compression/attributes/kd_tree_attributes_decoder.h>
 #include <draco/compression/attributes/sequential_attribute_decoders_controller.h>
 #include <draco/compression/config/compression_shared.h>
 #include <draco/compression/point_cloud/point_cloud_kd_tree_decoder.h>
@@ -61,13 +64,30 @@ private:
     std::vector<Each> decoders_; ///< in the order of the attributes
 };
 
-/// A decoder of files whose attributes are guarded. Those of k-d trees predict nothing.
+/// Decodes a k-d tree of points as its base does. Before 2.3 there are a method, a level and once more the number of
+/// points in front of it, whatever the header says; of none the tree's own number would be believed.
+class GuardedKdTree : public draco::KdTreeAttributesDecoder {
+protected:
+    bool DecodeDataNeededByPortableTransforms(draco::DecoderBuffer* buffer) override {
+        if (buffer->bitstream_version() < DRACO_BITSTREAM_VERSION(2, 3)) {
+            std::uint32_t points = 0;
+            std::array<char, 2 + sizeof points> start{};
+            if (!buffer->Peek(start.data(), start.size())) return false;
+            std::memcpy(&points, start.data() + 2, sizeof points);
+            if (points == 0 || points != GetDecoder()->point_cloud()->num_points()) return false;
+        }
+        return KdTreeAttributesDecoder::DecodeDataNeededByPortableTransforms(buffer);
+    }
+};
+
+/// A decoder of files whose attributes are guarded.
 template <typename Decoder>
 class GuardedAttributes : public Decoder {
 protected:
     bool CreateAttributesDecoder(std::int32_t id) override {
+        if constexpr (std::is_same_v<Decoder, draco::PointCloudKdTreeDecoder>)
+            return this->SetAttributesDecoder(id, std::make_unique<GuardedKdTree>());
         if (!Decoder::CreateAttributesDecoder(id)) return false;
-        if constexpr (std::is_same_v<Decoder, draco::PointCloudKdTreeDecoder>) return true;
         auto& made = const_cast<DracoController&>(static_cast<const DracoController&>(*this->attributes_decoder(id)));
         return this->SetAttributesDecoder(id, std::make_unique<GuardedController>(std::move(sequencerOf(made))));
     }

@@ -124,6 +124,37 @@ TEST_F(DracoTest, PredictionMethodsThatThereAreNotAreRefused) {
     }
 }
 
+TEST_F(DracoTest, TreesOfPoints) {
+    draco::PointCloudBuilder builder;
+    builder.Start(20);
+    const int position = builder.AddAttribute(GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    for (int i = 0; i < 20; ++i) {
+        const float p[] = {static_cast<float>(i), static_cast<float>(i % 7), 2};
+        builder.SetAttributeValueForPoint(position, draco::PointIndex(i), p);
+    }
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(draco::POINT_CLOUD_KD_TREE_ENCODING);
+    encoder.SetAttributeQuantization(GeometryAttribute::POSITION, 12);
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodePointCloudToBuffer(*builder.Finalize(false), &buffer).ok());
+    const std::string bytes(buffer.data(), buffer.size());
+    EXPECT_EQ(bytes[8], '\1') << "no tree";
+    EXPECT_EQ(readText("a.drc", bytes).positions.size(), 20u);
+    readPrefixes("b.drc", bytes);
+}
+
+TEST_F(DracoTest, OldTreesHaveAsManyPointsAsTheirHeader) {
+    const std::string header = std::string("DRACO\2\2\0\1\0\0", 11) + bytesOf(65534);
+    const std::string position = std::string("\1\1\0\x09\3\0\0", 7); // one decoder, one attribute: three floats
+    const std::string method_and_level(2, '\0');
+    for (const int points : {0, 0x73000000, 65535}) {
+        const std::string reason =
+            reasonOfText("a.drc", header + position + method_and_level + bytesOf(points) + "\4\1");
+        EXPECT_HAS(reason, "the Draco data is broken or cut short");
+        EXPECT_EQ(reason.find("impossible sizes"), std::string::npos) << "memory was asked for: " << reason;
+    }
+}
+
 TEST_F(DracoTest, PromisesAreCheckedBeforeMemoryIsTaken) {
     // After the header of 11 bytes a point cloud has its number of points.
     std::string points = encodedPoints(draco::POINT_CLOUD_SEQUENTIAL_ENCODING);
