@@ -101,6 +101,13 @@ TEST_F(PlyTest, HeaderOddities) {
     EXPECT_EQ(world(readText("m.ply", mac), 0), Vec3d(1, 2, 3));
 }
 
+TEST_F(PlyTest, ElementsWithoutPropertiesTakeNoTime) {
+    for (const char* name : {"face", "tristrips", "range_grid", "other"}) {
+        const std::string element = fmt::format("element {} 12223222222222222\n", name);
+        EXPECT_EQ(readText("a.ply", ascii(element, "1 2 3\n")).positions.size(), 1u) << name;
+    }
+}
+
 TEST_F(PlyTest, BinaryBodyAfterCarriageReturn) {
     const std::string body = bytesOf(1.f) + bytesOf(2.f) + bytesOf(3.f);
     const std::string header =
