@@ -67,17 +67,22 @@ TEST(Settings, OfTheLookAreTheSceneFilesToo) {
     EXPECT_EQ(settings.reflectivity, 0);
 }
 
+/// The message of a usage error, "" where there was none.
+std::string refusalOf(const Options& options, const SceneDescription& scene) {
+    try {
+        resolveSettings(options, scene);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code, ExitCode::kBadUsage);
+        return error.what();
+    }
+    return "";
+}
+
 TEST(Settings, ColorsOfNoColoringAreRefused) {
     const auto refusal = [](const RenderChoices& said, const SceneDescription& scene) {
         Options options;
         options.choices = said;
-        try {
-            resolveSettings(options, scene);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code, ExitCode::kBadUsage);
-            return std::string(error.what());
-        }
-        return std::string();
+        return refusalOf(options, scene);
     };
     RenderChoices map, range, legend, bare;
     map.color_map = ColorMap::kTurbo;
@@ -101,15 +106,7 @@ TEST(Settings, LookFromTheViewThatIsNamed) {
     Options options;
     const std::string every = ", and every scene has front, back, left, right, top, bottom, iso, sensor";
     options.view = "upper";
-    const auto refusal = [&] {
-        try {
-            resolveSettings(options, scene);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code, ExitCode::kBadUsage);
-            return std::string(error.what());
-        }
-        return std::string();
-    };
+    const auto refusal = [&] { return refusalOf(options, scene); };
     EXPECT_EQ(refusal(), "--view: a.toml has no view \"upper\"; it has none" + every);
     scene.views.resize(2);
     scene.views[0].name = "front";
