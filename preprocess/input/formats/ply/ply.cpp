@@ -88,7 +88,6 @@ struct Reader {
     }
 
     void readFaces(const PlyElement& element, bool strip) {
-        if (element.properties.empty()) return; // of nothing there may be any number
         for (std::uint64_t i = 0; i < element.count; ++i)
             for (const PlyProperty& property : element.properties) {
                 const bool indices = property.name == "vertex_indices" || property.name == "vertex_index";

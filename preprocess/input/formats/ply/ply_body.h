@@ -95,7 +95,6 @@ struct PlyBody {
     }
 
     void skipElement(const PlyElement& element) {
-        if (element.properties.empty()) return;
         for (std::uint64_t i = 0; i < element.count; ++i)
             for (const PlyProperty& property : element.properties) skip(element, i, property);
     }

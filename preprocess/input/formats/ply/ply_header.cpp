@@ -194,7 +194,6 @@ void checkPromises(const Source& source, const PlyHeader& header) {
     std::uint64_t left = static_cast<std::uint64_t>(source.end() - header.body) + (ascii ? 1 : 0);
     for (const PlyElement& element : header.elements) {
         const std::size_t size = smallestSize(element, header.encoding);
-        if (size == 0) continue;
         if (element.count > left / size)
             refuse(source, ascii ? fmt::format("the header promises {} {}, only {} bytes are left for them",
                                                element.count, pluralOf(element), left - 1)
@@ -213,6 +212,8 @@ PlyHeader readPlyHeader(const Source& source) {
     PlyHeader header;
     parseLines(source, lines, header);
     settleVertexRoles(source, header);
+    // of elements with nothing to read there may be any number
+    std::erase_if(header.elements, [](const PlyElement& element) { return element.properties.empty(); });
     checkPromises(source, header);
     return header;
 }
