@@ -48,7 +48,7 @@ endfunction()
 # Tests run for seconds and are compiled for minutes. Headers are read by the options that they were precompiled with.
 function(pointrt_optimize_less target)
   if("GTest::gtest" IN_LIST links AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-Og>)
   endif()
 endfunction()
 

@@ -272,8 +272,8 @@ void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& 
     params.core_high = {along(box.high[0], 0), along(box.high[1], 1), along(box.high[2], 2), params.core_high.w};
 }
 
-std::uint64_t tileMemory(const Device& device, std::uint64_t request) {
-    if (device.unified_memory) return request;
+std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint64_t others) {
+    if (device.unified_memory) return request - std::min(others, request / 2);
     std::uint64_t own = 0;
     for (std::uint32_t i = 0; i < device.memory.memoryHeapCount; ++i)
         if (device.memory.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)

@@ -69,7 +69,8 @@ gpu::InstanceParams placeInstance(const RenderSpace& space, const DeviceScan& fi
 /// Of a tile: its hits count in this box, in the set's coordinates.
 void placeCore(const DeviceScan& file, const TileBox& box, gpu::InstanceParams& params);
 
-/// request, or less where the device has memory of its own, and less of that.
-std::uint64_t tileMemory(const Device& device, std::uint64_t request);
+/// request, or less where the device has memory of its own, and less of that. Where it has not, request is of the whole
+/// process: `others`, the bytes of all else, come off it, though tiles get half of it at least.
+std::uint64_t tileMemory(const Device& device, std::uint64_t request, std::uint64_t others = 0);
 
 } // namespace pointrt

@@ -103,7 +103,8 @@ std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const Load
     loaded->settings = request.settings;
     loaded->scene = openScene(worker, request.scene, request.verbose);
     // tiles come and go, then
-    if (request.roots_alone) loaded->scene.tile_cache_bytes = tileMemory(worker, request.memory);
+    if (request.roots_alone)
+        loaded->scene.tile_cache_bytes = pictureTileMemory(worker, request.settings, request.memory);
     begin("materials and lights", kRowsShare);
     furnish(worker, *loaded, request);
     begin("programs", kProgramsShare);

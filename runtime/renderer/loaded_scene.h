@@ -66,7 +66,7 @@ struct LoadRequest {
     std::optional<Vec3> fallback_up;    ///< where neither scene nor scans say it; none: what the camera has
     bool fov_is_free = false;           ///< nobody has said it: it may become wider
     double free_share = 1;              ///< of the picture's width, from the left: nothing covers it
-    std::uint64_t memory = kTileMemory; ///< bytes for the tiles of sets
+    std::uint64_t memory = kTileMemory; ///< bytes for pictures of sets
     bool roots_alone = false;           ///< of sets, for now: the scene is there soon, tiles follow
     std::uint32_t turntable = 0;        ///< pictures of a turntable that tiles are chosen for; 0: for the first camera
     bool refines_tiles = false;         ///< those that no camera sees as well, where rays meet them

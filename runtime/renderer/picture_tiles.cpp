@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/film/picture_filter.h"
 #include "runtime/renderer/tile_feedback.h"
 
 namespace pointrt {
@@ -14,6 +15,11 @@ constexpr int kTileRounds = 3;
 
 /// Of a turntable so many tell which tiles it needs.
 constexpr std::uint32_t kTurntableCameras = 64;
+
+/// What a process takes beside tiles and the filter: the driver and its programs up to 190 MB, a band of a film 65,
+/// what is in flight with rays in queues another 50, as measured with lavapipe. Whether a picture will be filtered or
+/// in queues is not asked, so that its tiles do not depend on that.
+constexpr std::uint64_t kProcessBytes = 305'000'000;
 
 /// That tiles are chosen for.
 std::vector<Camera> pictureCameras(const LoadedScene& loaded, const LoadRequest& request) {
@@ -33,12 +39,17 @@ void remakeTables(Device& device, LoadedScene& loaded) {
 
 } // namespace
 
+std::uint64_t pictureTileMemory(const Device& device, const RenderSettings& settings, std::uint64_t memory) {
+    const PixelSize size{settings.width, settings.height};
+    return tileMemory(device, memory, kProcessBytes + filterBytes({.picture = size, .tile = filterTileFor(size)}));
+}
+
 TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const LoadRequest& request) {
     TileRequest tiles;
     tiles.cameras = pictureCameras(loaded, request);
     tiles.size = {loaded.settings.width, loaded.settings.height};
     tiles.detail = loaded.settings.detail;
-    tiles.memory = request.roots_alone ? 0 : tileMemory(device, request.memory);
+    tiles.memory = request.roots_alone ? 0 : pictureTileMemory(device, loaded.settings, request.memory);
     tiles.tells_coarse = !request.roots_alone;
     const std::vector<InstanceDescription>& instances = loaded.scene.description.instances;
     tiles.painted = std::any_of(instances.begin(), instances.end(),

@@ -7,6 +7,9 @@
 
 namespace pointrt {
 
+/// Of `memory` bytes those that tiles may take beside a picture of the settings' size.
+std::uint64_t pictureTileMemory(const Device& device, const RenderSettings& settings, std::uint64_t memory);
+
 /// What loaded's camera, or the turntable that request tells of, wants at its settings' size.
 TileRequest tileRequest(const Device& device, const LoadedScene& loaded, const LoadRequest& request);
 

@@ -149,7 +149,7 @@ inline constexpr std::tuple kRenderSettings{
     RenderSetting{&RenderSettings::reflectivity, &RenderChoices::reflectivity,
         RealRange{0, 1},
         OnCommandLine{HelpGroup::kLightAndSurfaces, "--reflectivity", "R",
-            "Of every surface, 0 matte to 1 mirror (default: each material's own)"},
+            "Of scans with their files' own materials, 0 matte to 1 mirror (default: each material's own)"},
         InSceneFile{FileTable::kRender, 12, "reflectivity"},
         InFilm{12, "reflectivity"}},
     RenderSetting{&RenderSettings::color_by, &RenderChoices::color_by,

@@ -65,7 +65,7 @@ struct RenderSettings {
     bool shadows = true;
     bool caustics = true;              ///< light bundled by glass and mirrors
     bool blend = true;                 ///< off: each hit is one splat's flat disc
-    std::optional<float> reflectivity; ///< overrules every material's
+    std::optional<float> reflectivity; ///< overrules what scans' files say
     std::string color_by = kOwnColors; ///< what scans are coloured by: see color_words.h of device_scene
     std::optional<ColorMap> color_map;
     std::optional<ValueRange> color_range; ///< of the map's ends

@@ -184,7 +184,7 @@ OptionGroup runOptions() {
         {{"--device", "list|N|NAME", "Vulkan device by number or part of its name; list shows them (default: best)",
           setDevice},
          {"--memory", "SIZE",
-          "What the tiles of sets may take, such as 2G or 500M; where a picture wants more, they are coarser (default "
+          "What a picture of tile sets may take, such as 2G or 500M; where it wants more, tiles are coarser (default "
           "2G)",
           [](Options& o, const std::string& text) { o.memory = parseBytes(text); }},
          {"--bench", "N",

@@ -140,6 +140,8 @@ void requireCameraList(const Options& options) {
                         : options.choices.legend.value_or(false) ? "--legend"
                                                                  : nullptr;
     if (other) throw Error{ExitCode::kBadUsage, std::string("--cameras and ") + other + " exclude each other"};
+    if (options.camera_output.depth_unit && !options.camera_output.depth)
+        throw Error{ExitCode::kBadUsage, "--depth-unit: is of depths, which --layers leaves out"};
 }
 
 /// What says something of such lists alone.

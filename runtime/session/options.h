@@ -31,7 +31,7 @@ struct Options {
     std::optional<Vec3> up_axis;   ///< of the scene too, where that does not say; camera has it as well
     std::optional<double> fov_deg; ///< empty where nothing is said
     FrameLimits limits;
-    std::optional<std::uint64_t> memory; ///< bytes for the tiles of sets; else kTileMemory
+    std::optional<std::uint64_t> memory; ///< bytes for pictures of sets; else kTileMemory
     std::string view;                    ///< name of a view in the scene file, empty: its camera
     std::string cameras;                 ///< a list of them, empty for none; output is then a folder
     CameraOutput camera_output;          ///< what it gets of each

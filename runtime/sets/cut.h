@@ -22,7 +22,7 @@ struct CutView {
 /// there. Two levels; a set's levels are twice as coarse each.
 constexpr double kUnseenPixel = 4;
 
-/// What tiles may take where nothing is said, bytes: 2 GiB.
+/// What tiles, and on a processor all of a picture, may take where nothing is said, bytes: 2 GiB.
 constexpr std::uint64_t kTileMemory = std::uint64_t{2} << 30;
 
 struct CutRequest {

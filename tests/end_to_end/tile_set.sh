@@ -142,7 +142,7 @@ case_detail_is_how_much_may_be_left_out() {
     [ "$tiles" -gt 1 ] && [ "$tiles" -lt "$all" ] || fail "$tiles tiles at two pixels, of $all"
     view 16384
     [ "$tiles" = 1 ] || fail "$tiles tiles where the root is enough"
-    view 0 --memory 1M
+    view 0 --memory 2M # half of which is theirs
     [ "$tiles" -lt "$all" ] || fail "$tiles tiles in a mebibyte"
     [ "$(grep -c "coarser than --detail 0 asks for: $tiles tiles fit in 1 MiB, and it wants $all " stderr)" = 1 ] ||
         fail "it does not say once what memory left out"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "runtime/device_scene/scene_tiles.h"
+#include "runtime/renderer/picture_tiles.h"
 #include "tests/support/sets/hand_cut_set.h"
 #include "tests/support/splat_scenes.h"
 
@@ -74,6 +75,20 @@ TEST_F(SetLoading, TilesThatAreWantedNoMoreGo) {
     EXPECT_FALSE(load(whole, 0));
     EXPECT_TRUE(whole);
     EXPECT_EQ(scene_.files.size(), 1u);
+}
+
+/// Of 1280x720 pixels the filter takes 216 bytes each, all else 305 MB.
+TEST_F(SetLoading, WhatElseAPictureTakesComesOffTheMemory) {
+    if (!device_.unified_memory) GTEST_SKIP() << "the device has memory of its own";
+    constexpr std::uint64_t kOthers = 305'000'000 + std::uint64_t{216} * 1280 * 720, kAsked = 2'000'000'000;
+    RenderSettings settings;
+    settings.width = 1280, settings.height = 720;
+    EXPECT_EQ(pictureTileMemory(device_, settings, kAsked), kAsked - kOthers);
+    EXPECT_EQ(pictureTileMemory(device_, settings, 2 * kOthers - 2), kOthers - 1) << "half of it at least";
+    EXPECT_EQ(pictureTileMemory(device_, settings, 0), 0u);
+    settings.width = settings.height = 16384;
+    EXPECT_GT(pictureTileMemory(device_, settings, 2 * kAsked), kAsked) << "large pictures are filtered in parts";
+    EXPECT_EQ(tileMemory(device_, kAsked), kAsked) << "rays have no picture";
 }
 
 } // namespace

@@ -203,6 +203,12 @@ TEST(Options, ListsDevicesWithoutAScene) {
     EXPECT_EQ(refusal({"--device", "list"}), "--device list: goes alone");
 }
 
+TEST(Options, UnitsAreOfLayersThatAreWritten) {
+    EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb", "--depth-unit", "0.001"}),
+              "--depth-unit: is of depths, which --layers leaves out");
+    EXPECT_EQ(refusal({"--cameras", "list.json", "-o", "set", "--layers", "rgb,depth", "--depth-unit", "0.001"}), "");
+}
+
 TEST(Options, RefusesBadValuesByName) {
     for (const char* text : {"64", "0x64", "64x0", "64x-1", "64x64x64", "16385x1", "ax b", ""})
         EXPECT_TRUE(contains(refusal({"--size", text}), "--size: ")) << text;
