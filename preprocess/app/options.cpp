@@ -188,8 +188,8 @@ void addSurfaceOptions(CommandLine& app, BakeOptions& options) {
         ->check(range(3, 255))
         ->type_name("K");
     addChoice(app, "--orient", surface.orient, kOrientModes,
-              "Their side; auto takes sensors where known, up for airborne lidar, else a minimum spanning tree "
-              "(default auto)");
+              "Their side; auto takes sensors where known, up for airborne lidar, else a minimum spanning tree; none: "
+              "either, and points are not smoothed (default auto)");
     app.add_option("--radius-scale", surface.radius_scale, "Multiplies the radii, 0.01 to 100 (default 1)")
         ->check(range(0.01, 100.0))
         ->type_name("S");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "format/base/error.h"
+#include "runtime/device_scene/color_choice.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/scene_file/scene_file.h"
@@ -63,6 +64,8 @@ void requireColored(const RenderChoices& said, const std::string& color_by) {
                                                              : nullptr;
     if (option && color_by == kOwnColors)
         throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with --color-by"};
+    if (option && color_by == kNormal)
+        throw Error{ExitCode::kBadUsage, std::string(option) + ": goes with numbers, and normals have none"};
 }
 
 } // namespace

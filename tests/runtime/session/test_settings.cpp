@@ -98,6 +98,10 @@ TEST(Settings, ColorsOfNoColoringAreRefused) {
     EXPECT_EQ(refusal(map, colored), "");
     range.color_by = "class";
     EXPECT_EQ(refusal(range, {}), "");
+    range.color_by = "normal";
+    EXPECT_EQ(refusal(range, {}), "--color-range: goes with numbers, and normals have none");
+    bare.color_by = "normal";
+    EXPECT_EQ(refusal(bare, {}), "");
 }
 
 TEST(Settings, LookFromTheViewThatIsNamed) {
