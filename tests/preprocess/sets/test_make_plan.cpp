@@ -107,6 +107,18 @@ TEST(SpaceNeeded, IsALittleMoreThanLidarTook) {
     expectWithin(spaceNeeded(plan).peak, 62 + 0.4 * 35 + 42);
 }
 
+TEST_F(SetTest, TilesThatMemoryHasNoRoomForAreSmallerAndItIsSaid) {
+    SetRequest request = requestOf({writeHill("a.csv", 540'000)}, 1'000'000);
+    request.bake.max_memory = std::uint64_t{512} << 20;
+    const SetPlan plan = makePlan(request);
+    EXPECT_GT(plan.tiles.size(), 1u);
+    ASSERT_EQ(plan.notes.size(), 1u);
+    EXPECT_EQ(plan.notes[0].file, "--tile-splats");
+    EXPECT_EQ(plan.notes[0].text, "1000000 points are more than --max-memory has room for in a tile: 536870 at most");
+    request.inputs = {writeHill("few.csv", 1000)};
+    EXPECT_TRUE(makePlan(request).notes.empty()) << "one tile has room for all";
+}
+
 TEST_F(SetTest, BoundsAndThinningWorkPerPoint) {
     SetRequest request = requestOf({writeHill("a.csv", 6000)});
     request.read.filter.bounds = Eigen::AlignedBox3d(Vec3d(0, 0, -10), Vec3d(50, 100, 10));
