@@ -63,7 +63,6 @@ void MovingPicture::forget() {
     errors_.forget();
     camera_.reset();
     surveyed_rows_ = 0;
-    known_ = false;
 }
 
 void MovingPicture::noteSceneChange() {
@@ -208,7 +207,6 @@ bool MovingPicture::survey(const MovingView& view) {
     picture_.replace(std::move(survey_.points), survey_.ahead);
     survey_ = {};
     camera_ = view.camera;
-    known_ = true;
     return true;
 }
 

@@ -47,15 +47,15 @@ public:
     /// pixels hold another picture of the last view, all of it: the next frame goes on from there.
     void takePixels();
 
-    /// Carries the picture to view and traces of it what fits in so many seconds, all in all. The tracer is idle, and
-    /// its film is given up. pixels hold the picture then.
+    /// Carries the picture, or nothing, to view and traces of it what fits in so many seconds, all in all. The tracer
+    /// is idle, and its film is given up. pixels hold the picture then.
     MovingFrame advance(const MovingView& view, double seconds);
 
     /// Finds the places of all that view shows, in slices of as many rows as fit in the list. True when it is done. The
     /// film stays.
     bool survey(const MovingView& view);
     /// Whether there is a picture from that camera to be carried along.
-    bool isKnownFor(const Camera& camera) const { return known_ && camera_ == camera; }
+    bool isKnownFor(const Camera& camera) const { return camera_ == camera; }
     bool isSurveyed() const { return surveyed_rows_ >= picture_.size().height; }
 
     /// Puts share of pixels, count of them from first on, over the moving picture, into pixels.
@@ -83,10 +83,9 @@ private:
     CarriedPicture picture_;
     ErrorMap errors_;
     Survey survey_;
-    std::optional<Camera> camera_;   ///< the picture's
+    std::optional<Camera> camera_;   ///< the picture's; none where there is none
     std::vector<gpu::Shape> shapes_; ///< the scene's when it was made
     std::uint32_t frame_ = 0, surveyed_rows_ = 0;
-    bool known_ = false;
     double seconds_per_pixel_ = 1e-6; ///< a first guess: two cores on a scan of a million points
     double overhead_s_ = 0.01;        ///< of a frame, but for tracing; likewise
 };

@@ -24,7 +24,8 @@ constexpr double kMin_s = 0.002;
 constexpr double kPlanned = 0.8;
 /// What enlarging a coarse picture takes, which a carried one does not want.
 constexpr double kEnlarging_s = 0.002;
-/// Where more of a carried picture is new than that, tracing does not keep up: a coarse one tells more.
+/// Where more of a carried picture is new than that, tracing does not keep up: a coarse one tells more, unless that has
+/// less than a pixel for each of the film's tiles. Then carried points do, which add up frame by frame.
 constexpr double kTooNew = 0.35;
 /// From so many samples on nothing of the carried picture is mixed with them: clean ones are shown as they are.
 constexpr std::uint32_t kUnmixedSamples = kCleanSamples;
@@ -92,7 +93,18 @@ void ViewportRenderer::restart(bool moving) {
         if (stage_ != Stage::kCarried) moving_picture_->takePixels();
         return begin(Stage::kCarried);
     }
+    if (moving && mayCarry() && wouldBeTiny()) {
+        makeMovingPicture();
+        moving_picture_->forget();
+        return begin(Stage::kCarried);
+    }
     begin(moving ? Stage::kMoving : Stage::kFine);
+}
+
+/// Of a coarse picture that fits in a frame's time.
+bool ViewportRenderer::wouldBeTiny() const {
+    return TILE_PIXELS * std::uint64_t{moving_size_.width} * moving_size_.height <
+           std::uint64_t{full_.width} * full_.height;
 }
 
 /// Light that takes too long to be traced whole in a frame is carried along.
@@ -119,7 +131,8 @@ bool ViewportRenderer::workCarried(double seconds) {
     const MovingFrame frame = moving_picture_->advance(movingView(), seconds + kEnlarging_s);
     carried_pixels_ = frame.traced;
     carried_view_ = true;
-    shows_whole_ = frame.holes < kTooNew * full_.width * full_.height;
+    carried_most_ = frame.holes < kTooNew * full_.width * full_.height;
+    shows_whole_ = carried_most_ || wouldBeTiny();
     updates_.push_back({full_, 0, full_.height});
     return true;
 }
@@ -244,9 +257,13 @@ void ViewportRenderer::advance(double seconds_left) {
 /// As soon as there is a picture: what moves then is carried along.
 bool ViewportRenderer::surveyIsDue() {
     if (!mayCarry() || renderer_.samples() == 0) return false;
+    makeMovingPicture();
+    return !moving_picture_->isSurveyed();
+}
+
+void ViewportRenderer::makeMovingPicture() {
     if (!moving_picture_)
         moving_picture_.emplace(device_, tracer_, display_.pixels, PixelSize{full_.width, full_.height});
-    return !moving_picture_->isSurveyed();
 }
 
 void ViewportRenderer::survey() {
@@ -302,8 +319,8 @@ void ViewportRenderer::showRows(std::uint32_t first_row, std::uint32_t rows, std
 
 /// Of rows of so many samples, where the rest is the carried picture: from one to the other nothing jumps.
 float ViewportRenderer::shareShown(std::uint32_t samples) const {
-    const bool mixes =
-        stage_ == Stage::kFine && carried_view_ && samples < std::min(kUnmixedSamples, view_.settings.spp);
+    const bool mixes = stage_ == Stage::kFine && carried_view_ && carried_most_ &&
+                       samples < std::min(kUnmixedSamples, view_.settings.spp);
     return mixes ? 1 - std::pow(1 - kShareOfSample, static_cast<float>(samples)) : 1;
 }
 

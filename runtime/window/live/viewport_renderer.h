@@ -100,7 +100,9 @@ private:
     bool workCarried(double seconds);
     void survey();
     bool surveyIsDue();
+    void makeMovingPicture();
     bool mayCarry() const;
+    bool wouldBeTiny() const;
     bool carries() const;
     MovingView movingView() const;
     float shareShown(std::uint32_t samples) const;
@@ -132,6 +134,7 @@ private:
     std::optional<MovingPicture> moving_picture_; ///< once one was asked for, of full_
     std::uint32_t carried_pixels_ = 0;            ///< traced of the last one
     bool carried_view_ = false;                   ///< it is of this view, and look
+    bool carried_most_ = false;                   ///< little of it is new
     bool shows_whole_ = false; ///< what is on the screen is the light of last_camera_, in the picture's size
     Camera last_camera_;
     std::uint64_t film_pixels_ = 0;
