@@ -45,6 +45,7 @@ std::string findPlanFault(const SetPlan& plan) {
     if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "its blocks are not those of its tiles";
     const CloudTraits& traits = plan.traits;
     if (!traits.noise.empty() && traits.noise.size() != plan.scans.size()) return "its noise is not that of its scans";
+    if (traits.common_reach && !(*traits.common_reach >= 0)) return "its points reach their neighbours nowhere";
     if (traits.radius_limit && !(*traits.radius_limit > 0)) return "no disc is as narrow as its limit";
     return "";
 }

@@ -272,7 +272,8 @@ CloudTraits readTraits(const std::string& work) {
     if (!stream) return {};
     const Json json = Json::parse(stream);
     return {json.at("noise").get<std::vector<float>>(), takeMaybe<bool>(json, "scattered"),
-            takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit")};
+            takeMaybe<std::uint32_t>(json, "fill_rows"), takeMaybe<float>(json, "radius_limit"),
+            takeMaybe<float>(json, "common_reach")};
 }
 
 void requireSame(bool same, const std::string& path) {
@@ -308,7 +309,8 @@ void writeTraits(const SetPlan& plan, const CloudTraits& traits) {
     const Json json = {{"noise", traits.noise},
                        {"scattered", jsonOf(traits.scattered)},
                        {"fill_rows", jsonOf(traits.fill_rows)},
-                       {"radius_limit", jsonOf(traits.radius_limit)}};
+                       {"radius_limit", jsonOf(traits.radius_limit)},
+                       {"common_reach", jsonOf(traits.common_reach)}};
     writeWhole(traitsFile(plan.work), json.dump() + "\n");
 }
 

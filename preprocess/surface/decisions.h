@@ -19,6 +19,7 @@ struct CloudTraits {
     std::optional<bool> scattered;          ///< whether some points are scattered in space, as those of crowns are
     std::optional<std::uint32_t> fill_rows; ///< points in a row from a scan line half the way to the next; 0: none
     std::optional<float> radius_limit;      ///< input units, before radius_scale: of the widest disc; infinity: none is
+    std::optional<float> common_reach;      ///< input units: commonReach (outliers.h)
 };
 
 /// What was decided for a larger cloud that this one is a part of; empty: this cloud decides.
@@ -42,7 +43,7 @@ public:
 private:
     std::size_t points_ = 0, scattered_ = 0;
     surface::FillCounts filling_{};
-    std::vector<float> radii_;
+    std::vector<float> radii_, reaches_;
 };
 
 } // namespace pointrt

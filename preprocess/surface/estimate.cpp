@@ -36,8 +36,9 @@ std::optional<float> inPoints(const Points& points, const std::optional<float>& 
 }
 
 /// Drops strays from the points and all that was made from them.
-void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, SurfaceReport& report) {
-    const std::vector<std::uint8_t> keep = flagKept(points, lists);
+void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search,
+                    const CloudTraits& decided, SurfaceReport& report) {
+    const std::vector<std::uint8_t> keep = flagKept(points, lists, inPoints(points, decided.common_reach));
     report.outliers_removed = std::size_t(std::count(keep.begin(), keep.end(), 0));
     if (report.outliers_removed == 0) return;
     keepPoints(points, keep);
@@ -50,15 +51,25 @@ void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestS
         keepNeighbors(lists, keep, points, *search);
 }
 
+/// In the cloud's unit; none where the cloud was not cut out.
+std::vector<float> innerReaches(const Points& points, const NeighborLists& lists, const SurfaceDecisions& decided) {
+    std::vector<float> reaches;
+    for (std::size_t i = 0; i < points.size() && !decided.inner.empty(); ++i)
+        if (decided.inner[points.input_index[i]])
+            reaches.push_back(std::ldexp(lists.reach(points, i), points.scale_exponent));
+    return reaches;
+}
+
 /// Finds the neighbours of all points but strays.
-NeighborLists connect(Points& points, std::optional<NearestSearch>& search, const SurfaceOptions& options,
-                      SurfaceReport& report, const StageProgress& progress) {
+NeighborLists connect(Points& points, std::optional<NearestSearch>& search, const SurfaceDecisions& decided,
+                      const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
     const Stopwatch watch(report.seconds_neighbors);
     search.emplace(points.positions);
     constexpr double kSearch = 0.9; // of the stage's time
     NeighborLists lists =
         findNeighbors(points, *search, std::size_t(options.neighbors), {progress, kNeighborStage, 0, kSearch});
-    if (options.remove_outliers) removeOutliers(points, lists, search, report);
+    report.inner_reaches = innerReaches(points, lists, decided);
+    if (options.remove_outliers) removeOutliers(points, lists, search, decided.traits, report);
     spreadLines(lists, points, *search, {progress, kNeighborStage, kSearch, 1});
     return lists;
 }
@@ -270,7 +281,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     Points points = takePointsBut(std::move(cloud), strays);
     report.duplicates_removed = input_count - points.size();
     std::optional<NearestSearch> search;
-    NeighborLists lists = connect(points, search, options, report, progress);
+    NeighborLists lists = connect(points, search, decided, options, report, progress);
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, decided, options, report, progress);
     std::vector<float> sheets = shares(points, lists, decided, report);

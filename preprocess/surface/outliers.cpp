@@ -43,12 +43,6 @@ struct StrayJob {
     float floater_reach = 0;
 };
 
-float quantile(std::vector<float> values, double share) {
-    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 /// Whether the point is one of many that float in space, far apart: each other's neighbours, so that none stands out.
 bool isFloater(const StrayJob& job, std::size_t point) {
     if (job.reaches[point] <= job.floater_reach) return false;
@@ -104,16 +98,23 @@ bool isStray(const StrayJob& job, std::size_t point) {
 
 } // namespace
 
-std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists) {
+std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists,
+                                   std::optional<float> common_reach) {
     std::vector<std::uint8_t> keep(points.size(), 1);
     if (points.size() < kFewPoints) return keep;
     StrayJob job{points, lists, std::vector<float>(points.size())};
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { job.reaches[i] = lists.reach(points, i); });
-    job.floater_reach = kStrayReach * quantile(job.reaches, kCommonShare);
+    job.floater_reach = kStrayReach * (common_reach ? *common_reach : commonReach(job.reaches));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isStray(job, i); });
     // A cloud of nothing but strays is no cloud with strays in it.
     if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2) keep.assign(points.size(), 1);
     return keep;
+}
+
+float commonReach(std::vector<float> reaches) {
+    const auto at = reaches.begin() + std::ptrdiff_t(kCommonShare * double(reaches.size()));
+    std::nth_element(reaches.begin(), at, reaches.end());
+    return *at;
 }
 
 } // namespace pointrt::surface

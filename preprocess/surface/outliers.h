@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "preprocess/neighbors/neighbors.h"
@@ -19,6 +20,11 @@ namespace pointrt::surface {
 ///   - it reaches its k-th neighbour only at 1.7 times the distance within which most of its neighbours reach theirs,
 ///     and stands four times as high over their plane as they do.
 /// Everything stays in clouds of fewer than 1000 points. lists are of nearest neighbours.
-std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists);
+/// @param common_reach commonReach of a larger cloud that the points are a part of; none: they are all
+std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists,
+                                   std::optional<float> common_reach = {});
+
+/// The distance within which 95 % of all points reach their k-th neighbour, of all such distances (not empty).
+float commonReach(std::vector<float> reaches);
 
 } // namespace pointrt::surface

@@ -110,6 +110,8 @@ TEST_F(SetTest, WhatAWholeCloudDecidesItsTilesDoNot) {
     SetPlan plan = readPlan(splitInto("A.proset", request).work);
     EXPECT_EQ(plan.traits.scattered, std::optional<bool>(false));
     EXPECT_EQ(plan.traits.fill_rows, std::optional<std::uint32_t>(0));
+    ASSERT_TRUE(plan.traits.common_reach);
+    EXPECT_NEAR(*plan.traits.common_reach, 1.3, 0.3) << "16 of 4 points a square: 1.13 in the mean";
     plan.bake = request.bake;
     EXPECT_EQ(countOtherThanWhole(request, bakeAll(plan)), 0u);
 }

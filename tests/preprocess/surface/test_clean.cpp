@@ -97,6 +97,26 @@ TEST(Outliers, FloatersGoAndTheSurfaceStays) {
     EXPECT_LT(beside_left, beside / 10);                   // measured: 10 of 147
 }
 
+/// So many floaters that they would pass for what is common, in a part of a cloud where its surface is elsewhere.
+TEST(Outliers, OfAPartGoAsThoseOfTheWhole) {
+    constexpr std::size_t kSurface = 5000, kFloaters = 1000;
+    Shape shape = randomSphere(kSurface);
+    Random random(22);
+    for (std::size_t i = 0; i < kFloaters; ++i) {
+        const double x = uniform(random), y = uniform(random), z = uniform(random);
+        shape.add(40 * Vec3d(x, y, z) - 20 * Vec3d::Ones(), Vec3d::UnitZ());
+    }
+    SurfaceReport alone, part;
+    estimateSplats(shape.cloud(), {}, alone);
+    EXPECT_LT(alone.outliers_removed, kFloaters / 10);
+    SurfaceDecisions decided;
+    decided.traits.common_reach = 0.12f; // 16 neighbours of a point of the sphere
+    estimateSplats(shape.cloud(), {}, part, {}, decided);
+    EXPECT_GT(part.outliers_removed, kFloaters * 9 / 10);
+    EXPECT_LE(part.outliers_removed, kFloaters);
+    EXPECT_TRUE(part.inner_reaches.empty()) << "none was asked for";
+}
+
 TEST(Outliers, StayWhenAskedTo) {
     StrewnSphere sphere;
     SurfaceOptions options;
