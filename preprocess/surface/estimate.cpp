@@ -51,12 +51,17 @@ void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestS
         keepNeighbors(lists, keep, points, *search);
 }
 
+/// Whether all surroundings of a point are in the cloud.
+bool isInner(const Points& points, std::size_t point, const SurfaceDecisions& decided) {
+    return decided.inner.empty() || decided.inner[points.input_index[point]];
+}
+
 /// In the cloud's unit; none where the cloud was not cut out.
 std::vector<float> innerReaches(const Points& points, const NeighborLists& lists, const SurfaceDecisions& decided) {
+    if (decided.inner.empty()) return {};
     std::vector<float> reaches;
-    for (std::size_t i = 0; i < points.size() && !decided.inner.empty(); ++i)
-        if (decided.inner[points.input_index[i]])
-            reaches.push_back(std::ldexp(lists.reach(points, i), points.scale_exponent));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (isInner(points, i, decided)) reaches.push_back(std::ldexp(lists.reach(points, i), points.scale_exponent));
     return reaches;
 }
 
@@ -169,9 +174,8 @@ std::vector<float> shares(const Points& points, const NeighborLists& lists, cons
                           SurfaceReport& report) {
     const Stopwatch watch(report.seconds_radii);
     const StageProgress silent;
-    std::vector<std::uint8_t> inner(points.size(), 1);
-    for (std::size_t i = 0; i < inner.size() && !decided.inner.empty(); ++i)
-        inner[i] = decided.inner[points.input_index[i]];
+    std::vector<std::uint8_t> inner(points.size());
+    for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = isInner(points, i, decided);
     report.inner = std::size_t(std::count(inner.begin(), inner.end(), 1));
     return sheetShares(points, lists, decided.traits.scattered, inner, report.scattered, {silent, "radii"});
 }

@@ -245,8 +245,7 @@ SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
     choice.leaves_out_strays = request.bake.surface.remove_outliers;
     if (kept > choice.most_points && choice.points_per_tile > choice.most_points)
         plan.notes.push_back(
-            {"--tile-splats", fmt::format("{} points are more than --max-memory has room for in a tile: {} "
-                                          "at most",
+            {"--tile-splats", fmt::format("{} points are more than --max-memory has room for in a tile: {} at most",
                                           choice.points_per_tile, choice.most_points)});
     named(request, [&] {
         chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);
