@@ -105,7 +105,7 @@ void store(const BakeOptions& options, ProContent content, const PackedSplats& s
         index_view = indexView(index);
     }
     progress.begin("write", report.splats);
-    const InterruptGuard guard;
+    ignoreInterrupts();
     report.octree = writePro(options.output, options.force, sections, options.index ? &index_view : nullptr);
 }
 

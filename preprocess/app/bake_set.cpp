@@ -258,7 +258,7 @@ private:
         report_.tiles = set.tiles.size();
         for (const SetTile& tile : set.tiles) report_.bytes += tile.bytes;
         add("top", report_.plan.points, report_.bytes);
-        const InterruptGuard guard;
+        ignoreInterrupts();
         nameSet(report_.plan, options_.tiles.keep_work);
         report_.done = true;
     }

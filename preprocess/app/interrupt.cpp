@@ -19,9 +19,6 @@ std::atomic<State> state = State::kComputing;
 std::atomic<bool> work_stays = false;
 static_assert(decltype(state)::is_always_lock_free && decltype(work_stays)::is_always_lock_free); // within a handler
 
-/// False where the state is another one.
-bool change(State from, State to) { return state.compare_exchange_strong(from, to); }
-
 template <std::size_t kSize>
 void tell(const char (&line)[kSize]) {
     constexpr std::size_t kWipe = 4; // of the progress that is drawn on a terminal
@@ -31,7 +28,8 @@ void tell(const char (&line)[kSize]) {
 }
 
 extern "C" void onInterrupt(int signal) {
-    if (!change(State::kComputing, State::kEnding)) return;
+    State before = State::kComputing;
+    if (!state.compare_exchange_strong(before, State::kEnding)) return;
     if (work_stays)
         tell("\r\033[Kpointrt-bake: interrupted; the same command goes on from here\n");
     else
@@ -54,10 +52,10 @@ void installInterruptHandlers() {
 
 void sayThatWorkStays() { work_stays = true; }
 
-InterruptGuard::InterruptGuard() {
-    while (!change(State::kComputing, State::kWriting)) pause(); // another thread has said that nothing was written
+void ignoreInterrupts() {
+    State before = State::kComputing;
+    if (!state.compare_exchange_strong(before, State::kWriting) && before == State::kEnding)
+        while (true) pause(); // another thread has said that nothing was written, and ends the process
 }
-
-InterruptGuard::~InterruptGuard() { state = State::kComputing; }
 
 } // namespace pointrt

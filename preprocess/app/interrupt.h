@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interrupts: at once while computing, put off while the output is being written.
+// Interrupts: at once while computing, ignored once the output is being written.
 #pragma once
 
 namespace pointrt {
@@ -11,13 +11,8 @@ void installInterruptHandlers();
 /// Has an interrupted process say that the same command goes on where it stopped.
 void sayThatWorkStays();
 
-/// While one lives interrupts are ignored: once writing has begun the run is as good as done, and ends with its file.
-class InterruptGuard {
-public:
-    InterruptGuard();
-    ~InterruptGuard();
-    InterruptGuard(const InterruptGuard&) = delete;
-    InterruptGuard& operator=(const InterruptGuard&) = delete;
-};
+/// From here on interrupts are ignored, for good: a run that writes its output is as good as done, and one that has
+/// written it must not end as if it had not.
+void ignoreInterrupts();
 
 } // namespace pointrt

@@ -92,6 +92,27 @@ case_interrupt_leaves_nothing() {
     [ "$interrupted" -gt 0 ] || fail "no run was interrupted"
 }
 
+# Kept waiting behind its output by statistics that nobody reads yet: the file is there, so the run is done and says so.
+case_an_interrupt_behind_the_output_comes_too_late() {
+    local child
+    sphere 1000 >sphere.xyz
+    mkfifo stats
+    env --default-signal=INT pointrt-bake -q sphere.xyz -o out/scene.pro --stats stats 2>stderr &
+    child=$!
+    for _ in {1..200}; do
+        [ ! -e out/scene.pro ] || break
+        sleep 0.05
+    done
+    kill -INT "$child"
+    sleep 0.2
+    timeout 60 cat stats >stats.json || fail "no statistics: $(cat stderr)"
+    status=0
+    wait "$child" || status=$?
+    [ "$status" = 0 ] || fail "exit status $status, though out/ has $(ls -A out): $(cat stderr)"
+    [ ! -s stderr ] || fail "it says: $(cat stderr)"
+    [ "$(jsonValue stats.json input_points)" = 1000 ] || fail "the statistics are not whole"
+}
+
 # Every line "progress SHARE STAGE RATE", the share never less than before, and the stages in their order.
 case_progress_lines() {
     sphere 30000 >sphere.xyz
