@@ -21,6 +21,14 @@ PlanBox coreOf(const SetPlan& plan, const PlanTile& tile) {
     return {low, low + Vec3d::Constant(edge)};
 }
 
+double firstHalo(const SetPlan& plan, const PlanTile& tile) {
+    // Neighbours of neighbours have a say five times over until a point has its normal (normals.cpp); with 16 of them,
+    // which reach 2.3 spacings on a surface, that is 11.5, and half as much is left for where points lie less evenly.
+    constexpr double kHaloSpacings = 16;
+    const double widest = edgeOf(plan, tile.level) / 2;
+    return tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest) : widest;
+}
+
 std::string nameOf(const PlanTile& tile) {
     return fmt::format("{}-{}-{}-{}", tile.level, tile.cell[0], tile.cell[1], tile.cell[2]);
 }

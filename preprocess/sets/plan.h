@@ -138,6 +138,10 @@ std::uint64_t mostPointsAtOnce(std::uint64_t max_memory);
 /// A tile's core.
 PlanBox coreOf(const SetPlan& plan, const PlanTile& tile);
 
+/// Width of a tile's halo to begin with, input units: wide enough for what lies evenly, and no more points than those
+/// of three tiles, on a surface.
+double firstHalo(const SetPlan& plan, const PlanTile& tile);
+
 /// "L-X-Y-Z", which files of the tile are called.
 std::string nameOf(const PlanTile& tile);
 

@@ -3,7 +3,6 @@
 
 #include "preprocess/surface/dimension.h"
 #include "preprocess/surface/estimate.h"
-#include "preprocess/surface/outliers.h"
 #include "preprocess/surface/radii.h"
 
 namespace pointrt {
@@ -12,17 +11,16 @@ void PlacesOfCloud::add(const SurfaceReport& report, const Splats& splats) {
     points_ += report.inner;
     scattered_ += report.scattered;
     for (std::size_t i = 0; i < filling_.size(); ++i) filling_[i] += report.filling[i];
-    reaches_.insert(reaches_.end(), report.inner_reaches.begin(), report.inner_reaches.end());
     radii_.insert(radii_.end(), splats.radii.begin(), splats.radii.end());
 }
 
 CloudTraits PlacesOfCloud::traits() {
-    if (points_ < surface::kFewForSheets || reaches_.empty()) return {};
+    if (points_ < surface::kFewForSheets) return {};
     return {{},
             surface::isScattered(scattered_, points_),
             surface::rowsToFill(filling_, points_),
             surface::radiusLimit(radii_),
-            surface::commonReach(reaches_)};
+            {}};
 }
 
 } // namespace pointrt

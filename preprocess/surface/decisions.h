@@ -31,7 +31,7 @@ struct SurfaceDecisions {
     std::vector<std::uint8_t> inner;
 };
 
-/// What several places of a cloud tell of all of it, but for its noise.
+/// What several places of a cloud tell of all of it, but for its noise and how far its points reach.
 class PlacesOfCloud {
 public:
     /// @param splats of the place, whose radii were decided to have no limit and no scale
@@ -43,7 +43,7 @@ public:
 private:
     std::size_t points_ = 0, scattered_ = 0;
     surface::FillCounts filling_{};
-    std::vector<float> radii_, reaches_;
+    std::vector<float> radii_;
 };
 
 } // namespace pointrt

@@ -51,30 +51,15 @@ void removeOutliers(Points& points, NeighborLists& lists, std::optional<NearestS
         keepNeighbors(lists, keep, points, *search);
 }
 
-/// Whether all surroundings of a point are in the cloud.
-bool isInner(const Points& points, std::size_t point, const SurfaceDecisions& decided) {
-    return decided.inner.empty() || decided.inner[points.input_index[point]];
-}
-
-/// In the cloud's unit; none where the cloud was not cut out.
-std::vector<float> innerReaches(const Points& points, const NeighborLists& lists, const SurfaceDecisions& decided) {
-    if (decided.inner.empty()) return {};
-    std::vector<float> reaches;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (isInner(points, i, decided)) reaches.push_back(std::ldexp(lists.reach(points, i), points.scale_exponent));
-    return reaches;
-}
-
 /// Finds the neighbours of all points but strays.
-NeighborLists connect(Points& points, std::optional<NearestSearch>& search, const SurfaceDecisions& decided,
+NeighborLists connect(Points& points, std::optional<NearestSearch>& search, const CloudTraits& decided,
                       const SurfaceOptions& options, SurfaceReport& report, const StageProgress& progress) {
     const Stopwatch watch(report.seconds_neighbors);
     search.emplace(points.positions);
     constexpr double kSearch = 0.9; // of the stage's time
     NeighborLists lists =
         findNeighbors(points, *search, std::size_t(options.neighbors), {progress, kNeighborStage, 0, kSearch});
-    report.inner_reaches = innerReaches(points, lists, decided);
-    if (options.remove_outliers) removeOutliers(points, lists, search, decided.traits, report);
+    if (options.remove_outliers) removeOutliers(points, lists, search, decided, report);
     spreadLines(lists, points, *search, {progress, kNeighborStage, kSearch, 1});
     return lists;
 }
@@ -174,8 +159,9 @@ std::vector<float> shares(const Points& points, const NeighborLists& lists, cons
                           SurfaceReport& report) {
     const Stopwatch watch(report.seconds_radii);
     const StageProgress silent;
-    std::vector<std::uint8_t> inner(points.size());
-    for (std::size_t i = 0; i < inner.size(); ++i) inner[i] = isInner(points, i, decided);
+    std::vector<std::uint8_t> inner(points.size(), 1);
+    for (std::size_t i = 0; i < inner.size() && !decided.inner.empty(); ++i)
+        inner[i] = decided.inner[points.input_index[i]];
     report.inner = std::size_t(std::count(inner.begin(), inner.end(), 1));
     return sheetShares(points, lists, decided.traits.scattered, inner, report.scattered, {silent, "radii"});
 }
@@ -285,7 +271,7 @@ Splats estimateSplats(Cloud&& cloud, const SurfaceOptions& options, SurfaceRepor
     Points points = takePointsBut(std::move(cloud), strays);
     report.duplicates_removed = input_count - points.size();
     std::optional<NearestSearch> search;
-    NeighborLists lists = connect(points, search, decided, options, report, progress);
+    NeighborLists lists = connect(points, search, decided.traits, options, report, progress);
     report.outliers_removed += strays.size();
     const bool oriented = shape(points, lists, *search, normal_sides, decided, options, report, progress);
     std::vector<float> sheets = shares(points, lists, decided, report);

@@ -24,7 +24,6 @@ struct SurfaceReport {
     std::size_t filled = 0;               ///< points put between scan lines
     surface::FillCounts filling{};        ///< what that was decided by
     std::size_t inner = 0, scattered = 0; ///< points that SurfaceDecisions::inner has, those of them on no surface
-    std::vector<float> inner_reaches;     ///< of those, strays too, to the k-th neighbour, input units
     std::size_t seen_through = 0;         ///< discs that ended where a sensor had looked through them
 };
 

@@ -38,10 +38,9 @@ struct TilePoints {
 /// The tile's points and as wide a halo as they need.
 TilePoints readWithHalo(const SetPlan& plan, std::uint32_t number, PointRoom& room) {
     const PlanTile& tile = plan.tiles[number];
-    const double widest_first = edgeOf(plan, tile.level) / 2; // no more points than those of three tiles, on a surface
     const auto neighbors = static_cast<std::size_t>(plan.bake.surface.neighbors);
     const std::uint64_t most = mostHaloPoints(plan);
-    double width = tile.spacing > 0 ? std::min(kHaloSpacings * tile.spacing, widest_first) : widest_first;
+    double width = firstHalo(plan, tile);
     std::uint64_t count = countPoints(plan, number, width, most);
     while (true) {
         TilePoints points{room.take(count), readPoints(plan, number, width)};

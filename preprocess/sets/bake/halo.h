@@ -9,11 +9,6 @@
 
 namespace pointrt {
 
-/// Width of a halo to begin with, in spacings of the tile's points. Neighbours of neighbours have a say five times over
-/// until a point has its normal (normals.cpp); with 16 of them, which reach 2.3 spacings on a surface, that is 11.5,
-/// and half as much is left for where points lie less evenly.
-constexpr double kHaloSpacings = 16;
-
 /// The points around a tile's core that have been read.
 struct Halo {
     double width = 0; ///< input units

@@ -157,8 +157,26 @@ struct Splitter {
                                     "room for in a tile: a larger one, or --thin, helps",
                                     points, edge));
         const auto along = [&](int axis) { return static_cast<std::int32_t>(collectBits(code >> axis) >> level); };
-        const double area = static_cast<double>(end - first) * edge * edge; // of a surface through the cells
-        tiles.push_back({level, {along(0), along(1), along(2)}, points, std::sqrt(area / static_cast<double>(points))});
+        tiles.push_back({level, {along(0), along(1), along(2)}, points, spacingOf(first, end, level)});
+    }
+
+    /// By the area of a surface through cells so wide that they hold several points in the mean: of narrower ones many
+    /// that the surface passes through are empty, and of much narrower ones each has a single point.
+    double spacingOf(std::size_t first, std::size_t end, std::uint32_t level) const {
+        constexpr std::uint64_t kPointsEach = 4; // 2% of the cells along a surface are empty then
+        const std::uint64_t points = curve.before[end] - curve.before[first];
+        std::uint32_t coarser = 0;
+        while (coarser < level && points < kPointsEach * countCells(first, end, coarser)) ++coarser;
+        const double width = std::ldexp(edge, static_cast<int>(coarser));
+        return width * std::sqrt(static_cast<double>(countCells(first, end, coarser)) / static_cast<double>(points));
+    }
+
+    /// Cells of so many levels above the counted ones that those of [first, end) are in.
+    std::uint64_t countCells(std::size_t first, std::size_t end, std::uint32_t levels_above) const {
+        std::uint64_t cells = 1;
+        for (std::size_t i = first + 1; i < end; ++i)
+            cells += curve.codes[i] >> 3 * levels_above != curve.codes[i - 1] >> 3 * levels_above;
+        return cells;
     }
 };
 

@@ -9,6 +9,7 @@
 #include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/cloud/median.h"
 #include "preprocess/sets/buckets.h"
+#include "preprocess/sets/split/measure_reach.h"
 #include "preprocess/surface/estimate.h"
 
 namespace pointrt {
@@ -97,11 +98,13 @@ std::vector<std::size_t> countsOf(const Cloud& cloud) {
 /// Hears of places. A place without a surface tells nothing.
 using PlaceHeard = std::function<void(const SurfaceReport&, const Splats&, const std::vector<std::size_t>& counts)>;
 
-void measurePlace(CutCloud&& part, const SurfaceOptions& options, const PlaceHeard& heard) {
+void measurePlace(CutCloud&& part, const SurfaceOptions& options, std::optional<float> common_reach,
+                  const PlaceHeard& heard) {
     const std::vector<std::size_t> counts = countsOf(part.cloud);
     SurfaceDecisions decided;
     decided.inner = std::move(part.inner);
     decided.traits.radius_limit = std::numeric_limits<float>::infinity();
+    decided.traits.common_reach = common_reach;
     SurfaceReport report;
     try {
         const Splats splats = estimateSplats(std::move(part.cloud), options, report, {}, decided);
@@ -126,7 +129,9 @@ std::vector<Place> placesOf(const SetPlan& plan, const Sampling& sampling) {
     return places;
 }
 
-void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options, const PlaceHeard& heard) {
+/// Of a set whose points reach so far.
+void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions options,
+                   std::optional<float> common_reach, const PlaceHeard& heard) {
     options.orient = OrientMode::kUp; // sides do not matter to what is measured
     options.radius_scale = 1;
     Cloud bucket;
@@ -137,7 +142,7 @@ void measurePlaces(const SetPlan& plan, const Sampling& sampling, SurfaceOptions
             bucket.sensor_of_point.clear();
             bucket.attributes.clear();
         }
-        measurePlace(cut(bucket, place, sampling.points), options, heard);
+        measurePlace(cut(bucket, place, sampling.points), options, common_reach, heard);
     }
 }
 
@@ -151,12 +156,13 @@ std::vector<float> noiseOf(const std::vector<std::vector<float>>& of_scan) {
     return noise;
 }
 
-std::vector<float> measureNoise(const SetPlan& plan) {
+std::vector<float> measureNoise(const SetPlan& plan, std::optional<float> common_reach) {
     std::vector<std::vector<float>> of_scan(plan.scans.size());
-    measurePlaces(plan, kNoiseSampling, plan.bake.surface, [&](const SurfaceReport& report, auto&, const auto& counts) {
-        for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
-            if (counts[scan] >= kFewPoints) of_scan[scan].push_back(report.noise[scan]);
-    });
+    measurePlaces(plan, kNoiseSampling, plan.bake.surface, common_reach,
+                  [&](const SurfaceReport& report, auto&, const auto& counts) {
+                      for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
+                          if (counts[scan] >= kFewPoints) of_scan[scan].push_back(report.noise[scan]);
+                  });
     return noiseOf(of_scan);
 }
 
@@ -164,14 +170,16 @@ std::vector<float> measureNoise(const SetPlan& plan) {
 
 CloudTraits measureTraits(const SetPlan& plan) {
     SurfaceOptions options = plan.bake.surface;
+    const std::optional<float> common_reach = options.remove_outliers ? measureReach(plan) : std::nullopt;
     options.clean = 0;
     PlacesOfCloud places;
-    measurePlaces(plan, kOtherSampling, options,
+    measurePlaces(plan, kOtherSampling, options, common_reach,
                   [&](const SurfaceReport& report, const Splats& splats, auto&) { places.add(report, splats); });
     CloudTraits traits = places.traits();
+    traits.common_reach = common_reach;
     // places miss where the widest are; where none brings its own radius the radii of all will tell (widest_radius.h)
     if (!plan.schema.radii) traits.radius_limit = std::numeric_limits<float>::max();
-    if (plan.bake.surface.clean > 0) traits.noise = measureNoise(plan);
+    if (plan.bake.surface.clean > 0) traits.noise = measureNoise(plan, common_reach);
     return traits;
 }
 

@@ -114,7 +114,6 @@ TEST(Outliers, OfAPartGoAsThoseOfTheWhole) {
     estimateSplats(shape.cloud(), {}, part, {}, decided);
     EXPECT_GT(part.outliers_removed, kFloaters * 9 / 10);
     EXPECT_LE(part.outliers_removed, kFloaters);
-    EXPECT_TRUE(part.inner_reaches.empty()) << "none was asked for";
 }
 
 TEST(Outliers, StayWhenAskedTo) {
