@@ -55,8 +55,8 @@ CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<Near
                         const StageProgress& progress) {
     CleanReport report;
     constexpr std::size_t kFewPoints = 1000; // too few to tell noise from shape
-    if (points.size() < kFewPoints) return report;
     report.noise = input.noise_of_scans;
+    if (report.noise.empty() && points.size() < kFewPoints) return report;
     if (report.noise.empty()) report.noise = noiseOfScans(points, lists, input.scan_of_point, input.scan_count);
     if (std::all_of(report.noise.begin(), report.noise.end(), [](float noise) { return noise <= kCleanNoise; }))
         return report;

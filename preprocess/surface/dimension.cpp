@@ -128,7 +128,7 @@ std::vector<float> sheetShares(const Points& points, const NeighborLists& lists,
                                const std::vector<std::uint8_t>& inner, std::size_t& scattered,
                                const StageShare& share) {
     scattered = 0;
-    if (points.size() < kFewForSheets || decided == false) return {};
+    if (decided ? !*decided : points.size() < kFewForSheets) return {};
     std::vector<float> shares = ownShares(points, lists, share);
     const std::size_t own = countScattered(shares, inner);
     if (!decided && own == 0) return {};

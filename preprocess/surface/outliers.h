@@ -19,7 +19,8 @@ namespace pointrt::surface {
 ///     neither a plane nor a line fits its neighbours: floaters, each other's neighbours, or
 ///   - it reaches its k-th neighbour only at 1.7 times the distance within which most of its neighbours reach theirs,
 ///     and stands four times as high over their plane as they do.
-/// Everything stays in clouds of fewer than 1000 points. lists are of nearest neighbours.
+/// Everything stays in clouds of fewer than 1000 points, and where more than half would go; but not in a part of a
+/// larger cloud. lists are of nearest neighbours.
 /// @param common_reach commonReach of a larger cloud that the points are a part of; none: they are all
 std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists,
                                    std::optional<float> common_reach = {});

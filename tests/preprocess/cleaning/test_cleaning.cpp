@@ -79,6 +79,21 @@ TEST(Cleaning, CleanInputStaysBitForBit) {
     }
 }
 
+/// A patch of 400 points with a noise of 0.3 spacings: too few to tell noise from shape, unless it was told before.
+TEST(Cleaning, FewPointsOfANoisyScanAreCleaned) {
+    Shape patch = randomPlane(400);
+    addNoise(patch, 0.3 / 20);
+    SurfaceDecisions decided;
+    const auto heights = [&] {
+        SurfaceReport report;
+        return rms(estimateSplats(patch.cloud(), {}, report, {}, decided), [](const Vec3f& p) { return double(p.z()); });
+    };
+    const double before = heights();
+    EXPECT_NEAR(before, 0.3 / 20, 0.1 / 20);
+    decided.traits.noise = {0.3f};
+    EXPECT_LT(heights(), 0.5 * before);
+}
+
 TEST(Cleaning, OffMovesNothing) {
     const Shape shape = noisySphere(0.4);
     const Cleaned result = cleaned(shape.cloud(), 0);

@@ -14,6 +14,7 @@
 #include "preprocess/sets/bake/halo.h"
 #include "preprocess/sets/bake/make_tiles.h"
 #include "preprocess/surface/estimate.h"
+#include "preprocess/surface/outliers.h"
 #include "preprocess/tiles/splat_file.h"
 #include "set_fixture.h"
 
@@ -86,6 +87,15 @@ TEST_F(SetTest, TilesOfFewPointsSeeAsFarAsTheyNeed) {
     const SetPlan plan = splitInto("A.proset", request);
     EXPECT_EQ(bakeBlocks(plan, {0, plan.blocks()}, 2).lacking, 0u);
     EXPECT_EQ(countOtherThanWhole(request, plan), 0u);
+    // what the 95% reach within lies where points are sparse, which a few places would hardly see
+    const surface::Points points = surface::takePoints(readInputs(request.inputs, {}));
+    const surface::NearestSearch search(points.positions);
+    const auto k = static_cast<std::size_t>(request.bake.surface.neighbors);
+    const surface::NeighborLists lists = findNeighbors(points, search, k, {StageProgress{}, ""});
+    std::vector<float> reaches;
+    for (std::size_t i = 0; i < points.size(); ++i) reaches.push_back(lists.reach(points, i));
+    const double whole = std::ldexp(surface::commonReach(reaches), points.scale_exponent);
+    EXPECT_NEAR(readPlan(plan.work).traits.common_reach.value_or(0), whole, 0.002 * whole);
 }
 
 /// A plane of 40,000 points, and at two places more of what clouds are handled otherwise for where they have much of

@@ -70,6 +70,19 @@ TEST(ChooseTiles, APlainIsCutIntoEqualSquares) {
     EXPECT_EQ(plan.first_tile_of_block, (std::vector<std::uint32_t>{0, 4, 8, 12, 16}));
 }
 
+/// A plain of 64 x 64 points, four cells apart: each has one to itself.
+TEST(ChooseTiles, PointsFartherApartThanCellsAreWideHaveTheirOwnSpacing) {
+    std::vector<CountedCell> cells;
+    for (std::int64_t x = 0; x < 64; ++x)
+        for (std::int64_t y = 0; y < 64; ++y) cells.push_back({{4 * x, 4 * y, 5}, 1});
+    SetPlan plan;
+    TileChoice choice;
+    choice.points_per_tile = 256;
+    chooseTiles(cells, 0.5, choice, plan);
+    EXPECT_EQ(plan.tiles.size(), 16u);
+    for (const PlanTile& tile : plan.tiles) EXPECT_NEAR(tile.spacing, 4 * 0.5, 1e-12);
+}
+
 TEST(ChooseTiles, DensePlacesAreCutFurther) {
     std::vector<CountedCell> cells = plain();
     for (CountedCell& each : cells)

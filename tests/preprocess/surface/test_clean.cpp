@@ -116,6 +116,24 @@ TEST(Outliers, OfAPartGoAsThoseOfTheWhole) {
     EXPECT_LE(part.outliers_removed, kFloaters);
 }
 
+/// 300 of a sphere and 500 floaters: alone too few to tell, and most of all are none of the surface.
+TEST(Outliers, OfFewPointsOfALargerCloudGo) {
+    Shape shape = randomSphere(300);
+    Random random(23);
+    for (int i = 0; i < 500; ++i) {
+        const double x = uniform(random), y = uniform(random), z = uniform(random);
+        shape.add(40 * Vec3d(x, y, z) - 20 * Vec3d::Ones(), Vec3d::UnitZ());
+    }
+    SurfaceReport alone, part;
+    estimateSplats(shape.cloud(), {}, alone);
+    EXPECT_EQ(alone.outliers_removed, 0u);
+    SurfaceDecisions decided;
+    decided.traits.common_reach = 0.5f; // 16 neighbours of a point of the sphere
+    estimateSplats(shape.cloud(), {}, part, {}, decided);
+    EXPECT_GT(part.outliers_removed, 450u);
+    EXPECT_LE(part.outliers_removed, 500u);
+}
+
 TEST(Outliers, StayWhenAskedTo) {
     StrewnSphere sphere;
     SurfaceOptions options;
