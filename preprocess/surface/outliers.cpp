@@ -107,7 +107,8 @@ std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& li
     job.floater_reach = kStrayReach * (common_reach ? *common_reach : commonReach(job.reaches));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isStray(job, i); });
     // A cloud of nothing but strays is no cloud with strays in it; a part of one may be.
-    if (!common_reach && std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2) keep.assign(points.size(), 1);
+    if (!common_reach && std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
+        keep.assign(points.size(), 1);
     return keep;
 }
 

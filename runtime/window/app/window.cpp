@@ -116,7 +116,9 @@ void Window::attempt(const std::string& subject, const std::function<void()>& bo
 double Window::patience() const {
     const bool traces =
         image_.live() && !jobs_.has(JobKind::kRelight) && image_.mayWork() && !image_.live()->progress().resting;
-    if (tape_.replays() || traces || view_.moves() || input_.any || image_.owes()) return 0;
+    // a replay does not wait for the eye, but while it loads, drawing would take time that people's loading has
+    const bool hurries = tape_.replays() && image_.live();
+    if (hurries || traces || view_.moves() || input_.any || image_.owes()) return 0;
     return work_.job || !work_.notices.empty() || ui_.isDragging() ? kReplayedFrame_s : kIdle_s;
 }
 

@@ -86,7 +86,8 @@ TEST(Cleaning, FewPointsOfANoisyScanAreCleaned) {
     SurfaceDecisions decided;
     const auto heights = [&] {
         SurfaceReport report;
-        return rms(estimateSplats(patch.cloud(), {}, report, {}, decided), [](const Vec3f& p) { return double(p.z()); });
+        return rms(estimateSplats(patch.cloud(), {}, report, {}, decided),
+                   [](const Vec3f& p) { return double(p.z()); });
     };
     const double before = heights();
     EXPECT_NEAR(before, 0.3 / 20, 0.1 / 20);
