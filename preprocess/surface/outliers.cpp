@@ -10,8 +10,6 @@
 namespace pointrt::surface {
 namespace {
 
-constexpr std::size_t kFewPoints = 1000; // too few to tell a stray from sparse sampling
-
 /// How many times further than its neighbours a stray reaches. Nine spacings away from a surface it gets there.
 constexpr float kStrayReach = 4;
 
@@ -101,14 +99,14 @@ bool isStray(const StrayJob& job, std::size_t point) {
 std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& lists,
                                    std::optional<float> common_reach) {
     std::vector<std::uint8_t> keep(points.size(), 1);
-    if (!common_reach && points.size() < kFewPoints) return keep;
+    if (!common_reach && points.size() < kFewForStrays) return keep;
     StrayJob job{points, lists, std::vector<float>(points.size())};
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { job.reaches[i] = lists.reach(points, i); });
     job.floater_reach = kStrayReach * (common_reach ? *common_reach : commonReach(job.reaches));
     tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { keep[i] = !isStray(job, i); });
-    // A cloud of nothing but strays is no cloud with strays in it; a part of one may be.
-    if (!common_reach && std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
-        keep.assign(points.size(), 1);
+    // A cloud of nothing but strays is no cloud with strays in it; what floats in a larger one does in its part.
+    if (std::size_t(std::count(keep.begin(), keep.end(), 1)) < points.size() / 2)
+        for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = !(common_reach && isFloater(job, i));
     return keep;
 }
 

@@ -8,8 +8,9 @@
 
 namespace pointrt {
 
-/// CloudTraits::common_reach of a set whose points are split, of some 65,000 of the points of 32 tiles at most, at even
-/// steps; none where no tile has two points. Throws Error as readPoints does.
+/// CloudTraits::common_reach of a set whose points are split, told by some 65,000 of them: of all tiles, or of every so
+/// manieth where they have more than 32 million points. None of sets of fewer than kFewForStrays points. Throws Error
+/// as readPoints does.
 std::optional<float> measureReach(const SetPlan& plan);
 
 } // namespace pointrt
