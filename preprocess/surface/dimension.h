@@ -16,10 +16,10 @@ constexpr std::size_t kFewForSheets = 1000;
 
 /// How far the surroundings of each point are a surface: 1 a smooth one, an edge or a corner, however noisy, as long as
 /// the neighbourhood shows it; 0 points scattered in space, as leaves and strays are; in between neither is clear.
-/// Empty where the cloud is one of surfaces (isScattered), or has fewer than kFewForSheets points. The dimension of a
-/// neighbourhood by the eigenvalues of its covariance, at the scale where it is most a plane (Pauly et al., Efficient
-/// simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection in 3D lidar
-/// point clouds, 2011). Points need normals.
+/// Empty where the cloud is one of surfaces (isScattered), or by itself has fewer than kFewForSheets points. The
+/// dimension of a neighbourhood by the eigenvalues of its covariance, at the scale where it is most a plane (Pauly et
+/// al., Efficient simplification of point-sampled surfaces, 2002; Demantke et al., Dimensionality based scale selection
+/// in 3D lidar point clouds, 2011). Points need normals.
 /// @param decided for a larger cloud: whether it is none of surfaces
 /// @param inner [points] 1 for those that are counted
 /// @param scattered how many of those are, by themselves and among their neighbours; 0 where decided is false
