@@ -54,9 +54,8 @@ std::vector<float> noiseToSmooth(const Points& points, const NeighborLists& list
 CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
                         const StageProgress& progress) {
     CleanReport report;
-    constexpr std::size_t kFewPoints = 1000; // too few to tell noise from shape
     report.noise = input.noise_of_scans;
-    if (report.noise.empty() && points.size() < kFewPoints) return report;
+    if (report.noise.empty() && points.size() < kFewForNoise) return report;
     if (report.noise.empty()) report.noise = noiseOfScans(points, lists, input.scan_of_point, input.scan_count);
     if (std::all_of(report.noise.begin(), report.noise.end(), [](float noise) { return noise <= kCleanNoise; }))
         return report;

@@ -25,11 +25,11 @@ struct CleanReport {
     std::vector<float> sigma;   ///< [points left], what is left of the noise; empty where all scans are clean
 };
 
-/// Measures the noise, of clouds of 1000 points and more, where it is not known; of scans that have some (kCleanNoise)
-/// drops the rims of their grids and moves the points onto the surface among them. lists and search are made anew where
-/// anything was dropped or moved; else nothing changes. Points with a radius of their own neither move nor go, nor
-/// count for the noise: they overlap by design, and what lies beside them is not what noise left. The arrays of input
-/// lose what points lose.
+/// Measures the noise, of clouds of kFewForNoise points and more, where it is not known; of scans that have some
+/// (kCleanNoise) drops the rims of their grids and moves the points onto the surface among them. lists and search are
+/// made anew where anything was dropped or moved; else nothing changes. Points with a radius of their own neither move
+/// nor go, nor count for the noise: they overlap by design, and what lies beside them is not what noise left. The
+/// arrays of input lose what points lose.
 CleanReport cleanPoints(Points& points, NeighborLists& lists, std::optional<NearestSearch>& search, CleanInput& input,
                         const StageProgress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Medians, and what they tell of noise.
+// Medians and other quantiles, and what they tell of noise.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,14 @@ Value medianInPlace(std::vector<Value>& values) {
 template <typename Value>
 Value medianOf(std::vector<Value> values) {
     return medianInPlace(values);
+}
+
+/// The value that a share of all (not empty) lie below: 0 to below 1.
+template <typename Value>
+Value quantileOf(std::vector<Value> values, double share) {
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
 }
 
 /// The standard deviation of values by the sizes of their second differences: 1, -2, 1 times as many deviations are

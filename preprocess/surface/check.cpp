@@ -10,6 +10,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/cloud/bounds.h"
+#include "preprocess/cloud/median.h"
 
 namespace pointrt::surface {
 namespace {
@@ -50,13 +51,6 @@ bool onLine(const std::vector<Vec3f>& positions, const Bounds& bounds) {
     return allOnLine(positions, base, direction, 1e-6 * bounds.longestEdge() + rounding);
 }
 
-template <typename T>
-T quantile(std::vector<T> values, double share) {
-    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 /// Scaled to an extent of 1 that is 2^60 of theirs, points lie within 2^-60: squares of distances a hundredth of that
 /// are 2^-134, which floats hold with few bits, and soon not at all.
 const double kMostExtents = std::ldexp(1.0, 60);
@@ -69,11 +63,11 @@ std::vector<std::uint32_t> farOnes(const std::vector<Vec3f>& positions) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<float> values;
         for (const Vec3f& position : positions) values.push_back(position[axis]);
-        middle[axis] = double(quantile(std::move(values), 0.5));
+        middle[axis] = double(medianOf(std::move(values)));
     }
     std::vector<double> distances;
     for (const Vec3f& position : positions) distances.push_back((position.cast<double>() - middle).norm());
-    const double limit = kFar * quantile(distances, kShare);
+    const double limit = kFar * quantileOf(distances, kShare);
     std::vector<std::uint32_t> far;
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (!(distances[i] <= limit)) far.push_back(std::uint32_t(i));

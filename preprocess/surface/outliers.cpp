@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <tbb/parallel_for.h>
+#include <utility>
 
+#include "preprocess/cloud/median.h"
 #include "preprocess/neighbors/plane_fit.h"
 
 namespace pointrt::surface {
@@ -110,10 +112,6 @@ std::vector<std::uint8_t> flagKept(const Points& points, const NeighborLists& li
     return keep;
 }
 
-float commonReach(std::vector<float> reaches) {
-    const auto at = reaches.begin() + std::ptrdiff_t(kCommonShare * double(reaches.size()));
-    std::nth_element(reaches.begin(), at, reaches.end());
-    return *at;
-}
+float commonReach(std::vector<float> reaches) { return quantileOf(std::move(reaches), kCommonShare); }
 
 } // namespace pointrt::surface

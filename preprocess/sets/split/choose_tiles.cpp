@@ -165,10 +165,11 @@ struct Splitter {
     double spacingOf(std::size_t first, std::size_t end, std::uint32_t level) const {
         constexpr std::uint64_t kPointsEach = 4; // 2% of the cells along a surface are empty then
         const std::uint64_t points = curve.before[end] - curve.before[first];
+        std::uint64_t cells = end - first;
         std::uint32_t coarser = 0;
-        while (coarser < level && points < kPointsEach * countCells(first, end, coarser)) ++coarser;
+        while (coarser < level && points < kPointsEach * cells) cells = countCells(first, end, ++coarser);
         const double width = std::ldexp(edge, static_cast<int>(coarser));
-        return width * std::sqrt(static_cast<double>(countCells(first, end, coarser)) / static_cast<double>(points));
+        return width * std::sqrt(static_cast<double>(cells) / static_cast<double>(points));
     }
 
     /// Cells of so many levels above the counted ones that those of [first, end) are in.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "format/base/error.h"
+#include "preprocess/cloud/clean_noise.h"
 #include "preprocess/cloud/keep_flagged.h"
 #include "preprocess/cloud/median.h"
 #include "preprocess/sets/buckets.h"
@@ -25,8 +26,6 @@ constexpr Sampling kNoiseSampling{8, 20'000};
 
 /// What is a share or a quantile of all points needs more places; without cleaning that takes half a second.
 constexpr Sampling kOtherSampling{32, 6'000};
-
-constexpr std::size_t kFewPoints = 1000; // as cleaning has it: too few to tell noise from shape
 
 /// One of several that share a tile's points in the order read.
 struct Place {
@@ -161,7 +160,7 @@ std::vector<float> measureNoise(const SetPlan& plan, std::optional<float> common
     measurePlaces(plan, kNoiseSampling, plan.bake.surface, common_reach,
                   [&](const SurfaceReport& report, auto&, const auto& counts) {
                       for (std::size_t scan = 0; scan < report.noise.size(); ++scan)
-                          if (counts[scan] >= kFewPoints) of_scan[scan].push_back(report.noise[scan]);
+                          if (counts[scan] >= kFewForNoise) of_scan[scan].push_back(report.noise[scan]);
                   });
     return noiseOf(of_scan);
 }
