@@ -22,11 +22,11 @@ constexpr std::uint64_t kMostPoints = 32'000'000;
 /// cleaning moved 800 others after them.
 constexpr std::uint64_t kSamples = 1 << 16;
 
-/// All, or every so manieth.
+/// All, or the first and every so manieth after it.
 std::vector<std::uint32_t> tilesToAsk(const SetPlan& plan) {
     const std::uint64_t step = (plan.points + kMostPoints - 1) / kMostPoints;
     std::vector<std::uint32_t> tiles;
-    for (std::uint64_t tile = step / 2; tile < plan.tiles.size(); tile += step)
+    for (std::uint64_t tile = 0; tile < plan.tiles.size(); tile += step)
         tiles.push_back(static_cast<std::uint32_t>(tile));
     return tiles;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "preprocess/sets/split/measure_reach.h"
 #include "set_fixture.h"
 
 namespace pointrt {
@@ -163,6 +164,18 @@ TEST_F(SetTest, NoiseIsMeasuredOfEachScan) {
     SetRequest unclean = request;
     unclean.bake.surface.clean = 0;
     EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).traits.noise.empty());
+}
+
+/// Of sets so large that not every tile is asked, however few their tiles are.
+TEST_F(SetTest, HowFarPointsReachIsToldByATileAtLeast) {
+    SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 4000)}));
+    const std::optional<float> all = measureReach(plan);
+    ASSERT_TRUE(all);
+    plan.points = 3'200'000'000; // every hundredth
+    ASSERT_LT(plan.tiles.size(), 50u);
+    const std::optional<float> some = measureReach(plan);
+    ASSERT_TRUE(some);
+    EXPECT_NEAR(*some, *all, 0.2f * *all);
 }
 
 TEST_F(SetTest, InputsThatChangeBetweenReadingsAreToldInALine) {
