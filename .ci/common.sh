@@ -29,7 +29,7 @@ rustUse() {
     local version
     version=$(cargo --version 2>/dev/null || true)
     version=$(awk '{ split($2, part, "."); print part[1] * 1000 + part[2] }' <<<"$version")
-    [ "${version:-0}" -lt 1085 ] || return 0 # 1.85: format/scanfile/Cargo.toml
+    [ "${version:-0}" -lt 1085 ] || return 0 # 1.85: format/pointio/Cargo.toml
     # shellcheck disable=SC1091
     case $(. /etc/os-release && echo "${VERSION_ID:-}") in
         12) echo rust12 ;;

@@ -1,53 +1,75 @@
 # SPDX-License-Identifier: Apache-2.0
-# pointrt_room(TARGET PURPOSE "one line" [SOURCES file...] [USES target...]): this folder as a library. USES are the
-# rooms whose headers it may include; they are linked. tests/structure holds the includes against that.
-# pointrt_folder(FOLDER PURPOSE "one line" [USES folder...]): the same of a folder that is no library of C++.
-# pointrt_room_objects(RESULT ROOM...): the objects of these rooms and of all that they use, pointrt_pro's left out.
-# pointrt_write_rooms(): FOLDER|uses, space apart|purpose of each room, to rooms.txt in the build folder.
+# A room is a folder of sources with one purpose, built as one library.
+#
+# pointrt_room(FOLDER PURPOSE "one line" [USES folder...] [EXCLUDE file...] [TARGET target]): all .cpp files of FOLDER as
+# the library TARGET, by default pointrt_FOLDER (runtime/window/ui: pointrt_window_ui); headers alone make an interface
+# library. USES are the rooms, as paths from the repository's root, whose headers it may include; it is linked to them.
+# tests/structure checks the #include lines against that list.
+# pointrt_folder(FOLDER PURPOSE "one line" [USES folder...] [TARGET target]): the same for a folder that is not such a
+# library; rooms that use it are linked to TARGET.
+# pointrt_room_objects(RESULT FOLDER...): the objects of these rooms and of all that they use, without pointrt_pro's.
+# pointrt_write_rooms(): writes FOLDER|uses, separated by spaces|purpose of each room to rooms.txt in the build folder.
 include_guard(GLOBAL)
 
 function(pointrt_folder folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" PURPOSE USES)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PURPOSE;TARGET" USES)
   list(JOIN arg_USES " " uses)
   set_property(GLOBAL APPEND PROPERTY POINTRT_ROOMS "${folder}|${uses}|${arg_PURPOSE}")
+  set_property(GLOBAL PROPERTY POINTRT_TARGET_${folder} ${arg_TARGET})
 endfunction()
 
-function(pointrt_room target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" PURPOSE "SOURCES;USES")
-  if(arg_SOURCES)
-    add_library(${target} STATIC ${arg_SOURCES})
+# pointrt_room_target(RESULT FOLDER): the library that a room is built as.
+function(pointrt_room_target result folder)
+  get_property(target GLOBAL PROPERTY POINTRT_TARGET_${folder})
+  if(NOT target)
+    message(FATAL_ERROR "${folder} is not a room that has been added yet")
+  endif()
+  set(${result} ${target} PARENT_SCOPE)
+endfunction()
+
+function(pointrt_room folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PURPOSE;TARGET" "USES;EXCLUDE")
+  string(REGEX REPLACE "^[a-z]+/(.*)$" "pointrt_\\1" target ${folder})
+  string(REPLACE "/" "_" target ${target})
+  if(arg_TARGET)
+    set(target ${arg_TARGET})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  list(TRANSFORM arg_EXCLUDE PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
+  list(REMOVE_ITEM sources ${arg_EXCLUDE})
+  set(scope INTERFACE)
+  if(sources)
+    add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
   else()
     add_library(${target} INTERFACE)
-    set(scope INTERFACE)
   endif()
   target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR})
   target_compile_features(${target} ${scope} cxx_std_20)
-  target_link_libraries(${target} ${scope} ${arg_USES})
-  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
-  set_target_properties(${target} PROPERTIES POINTRT_FOLDER ${folder})
-  set(folders "")
   foreach(used IN LISTS arg_USES)
-    get_target_property(used_folder ${used} POINTRT_FOLDER)
-    list(APPEND folders ${used_folder})
+    pointrt_room_target(library ${used})
+    target_link_libraries(${target} ${scope} ${library})
   endforeach()
-  pointrt_folder(${folder} PURPOSE "${arg_PURPOSE}" USES ${folders})
+  pointrt_folder(${folder} PURPOSE "${arg_PURPOSE}" USES ${arg_USES} TARGET ${target})
 endfunction()
 
 function(pointrt_room_objects result)
-  set(rooms ${ARGN})
-  set(objects "")
-  set(met "")
+  set(rooms "")
+  foreach(folder IN LISTS ARGN)
+    pointrt_room_target(library ${folder})
+    list(APPEND rooms ${library})
+  endforeach()
+  set(seen "")
   while(rooms)
     list(POP_FRONT rooms room)
     get_target_property(type ${room} TYPE)
-    if(room IN_LIST met OR room MATCHES "^pointrt(_|::)pro$")
+    if(room IN_LIST seen OR room MATCHES "^pointrt(_|::)pro$")
       continue()
     endif()
-    list(APPEND met ${room})
+    list(APPEND seen ${room})
     if(type STREQUAL "STATIC_LIBRARY")
       list(APPEND objects $<TARGET_OBJECTS:${room}>)
-      set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON) # other people's shared libraries take them
+      set_target_properties(${room} PROPERTIES POSITION_INDEPENDENT_CODE ON) # other people's shared libraries link them
     endif()
     get_target_property(used ${room} INTERFACE_LINK_LIBRARIES)
     foreach(each IN LISTS used)

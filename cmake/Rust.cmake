@@ -53,7 +53,7 @@ endfunction()
 function(pointrt_rust_library target folder)
   set(target_folder ${CMAKE_CURRENT_BINARY_DIR}/rust)
   set(library ${target_folder}/release/lib${target}.a)
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/src/*.rs)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/rust/*.rs)
   add_custom_command(
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E env CARGO_TARGET_DIR=${target_folder} RUSTC=${POINTRT_RUSTC}

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """What pointrt is built of, as SPDX 2.3 JSON on standard output: the packages of .ci/packages.txt that are compiled in
-or linked, at the versions that are installed here, and the crates of format/scanfile/Cargo.lock.
+or linked, at the versions that are installed here, and the crates of format/pointio/Cargo.lock.
 SOURCE_DATE_EPOCH is the date that it bears."""
 
 import json
@@ -40,7 +40,7 @@ def installed_version(package):
 
 def crates():
     """(name, version, SHA-256) of what comes from crates.io."""
-    for crate in tomllib.loads((ROOT / "format/scanfile/Cargo.lock").read_text())["package"]:
+    for crate in tomllib.loads((ROOT / "format/pointio/Cargo.lock").read_text())["package"]:
         if "checksum" in crate:
             yield crate["name"], crate["version"], crate["checksum"]
 

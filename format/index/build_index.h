@@ -9,7 +9,7 @@
 namespace pointrt {
 
 /// Of what buildTracingIndex makes: to be raised where the same octree gets other words, so that indices that were kept
-/// (runtime/index_store) are built anew.
+/// (runtime/device_scene) are built anew.
 constexpr unsigned kIndexVersion = 1;
 
 struct TracingIndex {

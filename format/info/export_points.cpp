@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "format/points/point_sink.h"
-#include "format/points/pro_points.h"
+#include "format/pointio/point_sink.h"
+#include "format/pointio/pro_points.h"
 
 namespace pointrt {
 namespace {

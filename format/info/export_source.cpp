@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "format/info/export_source.h"
 
-#include "format/points/input/set_points.h"
-#include "format/points/input_order.h"
-#include "format/points/pro_points.h"
+#include "format/pointio/input_order.h"
+#include "format/pointio/pro_points.h"
+#include "format/pointio/set_points.h"
 #include "format/set/open_tile.h"
 
 namespace pointrt {

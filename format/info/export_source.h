@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "format/points/point_columns.h"
+#include "format/pointio/point_columns.h"
 #include "format/set/tile_set.h"
 #include "pointrt/pro.hpp"
 

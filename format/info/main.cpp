@@ -7,11 +7,11 @@
 #include "format/base/require_pro.h"
 #include "format/base/run_tool.h"
 #include "format/base/same_file.h"
-#include "format/command_line/command_line.h"
+#include "format/cli/command_line.h"
 #include "format/info/export_points.h"
 #include "format/info/print.h"
 #include "format/info/set_report.h"
-#include "format/points/metadata.h"
+#include "format/pointio/metadata.h"
 #include "format/set/tile_set.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include "format/base/printable.h"
 #include "format/info/histogram.h"
 #include "format/info/words.h"
-#include "format/points/metadata.h"
+#include "format/pointio/metadata.h"
 
 namespace pointrt {
 

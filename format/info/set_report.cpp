@@ -10,7 +10,7 @@
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
 #include "format/info/set_summary.h"
-#include "format/points/metadata.h"
+#include "format/pointio/metadata.h"
 #include "format/set/open_tile.h"
 #include "format/set/verify_tile.h"
 

@@ -9,7 +9,7 @@
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
 #include "format/info/words.h"
-#include "format/points/metadata.h"
+#include "format/pointio/metadata.h"
 #include "format/set/open_tile.h"
 
 namespace pointrt {

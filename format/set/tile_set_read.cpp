@@ -10,7 +10,7 @@
 #include "format/base/mapped_file.h"
 #include "format/base/number_type.h"
 #include "format/base/printable.h"
-#include "format/json/whole_number.h"
+#include "format/base/whole_number.h"
 #include "format/set/set_fault.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"

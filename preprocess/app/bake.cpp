@@ -14,7 +14,7 @@
 #include "preprocess/app/interrupt.h"
 #include "preprocess/octree/carry_attributes.h"
 #include "preprocess/octree/write.h"
-#include "preprocess/upright/find_up.h"
+#include "preprocess/surface/find_up.h"
 
 namespace pointrt {
 

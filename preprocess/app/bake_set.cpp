@@ -19,10 +19,10 @@
 #include "preprocess/app/name_set.h"
 #include "preprocess/app/report.h"
 #include "preprocess/app/set_options.h"
-#include "preprocess/sets/bake/bake_block.h"
-#include "preprocess/sets/bake/make_tiles.h"
-#include "preprocess/sets/split/input_state.h"
-#include "preprocess/sets/split/split.h"
+#include "preprocess/tiles/bake_block.h"
+#include "preprocess/tiles/input_state.h"
+#include "preprocess/tiles/make_tiles.h"
+#include "preprocess/tiles/split.h"
 
 namespace pointrt {
 namespace {

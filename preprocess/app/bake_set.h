@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "preprocess/app/options.h"
-#include "preprocess/sets/plan.h"
+#include "preprocess/tiles/plan.h"
 
 namespace pointrt {
 

@@ -6,8 +6,8 @@
 
 #include "format/base/axis_name.h"
 #include "format/base/error.h"
-#include "preprocess/input/source/source.h"
-#include "preprocess/input/source/text.h"
+#include "preprocess/input/source.h"
+#include "preprocess/input/text.h"
 
 namespace pointrt {
 namespace {

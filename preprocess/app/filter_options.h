@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "preprocess/input/source/columns.h"
+#include "preprocess/input/columns.h"
 
 namespace pointrt {
 

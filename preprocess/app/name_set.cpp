@@ -13,7 +13,7 @@
 #include "format/base/error.h"
 #include "format/set/set_words.h"
 #include "format/set/tile_set.h"
-#include "preprocess/sets/checksum.h"
+#include "preprocess/tiles/checksum.h"
 
 namespace pointrt {
 namespace {

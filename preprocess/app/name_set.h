@@ -2,7 +2,7 @@
 // A set gets its name, and what it was made from goes.
 #pragma once
 
-#include "preprocess/sets/plan.h"
+#include "preprocess/tiles/plan.h"
 
 namespace pointrt {
 

@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "format/base/error.h"
-#include "format/command_line/command_line.h"
+#include "format/cli/command_line.h"
 #include "preprocess/app/filter_options.h"
 #include "preprocess/app/set_options.h"
 #include "preprocess/input/folders.h"
-#include "preprocess/input/formats/formats.h"
+#include "preprocess/input/formats.h"
 
 namespace pointrt {
 

@@ -7,7 +7,7 @@
 #include "format/base/report_file.h"
 #include "preprocess/app/bake_set.h"
 #include "preprocess/app/report.h"
-#include "preprocess/sets/split/make_plan.h"
+#include "preprocess/tiles/make_plan.h"
 
 namespace pointrt {
 namespace {

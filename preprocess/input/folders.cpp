@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "format/base/error.h"
-#include "preprocess/input/formats/detect.h"
+#include "preprocess/input/detect.h"
 
 namespace pointrt {
 namespace {

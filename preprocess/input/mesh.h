@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "preprocess/cloud/cloud.h"
-#include "preprocess/input/source/sink.h"
+#include "preprocess/input/sink.h"
 
 namespace pointrt {
 

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstring>
 
-#include "preprocess/input/formats/detect.h"
+#include "preprocess/input/degrees.h"
+#include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
-#include "preprocess/input/source/degrees.h"
 
 namespace pointrt {
 namespace {

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
-#include "preprocess/input/formats/detect.h"
+#include "preprocess/input/detect.h"
 #include "preprocess/input/mesh.h"
-#include "preprocess/input/source/sink.h"
+#include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "preprocess/input/batches.h"
 #include "preprocess/input/read.h"
-#include "preprocess/input/source/batches.h"
 
 namespace pointrt {
 

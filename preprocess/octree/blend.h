@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ray hits and blending weights of a leaf's discs, as the tracer computes them (shaders/surface/blend.glsl), eight at a
+// Ray hits and blending weights of a leaf's discs, as the tracer computes them (shaders/trace/blend.glsl), eight at a
 // time.
 #pragma once
 

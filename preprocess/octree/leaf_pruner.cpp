@@ -23,7 +23,7 @@ constexpr std::uint32_t kTriesPerProbe = 8;
 /// 4/3 sqrt(2) 0.01^1.5 = 0.2% of the square of the radius, a 50,000th of the surface of a usual leaf.
 constexpr float kSliver = 0.01f;
 
-/// The step along the ray to the field's zero, at most one radius: newtonStep of shaders/surface/blend.glsl.
+/// The step along the ray to the field's zero, at most one radius: newtonStep of shaders/trace/blend.glsl.
 float newtonStep(const FieldSums& field, const Vec3f& direction, float radius) {
     const float slope = field.normal.dot(direction);
     const float step = slope == 0.0f ? 0.0f : -field.height / slope;
@@ -148,7 +148,7 @@ bool LeafPruner::weighDropped(const FirstHit& hit, float t) {
     return true;
 }
 
-/// The sums at the point last weighed, filled up to the least weight: fillUp of shaders/surface/blend.glsl.
+/// The sums at the point last weighed, filled up to the least weight: fillUp of shaders/trace/blend.glsl.
 FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
     FieldSums field = sumField(list_, only_kept);
     const float missing = std::max(BLEND_WEIGHT_FLOOR - field.weight, 0.0f);
@@ -159,7 +159,7 @@ FieldSums LeafPruner::fieldAround(const FirstHit& hit, bool only_kept) const {
     return field;
 }
 
-/// surfaceAt of shaders/surface/blend.glsl: two Newton steps along the ray.
+/// surfaceAt of shaders/trace/blend.glsl: two Newton steps along the ray.
 LeafPruner::Blended LeafPruner::blend(const FirstHit& hit, bool only_kept) {
     const Vec3f& direction = hit.chord.direction;
     weighDropped(hit, hit.t);

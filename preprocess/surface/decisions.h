@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "preprocess/cloud/splats.h"
-#include "preprocess/fill/fill.h"
+#include "preprocess/surface/fill.h"
 
 namespace pointrt {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tbb/parallel_for.h>
 
-#include "preprocess/neighbors/plane_fit.h"
+#include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {

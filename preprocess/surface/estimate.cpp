@@ -8,20 +8,20 @@
 #include <optional>
 
 #include "format/base/error.h"
-#include "preprocess/cleaning/clean.h"
-#include "preprocess/fill/fill.h"
-#include "preprocess/neighbors/neighbors.h"
-#include "preprocess/neighbors/points.h"
-#include "preprocess/neighbors/stages.h"
-#include "preprocess/range/rims.h"
-#include "preprocess/sight/sight.h"
 #include "preprocess/surface/check.h"
+#include "preprocess/surface/clean.h"
 #include "preprocess/surface/dimension.h"
+#include "preprocess/surface/fill.h"
 #include "preprocess/surface/lines.h"
+#include "preprocess/surface/neighbors.h"
 #include "preprocess/surface/normals.h"
 #include "preprocess/surface/orient.h"
 #include "preprocess/surface/outliers.h"
+#include "preprocess/surface/points.h"
 #include "preprocess/surface/radii.h"
+#include "preprocess/surface/rims.h"
+#include "preprocess/surface/sight.h"
+#include "preprocess/surface/stages.h"
 
 namespace pointrt {
 namespace surface {

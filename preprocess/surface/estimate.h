@@ -4,8 +4,8 @@
 
 #include "preprocess/cloud/splats.h"
 #include "preprocess/cloud/stage_progress.h"
-#include "preprocess/range/steps.h"
 #include "preprocess/surface/decisions.h"
+#include "preprocess/surface/steps.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preprocess/surface/lines.h"
 
-#include "preprocess/neighbors/plane_fit.h"
+#include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {

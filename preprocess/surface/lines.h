@@ -2,7 +2,7 @@
 // Scan lines: points that stand far closer along one direction than across, as in the sweep of a lidar.
 #pragma once
 
-#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/neighbors.h"
 
 namespace pointrt::surface {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "format/base/error.h"
-#include "preprocess/neighbors/plane_fit.h"
+#include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {

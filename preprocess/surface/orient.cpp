@@ -9,7 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "format/base/error.h"
-#include "preprocess/neighbors/components.h"
+#include "preprocess/surface/components.h"
 #include "preprocess/surface/orient_tree.h"
 
 namespace pointrt::surface {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/neighbors.h"
 #include "preprocess/surface/surface_options.h"
 
 namespace pointrt::surface {

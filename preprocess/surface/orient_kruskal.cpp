@@ -9,7 +9,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
-#include "preprocess/neighbors/components.h"
+#include "preprocess/surface/components.h"
 
 namespace pointrt::surface {
 namespace {

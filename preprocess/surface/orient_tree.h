@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/neighbors.h"
 
 namespace pointrt::surface {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "preprocess/cloud/median.h"
-#include "preprocess/neighbors/plane_fit.h"
+#include "preprocess/surface/plane_fit.h"
 
 namespace pointrt::surface {
 namespace {

@@ -9,8 +9,8 @@
 #include <tbb/parallel_for.h>
 
 #include "preprocess/cloud/median.h"
-#include "preprocess/neighbors/plane_fit.h"
-#include "preprocess/neighbors/voronoi_cell.h"
+#include "preprocess/surface/plane_fit.h"
+#include "preprocess/surface/voronoi_cell.h"
 
 namespace pointrt::surface {
 namespace {

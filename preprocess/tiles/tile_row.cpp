@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "format/json/whole_number.h"
+#include "format/base/whole_number.h"
 #include "pointrt/pro_layout.h"
 #include "preprocess/tiles/build_tile.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/camera_files/camera_list.h"
+#include "runtime/scene_io/camera_list.h"
 #include "runtime/session/options.h"
 #include "runtime/session/render_session.h"
 #include "runtime/session/report.h"

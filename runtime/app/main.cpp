@@ -16,7 +16,7 @@
 #include "runtime/app/render_job.h"
 #include "runtime/gpu/device.h"
 #include "runtime/scene/turntable.h"
-#include "runtime/scene_file/scene_file.h"
+#include "runtime/scene_io/scene_file.h"
 #include "runtime/session/options.h"
 #include "runtime/session/output_check.h"
 #include "runtime/session/profile_report.h"

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "format/base/error.h"
-#include "runtime/film/frame_limits.h"
-#include "runtime/film/picture_filter.h"
-#include "runtime/renderer/film_readout.h"
+#include "runtime/render/film_readout.h"
+#include "runtime/render/frame_limits.h"
+#include "runtime/render/picture_filter.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/available_memory.h"
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/coloring/legend_picture.h"
-#include "runtime/film/picture_filter.h"
 #include "runtime/gpu/device.h"
 #include "runtime/image/film.h"
 #include "runtime/image/image_png.h"
+#include "runtime/render/picture_filter.h"
+#include "runtime/scene/legend_picture.h"
 #include "runtime/util/pixel_size.h"
 
 namespace pointrt {

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/coloring/legend.h"
 #include "runtime/device_scene/scene_paint.h"
+#include "runtime/scene/legend.h"
 
 namespace pointrt {
 

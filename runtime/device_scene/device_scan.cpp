@@ -12,7 +12,7 @@
 #include "format/base/printable.h"
 #include "format/base/require_pro.h"
 #include "pointrt/pro_index_layout.h"
-#include "runtime/index_store/index_store.h"
+#include "runtime/device_scene/index_store.h"
 #include "runtime/util/on_error.h"
 
 namespace pointrt {

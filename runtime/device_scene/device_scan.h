@@ -56,9 +56,9 @@ void uploadScan(Device& device, DeviceScan& scan, const ScanUpload& how);
 DeviceScan loadScan(Device& device, const std::string& path, bool verbose);
 /// A scene of nothing: small buffers for programs that must be given some.
 DeviceScan blankScan(Device& device);
-/// The buffers, first pages where they have several, at their places in shaders/frame/bindings.glsl.
+/// The buffers, first pages where they have several, at their places in shaders/lib/bindings.glsl.
 std::vector<BufferBinding> scanBindings(const DeviceScan& scan);
-/// For shaders/frame/pages.glsl.
+/// For shaders/lib/pages.glsl.
 PagedBuffers pagedBuffers(const DeviceScan& scan);
 void destroyScan(Device& device, DeviceScan& scan);
 

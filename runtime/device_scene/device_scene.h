@@ -9,12 +9,12 @@
 
 #include "runtime/device_scene/device_scan.h"
 #include "runtime/device_scene/environment.h"
+#include "runtime/device_scene/opened_set.h"
 #include "runtime/device_scene/render_space.h"
 #include "runtime/device_scene/scene_paint.h"
 #include "runtime/gpu/device.h"
 #include "runtime/gpu/resources.h"
 #include "runtime/scene/scene_description.h"
-#include "runtime/sets/opened_set.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {
@@ -99,7 +99,7 @@ std::vector<const DeviceScan*> wholeScans(const DeviceScene& scene);
 /// The paged buffers of the instance with this number.
 PagedBuffers instancePages(const DeviceScene& scene, const Instance& instance);
 
-/// The buffers of an instance, or of scene.blank, at their places in shaders/frame/bindings.glsl.
+/// The buffers of an instance, or of scene.blank, at their places in shaders/lib/bindings.glsl.
 std::vector<BufferBinding> instanceBindings(const DeviceScene& scene, const Instance& instance);
 
 void destroyDeviceScene(Device& device, DeviceScene& scene);

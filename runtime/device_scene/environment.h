@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An equirectangular image as light from all around: texels and distributions for shaders/light/environment.glsl.
+// An equirectangular image as light from all around: texels and distributions for shaders/shade/environment.glsl.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 #include "format/base/parallel.h"
 #include "format/set/core_splats.h"
 #include "runtime/device_scene/render_space.h"
-#include "runtime/sets/whole_set.h"
+#include "runtime/device_scene/whole_set.h"
 
 namespace pointrt {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "runtime/device_scene/device_scene.h"
-#include "runtime/framing/scene_sample.h"
+#include "runtime/scene/scene_sample.h"
 
 namespace pointrt {
 

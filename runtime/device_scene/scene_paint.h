@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "format/set/tile_set.h"
-#include "runtime/coloring/legend.h"
 #include "runtime/device_scene/device_scan.h"
 #include "runtime/device_scene/splat_paint.h"
+#include "runtime/scene/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
 

@@ -15,7 +15,7 @@
 #include "format/base/parallel.h"
 #include "format/base/printable.h"
 #include "format/set/open_tile.h"
-#include "runtime/sets/core_reach.h"
+#include "runtime/device_scene/core_reach.h"
 #include "runtime/util/on_error.h"
 #include "runtime/util/parse.h"
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/coloring/color_map.h"
 #include "runtime/device_scene/splat_numbers.h"
+#include "runtime/scene/color_map.h"
 
 namespace pointrt {
 

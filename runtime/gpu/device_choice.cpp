@@ -14,7 +14,7 @@ namespace {
 
 // A scene of a million splats has some three million texels of near splats, and entry grids have up to 2^24 words.
 constexpr std::uint32_t kMinTexels = 1u << 24;
-/// Those of shaders/frame/bindings.glsl; Vulkan promises 4.
+/// Those of shaders/lib/bindings.glsl; Vulkan promises 4.
 constexpr std::uint32_t kStorageImages = 5;
 constexpr VkSubgroupFeatureFlags kSubgroupOperations = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
                                                        VK_SUBGROUP_FEATURE_ARITHMETIC_BIT |

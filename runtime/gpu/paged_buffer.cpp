@@ -11,7 +11,7 @@
 namespace pointrt {
 namespace {
 
-/// Shaders read some of them as images (shaders/frame/bindings.glsl), for which every device takes texels of one or
+/// Shaders read some of them as images (shaders/lib/bindings.glsl), for which every device takes texels of one or
 /// four words.
 VkBufferUsageFlags usageFor(VkFormat format) {
     constexpr VkBufferUsageFlags kFetched = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;

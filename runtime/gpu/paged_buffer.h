@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffers of any size for texel fetches: in pages, where one texel buffer or one allocation would not hold them
-// (shaders/frame/pages.glsl).
+// (shaders/lib/pages.glsl).
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ void destroyPagedBuffer(Device& device, PagedBuffer& buffer);
 bool isImported(const PagedBuffer& buffer);
 
 /// Of a buffer that may have pages: where those after its first are bound, in set SET_PAGES, and the constant that says
-/// how many there are (shaders/frame/pages.glsl).
+/// how many there are (shaders/lib/pages.glsl).
 struct PagedPlace {
     gpu::Binding further{};
     gpu::SpecId count{};

@@ -8,9 +8,9 @@
 #include "format/base/error.h"
 #include "format/base/report_file.h"
 #include "runtime/rays/cast_options.h"
-#include "runtime/rays/command/usage.h"
-#include "runtime/rays/input/ray_source.h"
-#include "runtime/rays/output/hit_sink.h"
+#include "runtime/rays/hit_sink.h"
+#include "runtime/rays/ray_source.h"
+#include "runtime/rays/usage.h"
 #include "runtime/util/render_progress.h"
 
 namespace pointrt {

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "format/base/error.h"
-#include "format/command_line/command_line.h"
+#include "format/cli/command_line.h"
 
 namespace pointrt {
 namespace {

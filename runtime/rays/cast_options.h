@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "format/command_line/command_text.h"
+#include "format/cli/command_text.h"
 #include "pointrt/trace.hpp"
-#include "runtime/rays/command/common_options.h"
+#include "runtime/rays/common_options.h"
 
 namespace pointrt {
 

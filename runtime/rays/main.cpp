@@ -4,14 +4,14 @@
 
 #include "format/base/report_file.h"
 #include "format/base/run_tool.h"
-#include "format/command_line/command_line.h"
+#include "format/cli/command_line.h"
 #include "runtime/rays/cast_job.h"
 #include "runtime/rays/cast_options.h"
-#include "runtime/rays/command/command_table.h"
-#include "runtime/rays/lidar/lidar_job.h"
-#include "runtime/rays/lidar/lidar_options.h"
-#include "runtime/rays/study/sun_command.h"
-#include "runtime/rays/study/viewshed_command.h"
+#include "runtime/rays/command_table.h"
+#include "runtime/rays/lidar_job.h"
+#include "runtime/rays/lidar_options.h"
+#include "runtime/rays/sun_command.h"
+#include "runtime/rays/viewshed_command.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "runtime/coloring/color_map.h"
+#include "runtime/scene/color_map.h"
 #include "runtime/scene/integrator.h"
 #include "runtime/scene/standard_view.h"
 #include "runtime/util/names.h"
@@ -32,7 +32,7 @@ struct CameraRequest {
     /// Height of the picture's window in the scene, input units, above 0; where not given it shows all of the scene.
     std::optional<double> ortho_height;
     Vec3 side{0, 0, 1}; ///< unit vector from the target to the eye, where no eye is given
-    /// Where neither eye nor target is given: what frameScene (runtime/framing) looks from, in place of its own choice.
+    /// Where neither eye nor target is given: what frameScene (runtime/scene) looks from, in place of its own choice.
     std::optional<StandardView> view;
     bool operator==(const CameraRequest&) const = default;
 };
@@ -74,7 +74,8 @@ struct RenderSettings {
     bool light_parts = true;               ///< also fill its direct, indirect and caustic: to go on later, or to keep
     DenoiseChoice denoise = DenoiseChoice::kAuto;
     float exposure = 0; ///< stops, for 8-bit pictures
-    float detail = 1; ///< pixels: what a tile of a set leaves out may be so large (CutRequest::detail of runtime/sets)
+    float detail =
+        1; ///< pixels: what a tile of a set leaves out may be so large (CutRequest::detail of runtime/device_scene)
 };
 
 /// What the command line or a scene file says of them; empty where it is silent.

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "runtime/light/light.h"
+#include "runtime/scene/light.h"
 #include "runtime/scene/material_kinds.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/sun.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "runtime/coloring/value_range.h"
+#include "runtime/scene/value_range.h"
 #include "runtime/util/names.h"
 #include "runtime/util/parse.h"
 #include "runtime/util/pixel_size.h"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "runtime/scene_file/scene_file.h"
+#include "runtime/scene_io/scene_file.h"
 #include "runtime/session/settings.h"
 
 namespace pointrt {

@@ -2,7 +2,7 @@
 // What the command line and a scene say, as what is to be loaded.
 #pragma once
 
-#include "runtime/renderer/loaded_scene.h"
+#include "runtime/render/loaded_scene.h"
 #include "runtime/session/options.h"
 
 namespace pointrt {

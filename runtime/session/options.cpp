@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "format/base/error.h"
-#include "format/command_line/command_line.h"
+#include "format/cli/command_line.h"
 #include "runtime/scene/turntable.h"
 #include "runtime/session/option_table.h"
 

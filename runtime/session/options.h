@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "runtime/film/frame_limits.h"
+#include "runtime/device_scene/cut.h"
+#include "runtime/render/frame_limits.h"
 #include "runtime/scene/render_settings.h"
-#include "runtime/sets/cut.h"
 
 namespace pointrt {
 

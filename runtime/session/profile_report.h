@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "runtime/tracer/pass_profile.h"
+#include "runtime/render/pass_profile.h"
 
 namespace pointrt {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "runtime/film/film_resume.h"
+#include "runtime/render/film_resume.h"
 #include "runtime/session/load_request.h"
 #include "runtime/session/settings.h"
 #include "runtime/session/without_effect.h"

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "runtime/gpu/device.h"
-#include "runtime/renderer/loaded_scene.h"
-#include "runtime/renderer/progressive_renderer.h"
+#include "runtime/render/loaded_scene.h"
+#include "runtime/render/progressive_renderer.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/session/options.h"
 #include "runtime/session/report.h"

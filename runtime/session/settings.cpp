@@ -7,7 +7,7 @@
 #include "runtime/device_scene/color_choice.h"
 #include "runtime/scene/default_lighting.h"
 #include "runtime/scene/render_setting_table.h"
-#include "runtime/scene_file/scene_file.h"
+#include "runtime/scene_io/scene_file.h"
 
 namespace pointrt {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "pointrt/studies.hpp"
-#include "runtime/studies/occlusion/open_rays.h"
-#include "runtime/studies/occlusion/point_rays.h"
-#include "runtime/studies/occlusion/point_rows.h"
+#include "runtime/studies/open_rays.h"
+#include "runtime/studies/point_rays.h"
+#include "runtime/studies/point_rows.h"
 
 namespace pointrt {
 namespace {

@@ -3,8 +3,8 @@
 // callers have them.
 #ifndef POINTRT_SHADERS_CAST_RAYS_GLSL
 #define POINTRT_SHADERS_CAST_RAYS_GLSL
-#include "shaders/frame/instance_bindings.glsl"
-#include "shaders/frame/balanced_lane.glsl"
+#include "shaders/lib/instance_bindings.glsl"
+#include "shaders/lib/balanced_lane.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 #ifdef GIVEN

@@ -38,7 +38,7 @@ enum class Binding : std::uint32_t {};
 #define BINDING_ENVIRONMENT_TEXELS POINTRT_BINDING(29)
 #define BINDING_ENVIRONMENT_CDF POINTRT_BINDING(30)
 
-// The frame's (runtime/tracer/frame_buffers.cpp); _TEXELS: the same buffer, for reading at random.
+// The frame's (runtime/render/frame_buffers.cpp); _TEXELS: the same buffer, for reading at random.
 #define BINDING_PARAMS POINTRT_BINDING(6)
 #define BINDING_CONTROL POINTRT_BINDING(7)
 #define BINDING_QUEUES POINTRT_BINDING(8)
@@ -61,12 +61,12 @@ enum class Binding : std::uint32_t {};
 #define BINDING_PLACES POINTRT_BINDING(57)
 #define BINDING_SIEVE POINTRT_BINDING(61)
 
-// The photon map's (runtime/tracer/caustics.cpp).
+// The photon map's (runtime/render/caustics.cpp).
 #define BINDING_PHOTON_TEXELS POINTRT_BINDING(31)
 #define BINDING_PHOTON_BUCKETS POINTRT_BINDING(32)
 #define BINDING_PHOTONS POINTRT_BINDING(33)
 
-// Those of rays that come in batches (runtime/trace/cast_slot.cpp).
+// Those of rays that come in batches (runtime/cast/cast_slot.cpp).
 #define BINDING_CAST_RAYS POINTRT_BINDING(58)
 #define BINDING_CAST_HITS POINTRT_BINDING(59)
 #define BINDING_CAST_STOPPED POINTRT_BINDING(60)

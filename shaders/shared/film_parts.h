@@ -18,10 +18,10 @@
 //   channels  in OpenEXR files: COLOR or VECTOR of a layer, or CHANNELS
 //   group     what films have it: FilmGroup::GROUP (runtime/image/film_parts.h)
 //   nothing   its value where nothing is hit
-//   source    struct of runtime/renderer/film_readout.cpp that fills it
+//   source    struct of runtime/render/film_readout.cpp that fills it
 //   view      NOT_SHOWN, or SHOWN(number, NAME, label, how, function): one of the window's choices, counted from 0;
 //             SHOWN_NAME and ShownAs::HOW to the code (runtime/image/film_views.h), function of
-//             shaders/film/resolve.comp.glsl
+//             shaders/display/resolve.comp.glsl
 //
 // rgba         linear light, background included; share covered by the scene
 // depth        along the centre ray from its start, input units

@@ -14,7 +14,7 @@
 // The functions that shade a hit, which integrators may share. X(number, NAME, function)
 //   number    counts from 0
 //   NAME      what the integrators' rows call it
-//   function  of shaders/integrator; shade_hit.glsl calls it
+//   function  of shaders/shade; shade_hit.glsl calls it
 #define SHADINGS(X) \
     X(0u, CLASSIC, shadeClassic) \
     X(1u, PATH, shadePath) \

@@ -2,7 +2,7 @@
 // The kinds of light and their row on the device: one header for C++ and GLSL.
 //
 // A new kind takes a line in LIGHT_KINDS, its number and its fields here; the compiler then asks for the rest, in
-// runtime/light/light.h for its alternative of LightDescription, in shaders/light/lights.glsl for its functions.
+// runtime/scene/light.h for its alternative of LightDescription, in shaders/shade/lights.glsl for its functions.
 #ifndef POINTRT_SHADERS_LIGHT_LAYOUT_H
 #define POINTRT_SHADERS_LIGHT_LAYOUT_H
 

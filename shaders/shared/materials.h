@@ -27,7 +27,7 @@
 //   NAME, Name  MATERIAL_NAME here, MaterialKind::kName in C++ (runtime/scene/material_kinds.h)
 //   word        what scene files call it
 //   label       what the window calls it
-//   lobes       function of shaders/material/material.glsl: how it scatters light
+//   lobes       function of shaders/shade/material.glsl: how it scatters light
 //   traits      MATERIAL_* above
 // The fields that a kind has: runtime/scene/material_fields.cpp.
 #define MATERIALS(X) \

@@ -20,7 +20,7 @@ namespace pointrt::gpu {
 // Its length where it passes everything.
 #define BEAM_MISSES 1e30f
 
-// Kinds that a scene has (shaders/frame/features.glsl).
+// Kinds that a scene has (shaders/lib/features.glsl).
 #define FEATURE_LIGHT(kind) (1u << uint(kind))
 #define FEATURE_MATERIAL(kind) (1u << (8u + uint(kind)))
 #define FEATURE_SHAPE(kind) (1u << (16u + uint(kind)))

@@ -15,14 +15,14 @@ enum class SpecId : std::uint32_t {};
 #endif
 
 // The tracer's: what is known of an instance (shaders/trace/instance.glsl), and of the scene
-// (shaders/frame/features.glsl).
+// (shaders/lib/features.glsl).
 #define SPEC_UNEVEN POINTRT_SPEC(0)
 #define SPEC_ORIENTED POINTRT_SPEC(1)
 #define SPEC_SKY_IMAGE POINTRT_SPEC(2)
 #define SPEC_INTEGRATOR POINTRT_SPEC(3)
 #define SPEC_FEATURES POINTRT_SPEC(4)
 #define SPEC_CAMERA_PASS POINTRT_SPEC(5)
-// Pages in use (shaders/frame/pages.glsl).
+// Pages in use (shaders/lib/pages.glsl).
 #define SPEC_PAGE_BITS POINTRT_SPEC(6)
 #define SPEC_BRICK_PAGES POINTRT_SPEC(7)
 #define SPEC_CELL_PAGES POINTRT_SPEC(8)

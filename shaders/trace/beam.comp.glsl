@@ -6,11 +6,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/frame/bindings.glsl"
+#include "shaders/lib/bindings.glsl"
 #include "shaders/trace/entry_grid.glsl"
-#include "shaders/frame/camera_ray.glsl"
+#include "shaders/lib/camera_ray.glsl"
 #include "shaders/trace/instance.glsl"
-#include "shaders/math/math.glsl"
+#include "shaders/lib/math.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

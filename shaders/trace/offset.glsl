@@ -2,7 +2,7 @@
 // Where secondary rays start.
 #ifndef POINTRT_SHADERS_OFFSET_GLSL
 #define POINTRT_SHADERS_OFFSET_GLSL
-#include "shaders/frame/features.glsl"
+#include "shaders/lib/features.glsl"
 
 // Neighbouring discs stand off the blended surface by curvature, by noise, and where several scans overlap by what
 // their registration left: two or three radii on dense merges. So the ray starts a little up, where rounding cannot

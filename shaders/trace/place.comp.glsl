@@ -5,8 +5,8 @@
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_basic : require
-#include "shaders/frame/bindings.glsl"
-#include "shaders/frame/queue.glsl"
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/queue.glsl"
 
 // Those of the whole subgroup at once.
 void placeEntry(uint list, bool wants, uint entry) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #ifndef POINTRT_SHADERS_REACH_GLSL
 #define POINTRT_SHADERS_REACH_GLSL
-#include "shaders/math/math.glsl"
+#include "shaders/lib/math.glsl"
 
 // Whether a ray comes before t_max to where instances are.
 bool meetsInstances(vec3 origin, vec3 direction, float t_max) {

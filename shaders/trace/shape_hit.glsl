@@ -2,7 +2,7 @@
 // Hits of shapes between rays and what is kept of them.
 #ifndef POINTRT_SHADERS_SHAPE_HIT_GLSL
 #define POINTRT_SHADERS_SHAPE_HIT_GLSL
-#include "shaders/frame/path.glsl"
+#include "shaders/lib/path.glsl"
 #include "shaders/trace/shapes.glsl"
 #include "shaders/trace/offset.glsl"
 

@@ -4,7 +4,7 @@
 // prepare makes room for the targets' lists, and place fills them.
 #ifndef POINTRT_SHADERS_SIFT_GLSL
 #define POINTRT_SHADERS_SIFT_GLSL
-#include "shaders/math/math.glsl"
+#include "shaders/lib/math.glsl"
 #include "shaders/shared/spec_constants.h"
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require

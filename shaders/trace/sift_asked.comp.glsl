@@ -2,8 +2,8 @@
 // Which targets of a sieve the rays listed for instances may meet.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/frame/bindings.glsl"
-#include "shaders/frame/queue.glsl"
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/queue.glsl"
 #include "shaders/trace/sift.glsl"
 
 void main() {

@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/trace_queued.glsl"
-#include "shaders/frame/append.glsl"
+#include "shaders/lib/append.glsl"
 #include "shaders/trace/store_hit.glsl"
 
 void main() {

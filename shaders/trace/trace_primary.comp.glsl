@@ -2,12 +2,12 @@
 // First hits of the camera rays in the tiles that a beam left over.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/frame/bindings.glsl"
-#include "shaders/frame/queue.glsl"
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/queue.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
-#include "shaders/frame/camera_ray.glsl"
-#include "shaders/frame/append.glsl"
+#include "shaders/lib/camera_ray.glsl"
+#include "shaders/lib/append.glsl"
 #include "shaders/trace/store_hit.glsl"
 
 void main() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Traces the rays listed for instances through one of them. ANY_HIT, see trace.glsl.
-#include "shaders/frame/bindings.glsl"
-#include "shaders/frame/queue.glsl"
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/queue.glsl"
 #include "shaders/trace/splat.glsl"
 #include "shaders/trace/trace.glsl"
 

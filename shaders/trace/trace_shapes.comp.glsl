@@ -4,7 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/trace/shape_hit.glsl"
-#include "shaders/frame/append.glsl"
+#include "shaders/lib/append.glsl"
 #include "shaders/trace/reach.glsl"
 
 void main() {

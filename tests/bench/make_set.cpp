@@ -6,9 +6,9 @@
 #include "preprocess/input/read.h"
 #include "preprocess/octree/carry_attributes.h"
 #include "preprocess/surface/estimate.h"
-#include "preprocess/upright/find_up.h"
+#include "preprocess/surface/find_up.h"
 #include "tests/bench/compare_options.h"
-#include "tests/support/sets/cloud_set.h"
+#include "tests/support/cloud_set.h"
 
 namespace pointrt::test {
 

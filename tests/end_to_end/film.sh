@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Frames that end by time, noise or a signal, and films that are gone on with. That the sum of the parts is the whole
-# is tested in tests/runtime/film/test_film_resume.cpp.
+# is tested in tests/runtime/render/test_film_resume.cpp.
 # shellcheck source=lib.sh
 . "$(dirname "$0")/lib.sh"
 

@@ -2,8 +2,8 @@
 // What lights.glsl and sampler.glsl answer: SAMPLES a receiver, receiver after receiver.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/light/lights.glsl"
-#include "shaders/math/sampler.glsl"
+#include "shaders/shade/lights.glsl"
+#include "shaders/lib/sampler.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Asks shaders/material/material.glsl about many directions or random numbers at one surface.
+// Asks shaders/shade/material.glsl about many directions or random numbers at one surface.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
 layout(set = 0, binding = 0) uniform samplerBuffer ggx_texels;
 #define loadGgxAlbedo(i) texelFetch(ggx_texels, int(i)).xy
-#include "shaders/material/material.glsl"
+#include "shaders/shade/material.glsl"
 
 layout(local_size_x = 64) in;
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # awk -f check_rooms.awk rooms.txt FILE...: holds the includes of FILEs, paths from the repository's root, against what
 # the rooms may use (cmake/Rooms.cmake writes rooms.txt). A line for each finding; exit status 1 where there is one.
-#   - each file lies in a room, and a room has at most most_files (25) of them: more is a list, not a place to know
+#   - each file lies in a room; a room says its purpose in one line of at most most_purpose (120) characters, because a
+#     room that takes longer to describe holds more than one idea; there are at most most_rooms (45)
 #   - an include names its file from the root, and lies in the same room or in one that this room uses
+#   - a room includes something of each room that it uses
 #   - no room uses itself by way of others
 function finding(text) {
     print text
@@ -27,19 +29,23 @@ function visit(room, path,    names, count, i) {
     state[room] = "done"
 }
 
-BEGIN { if (!most_files) most_files = 25 }
+BEGIN {
+    if (!most_purpose) most_purpose = 120
+    if (!most_rooms) most_rooms = 45
+}
 
 FILENAME == ARGV[1] {
     split($0, fields, "|")
     uses[fields[1]] = fields[2]
     rooms[++room_count] = fields[1]
+    if (length(fields[3]) > most_purpose) finding(fields[1] ": its purpose takes more than " most_purpose " characters")
+    if (room_count == most_rooms + 1) finding("there are more than " most_rooms " rooms")
     next
 }
 
 FNR == 1 {
     room = folderOf(FILENAME)
     if (!(room in uses)) finding(FILENAME ": lies in no room")
-    if (++files[room] == most_files + 1) finding(room ": has more than " most_files " files")
 }
 
 /^[ \t]*#[ \t]*include[ \t]*"/ {
@@ -50,6 +56,7 @@ FNR == 1 {
     if (included ~ /^pointrt\//) included = "runtime/include/" included
     other = folderOf(included)
     if (other == room) next
+    included_by[room, other] = 1
     if (!(other in uses))
         finding(FILENAME ":" FNR ": \"" parts[2] "\" is not a file of a room by its path from the root")
     else if (index(" " uses[room] " ", " " other " ") == 0)
@@ -57,6 +64,11 @@ FNR == 1 {
 }
 
 END {
-    for (i = 1; i <= room_count; i++) visit(rooms[i], "")
+    for (i = 1; i <= room_count; i++) {
+        visit(rooms[i], "")
+        count = split(uses[rooms[i]], names, " ")
+        for (j = 1; j <= count; j++)
+            if (!((rooms[i], names[j]) in included_by)) finding(rooms[i] ": includes nothing of " names[j] ", which it uses")
+    }
     exit found
 }

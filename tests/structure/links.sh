@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# format/scanfile is part of pointrt-bake, and of neither the viewer nor the format's library.
+# format/pointio is part of pointrt-bake, and of neither the viewer nor the format's library.
 # links.sh pointrt-bake pointrt-view LIBRARY
 set -euo pipefail
 
-# holds FILE: whether one of its symbols is of format/scanfile: openLas in C++, scan_laz_open and others in Rust.
+# holds FILE: whether one of its symbols is of format/pointio: openLas in C++, scan_laz_open and others in Rust.
 holds() { nm -C "$1" 2>/dev/null | grep -E '^[0-9a-f]+ [TtWw] (pointrt::openLas\(|scan_(laz|e57)_)' >/dev/null; }
 
 holds "$1" || {
-    echo "$1 does not hold format/scanfile: this test looks for the wrong names"
+    echo "$1 does not hold format/pointio: this test looks for the wrong names"
     exit 1
 }
 for program in "$2" "$3"; do
     if holds "$program"; then
-        echo "$program is linked to format/scanfile"
+        echo "$program is linked to format/pointio"
         exit 1
     fi
 done

@@ -1,14 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# rooms.txt as the table of CONTRIBUTING.md.
+# rooms.txt as the map of CONTRIBUTING.md.
 BEGIN {
     FS = "|"
-    print "| room | what it is for | may include |"
-    print "|---|---|---|"
+    print "| room | what it is for |"
+    print "|---|---|"
 }
-{
-    uses = $2
-    gsub(/format\/include\/pointrt/, "pointrt/*.h", uses)
-    gsub(/ /, ", ", uses)
-    if (uses == "") uses = "nothing of ours"
-    printf "| `%s` | %s | %s |\n", $1, $3, uses
-}
+{ printf "| `%s` | %s |\n", $1, $3 }

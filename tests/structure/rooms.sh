@@ -15,7 +15,7 @@ fail() {
 expectFinding() {
     local said
     # shellcheck disable=SC2046 # a list of words
-    if said=$(awk -v most_files=3 -f "$check" rooms.txt $(find low high -type f)); then fail "the check found nothing"; fi
+    if said=$(awk -v most_rooms=3 -v most_purpose=30 -f "$check" rooms.txt $(find low high -type f)); then fail "the check found nothing"; fi
     [ "$said" = "$1" ] || fail "the check said: $said"
 }
 
@@ -29,7 +29,7 @@ smallTree() {
     printf '#include "low/a.h"\n#include "high/c.h"\n#include "shaders/x.spv.h"\n' >high/b.cpp
     printf '#pragma once\n' >high/c.h
     # shellcheck disable=SC2046
-    awk -v most_files=3 -f "$check" rooms.txt $(find low high -type f) || fail "the small tree should pass"
+    awk -v most_rooms=3 -v most_purpose=30 -f "$check" rooms.txt $(find low high -type f) || fail "the small tree should pass"
 }
 
 case_tree() {
@@ -51,6 +51,7 @@ case_arrow_up() {
 case_circle() {
     smallTree
     printf 'low|high|Below.\nhigh|low|Above.\n' >rooms.txt
+    printf '#include "high/c.h"\n' >>low/a.h
     expectFinding 'rooms in a circle: low -> high -> low'
 }
 case_relative() {
@@ -65,10 +66,20 @@ case_stray() {
     printf '\n' >low/attic/d.h
     expectFinding 'low/attic/d.h: lies in no room'
 }
+case_unused() {
+    smallTree
+    printf '#pragma once\n' | tee high/b.cpp >high/c.h
+    expectFinding 'high: includes nothing of low, which it uses'
+}
+case_two_ideas() {
+    smallTree
+    printf 'low||Below.\nhigh|low|Above, and besides that a few other things.\n' >rooms.txt
+    expectFinding 'high: its purpose takes more than 30 characters'
+}
 case_crowd() {
     smallTree
-    printf '\n' | tee low/1.h low/2.h low/3.h >/dev/null
-    expectFinding 'low: has more than 3 files'
+    printf 'low||Below.\nhigh|low|Above.\nattic||Up.\nloft||Up.\n' >rooms.txt
+    expectFinding 'there are more than 3 rooms'
 }
 
 "case_$1" "$2" "$3"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the listed rays hit anything: what shaders/light/shadow.comp.glsl traces and writes, without its light.
+// Whether the listed rays hit anything: what shaders/shade/shadow.comp.glsl traces and writes, without its light.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define ANY_HIT

@@ -3,8 +3,8 @@
 // directions and, as bits, the pixels; film gets the origins.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "shaders/frame/bindings.glsl"
-#include "shaders/frame/camera_ray.glsl"
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/camera_ray.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;
 

@@ -2,7 +2,7 @@
 // The hit that a lane of a probe looks at.
 #ifndef POINTRT_TESTS_CAST_HIT_GLSL
 #define POINTRT_TESTS_CAST_HIT_GLSL
-#include "shaders/frame/bindings.glsl"
+#include "shaders/lib/bindings.glsl"
 #include "shaders/trace/splat.glsl"
 
 layout(local_size_x = WORKGROUP_SIZE) in;

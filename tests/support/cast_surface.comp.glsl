@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "tests/support/cast_hit.glsl"
-#include "shaders/surface/blend.glsl"
+#include "shaders/trace/blend.glsl"
 
 void main() {
     uint i;

@@ -2,7 +2,7 @@
 // LAS and LAZ files in memory, as our own writer makes them.
 #pragma once
 
-#include "format/scanfile/las_writer.h"
+#include "format/pointio/las_writer.h"
 
 namespace pointrt::test {
 

@@ -11,11 +11,11 @@
 #include "format/base/error.h"
 #include "runtime/device_scene/device_scene.h"
 #include "runtime/gpu/program.h"
-#include "runtime/photons/caustic_map.h"
+#include "runtime/render/caustic_map.h"
+#include "runtime/render/frame_buffers.h"
+#include "runtime/render/frame_params.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
-#include "runtime/tracer/frame_buffers.h"
-#include "runtime/tracer/frame_params.h"
 #include "shaders/any_hit.spv.h"
 #include "shaders/beam.spv.h"
 #include "shaders/camera_rays.spv.h"
@@ -28,7 +28,7 @@ namespace pointrt::test {
 
 namespace {
 
-/// Two of rays, of light queries, of hits, of rays asked for (shaders/frame/bindings.glsl).
+/// Two of rays, of light queries, of hits, of rays asked for (shaders/lib/bindings.glsl).
 constexpr std::uint64_t kQueues = 5;
 
 Vec3 vec(const gpu::vec4& v) { return {v.x, v.y, v.z}; }
@@ -60,7 +60,7 @@ struct RayCaster::State {
     FrameBuffers buffers;
     CausticMap no_caustics;
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/frame/bindings.glsl)
+    VkDescriptorSet set = VK_NULL_HANDLE; ///< all programs declare the same bindings (shaders/lib/bindings.glsl)
     double trace_seconds = 0;
     std::vector<Ray> view_rays; ///< of the camera, in the order of its lanes
     gpu::FrameParams view_params{};

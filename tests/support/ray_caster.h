@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any rays through the product's own shaders: shaders/trace/trace.comp.glsl as it stands, then
-// shaders/surface/blend.glsl.
+// shaders/trace/blend.glsl.
 #pragma once
 
 #include <cstdint>

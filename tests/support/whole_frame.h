@@ -2,7 +2,7 @@
 // A film as files have it, of a scene that a test has put on the device itself.
 #pragma once
 
-#include "runtime/renderer/progressive_renderer.h"
+#include "runtime/render/progressive_renderer.h"
 
 namespace pointrt::test {
 

@@ -12,8 +12,8 @@
 
 #include "pointrt/pro_index_layout.h"
 #include "runtime/image/image_exr.h"
-#include "runtime/renderer/loaded_scene.h"
-#include "runtime/renderer/progressive_renderer.h"
+#include "runtime/render/loaded_scene.h"
+#include "runtime/render/progressive_renderer.h"
 #include "tests/support/splat_scenes.h"
 
 /// Read by AddressSanitizer where it is linked in: drivers and layers keep memory when they are unloaded, and then the

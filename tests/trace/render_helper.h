@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/film/form_of_passes.h"
 #include "runtime/image/film.h"
+#include "runtime/render/form_of_passes.h"
+#include "runtime/render/frame_params.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
-#include "runtime/tracer/frame_params.h"
 
 namespace pointrt::test {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "pointrt/pro.hpp"
-#include "runtime/coloring/point_classes.h"
+#include "runtime/scene/point_classes.h"
 #include "tests/support/splat_scenes.h"
 #include "tests/trace/render_helper.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays that leave blended surfaces as shaders/integrator/shade.comp.glsl makes them, on bodies whose surface is known:
+// Rays that leave blended surfaces as shaders/shade/shade.comp.glsl makes them, on bodies whose surface is known:
 // none may hit the patch that it left (acne), none may go through a surface (leak).
 #include <gtest/gtest.h>
 
@@ -109,7 +109,7 @@ struct Leaving {
     double radius = 0;
 };
 
-/// As leaveSurface (shaders/trace/offset.glsl) and pathAfter (shaders/integrator/shade.comp.glsl) have it.
+/// As leaveSurface (shaders/trace/offset.glsl) and pathAfter (shaders/shade/shade.comp.glsl) have it.
 Leaving leave(const Ray& ray, const CastHit& hit, Kind kind, Random& random) {
     const bool back = hit.back;
     Leaving leaving;

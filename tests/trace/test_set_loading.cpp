@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "runtime/device_scene/scene_tiles.h"
-#include "runtime/renderer/picture_tiles.h"
-#include "tests/support/sets/hand_cut_set.h"
+#include "runtime/render/picture_tiles.h"
+#include "tests/support/hand_cut_set.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {

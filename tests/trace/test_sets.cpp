@@ -9,7 +9,7 @@
 
 #include "format/base/error.h"
 #include "format/set/open_tile.h"
-#include "tests/support/sets/hand_cut_set.h"
+#include "tests/support/hand_cut_set.h"
 #include "tests/trace/render_helper.h"
 
 namespace pointrt::test {

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "runtime/renderer/loaded_scene.h"
-#include "runtime/renderer/progressive_renderer.h"
-#include "tests/support/sets/hand_cut_set.h"
+#include "runtime/render/loaded_scene.h"
+#include "runtime/render/progressive_renderer.h"
+#include "tests/support/hand_cut_set.h"
 #include "tests/support/validated_device.h"
 #include "tests/trace/render_helper.h"
 

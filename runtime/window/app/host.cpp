@@ -6,7 +6,7 @@
 #include <cmath>
 #include <thread>
 
-#include "runtime/window/widgets/ui_input.h"
+#include "runtime/window/ui/ui_input.h"
 
 namespace pointrt {
 namespace {

@@ -9,7 +9,7 @@
 #include "runtime/gpu/device.h"
 #include "runtime/window/input/events.h"
 #include "runtime/window/platform/platform.h"
-#include "runtime/window/present/presenter.h"
+#include "runtime/window/platform/presenter.h"
 
 namespace pointrt {
 

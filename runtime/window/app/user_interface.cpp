@@ -5,7 +5,7 @@
 
 #include "runtime/image/image_png.h"
 #include "runtime/window/ui/panel_ui.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 

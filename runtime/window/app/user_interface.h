@@ -7,7 +7,7 @@
 #include "runtime/window/app/host.h"
 #include "runtime/window/edit/workspace.h"
 #include "runtime/window/input/commands.h"
-#include "runtime/window/widgets/ui_input.h"
+#include "runtime/window/ui/ui_input.h"
 
 struct ImGuiContext;
 

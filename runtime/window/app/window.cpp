@@ -10,15 +10,15 @@
 #include "format/base/printable.h"
 #include "format/base/report_file.h"
 #include "runtime/scene/default_lighting.h"
-#include "runtime/scene_file/scene_write.h"
+#include "runtime/scene_io/scene_write.h"
 #include "runtime/session/report.h"
 #include "runtime/util/interrupt.h"
 #include "runtime/window/app/window_state.h"
 #include "runtime/window/edit/actions.h"
+#include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/shown_scene.h"
-#include "runtime/window/files/free_name.h"
-#include "runtime/window/view/camera_commands.h"
-#include "runtime/window/view/camera_text.h"
+#include "runtime/window/input/camera_commands.h"
+#include "runtime/window/input/camera_text.h"
 
 namespace pointrt {
 namespace {

@@ -7,18 +7,18 @@
 
 #include "format/base/error.h"
 #include "runtime/device_scene/scene_tiles.h"
-#include "runtime/film/film_signature.h"
+#include "runtime/render/film_signature.h"
 #include "runtime/session/report.h"
 #include "runtime/session/settings.h"
 #include "runtime/util/parse.h"
 #include "runtime/window/app/window_state.h"
+#include "runtime/window/edit/free_name.h"
 #include "runtime/window/edit/pick_details.h"
 #include "runtime/window/edit/rework.h"
+#include "runtime/window/edit/save_job.h"
 #include "runtime/window/edit/shown_scene.h"
-#include "runtime/window/files/free_name.h"
-#include "runtime/window/jobs/save_job.h"
-#include "runtime/window/jobs/tile_job.h"
-#include "runtime/window/jobs/turntable_job.h"
+#include "runtime/window/edit/tile_job.h"
+#include "runtime/window/edit/turntable_job.h"
 #include "runtime/window/ui/panel_ui.h"
 
 namespace pointrt {

@@ -12,16 +12,16 @@
 #include "runtime/session/options.h"
 #include "runtime/window/app/host.h"
 #include "runtime/window/app/user_interface.h"
+#include "runtime/window/edit/file_opener.h"
+#include "runtime/window/edit/job_queue.h"
+#include "runtime/window/edit/load_job.h"
 #include "runtime/window/edit/scene_editor.h"
+#include "runtime/window/edit/tile_job.h"
 #include "runtime/window/edit/workspace.h"
 #include "runtime/window/input/tape.h"
-#include "runtime/window/jobs/file_opener.h"
-#include "runtime/window/jobs/job_queue.h"
-#include "runtime/window/jobs/load_job.h"
-#include "runtime/window/jobs/tile_job.h"
+#include "runtime/window/input/view_driver.h"
 #include "runtime/window/live/frame_times.h"
 #include "runtime/window/live/image_controller.h"
-#include "runtime/window/view/view_driver.h"
 
 namespace pointrt {
 

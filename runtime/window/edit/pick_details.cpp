@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "runtime/coloring/point_classes.h"
 #include "runtime/device_scene/color_choice.h"
+#include "runtime/scene/point_classes.h"
 #include "shaders/shared/params.h"
 
 namespace pointrt {

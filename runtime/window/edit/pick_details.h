@@ -3,7 +3,7 @@
 #pragma once
 
 #include "runtime/device_scene/device_scene.h"
-#include "runtime/renderer/pick.h"
+#include "runtime/render/pick.h"
 #include "runtime/window/edit/workspace.h"
 
 namespace pointrt {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "runtime/framing/framing.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/framing.h"
 #include "runtime/session/settings.h"
 
 namespace pointrt {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/framing/scene_sample.h"
 #include "runtime/scene/default_lighting.h"
+#include "runtime/scene/scene_sample.h"
 #include "runtime/window/edit/workspace.h"
 
 namespace pointrt {

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "runtime/coloring/legend.h"
+#include "runtime/scene/legend.h"
 #include "runtime/scene/render_settings.h"
 #include "runtime/scene/scene_description.h"
+#include "runtime/window/input/view_camera.h"
 #include "runtime/window/live/display_pipeline.h"
-#include "runtime/window/view/view_camera.h"
 
 namespace pointrt {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "runtime/film/denoiser.h"
 #include "runtime/image/film_views.h"
-#include "runtime/tracer/frame_buffers.h"
+#include "runtime/render/denoiser.h"
+#include "runtime/render/frame_buffers.h"
 #include "runtime/window/live/pace.h"
 #include "shaders/shared/display_layout.h"
 

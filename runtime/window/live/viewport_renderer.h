@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/carry/moving_picture.h"
-#include "runtime/renderer/pick.h"
-#include "runtime/renderer/progressive_renderer.h"
-#include "runtime/tracer/band_tracer.h"
+#include "runtime/render/band_tracer.h"
+#include "runtime/render/pick.h"
+#include "runtime/render/progressive_renderer.h"
 #include "runtime/window/live/display_pipeline.h"
+#include "runtime/window/live/moving_picture.h"
 #include "runtime/window/live/pace.h"
 
 namespace pointrt {

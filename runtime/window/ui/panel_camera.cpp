@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "runtime/window/input/camera_text.h"
+#include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/view/camera_text.h"
-#include "runtime/window/widgets/panel_numbers.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "runtime/window/input/controls.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_edit.h"
 
 namespace pointrt {
 namespace {

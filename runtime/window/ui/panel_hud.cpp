@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/window/ui/panel_box.h"
+#include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_box.h"
-#include "runtime/window/widgets/panel_numbers.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "format/base/time_left.h"
+#include "runtime/window/ui/panel_box.h"
+#include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_box.h"
-#include "runtime/window/widgets/panel_numbers.h"
-#include "runtime/window/widgets/panel_widgets.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/panel_widgets.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

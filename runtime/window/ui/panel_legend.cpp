@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "runtime/window/ui/panel_box.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_box.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

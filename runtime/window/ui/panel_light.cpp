@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "runtime/window/edit/light_edit.h"
+#include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_edit.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 #include "shaders/shared/scene_layout.h"
 
 namespace pointrt {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "runtime/window/edit/material_edit.h"
+#include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_edit.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 namespace {

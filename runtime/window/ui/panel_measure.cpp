@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
+#include "runtime/window/ui/panel_numbers.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_numbers.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "runtime/scene/render_setting_table.h"
 #include "runtime/window/edit/workspace.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 

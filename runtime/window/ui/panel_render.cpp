@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_edit.h"
-#include "runtime/window/widgets/panel_widgets.h"
+#include "runtime/window/ui/panel_widgets.h"
 
 namespace pointrt {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "runtime/scene/default_lighting.h"
+#include "runtime/window/ui/panel_edit.h"
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_edit.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

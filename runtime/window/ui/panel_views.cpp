@@ -7,8 +7,8 @@
 #include <string>
 
 #include "runtime/window/ui/panel_parts.h"
-#include "runtime/window/widgets/panel_widgets.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/panel_widgets.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 namespace {

@@ -10,7 +10,7 @@
 #include <sys/resource.h>
 
 #include "preprocess/input/read.h"
-#include "preprocess/input/source/scalar.h"
+#include "preprocess/input/scalar.h"
 #include "tests/bench/compare_options.h"
 
 namespace pointrt::test {

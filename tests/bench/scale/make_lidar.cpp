@@ -21,8 +21,8 @@
 
 #include "format/base/atomic_file.h"
 #include "format/base/mapped_file.h"
-#include "format/scanfile/las_writer.h"
-#include "format/scanfile/laz.h"
+#include "format/pointio/las_writer.h"
+#include "format/pointio/laz.h"
 #include "tests/bench/compare_options.h"
 
 namespace pointrt::test {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "format/scanfile/las_writer.h"
+#include "format/pointio/las_writer.h"
 #include "tests/format/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 

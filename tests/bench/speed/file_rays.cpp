@@ -8,8 +8,8 @@
 
 #include "format/base/error.h"
 #include "pointrt/pro.hpp"
-#include "runtime/rays/input/npy_header.h"
-#include "runtime/rays/input/ray_source.h"
+#include "runtime/rays/npy_header.h"
+#include "runtime/rays/ray_source.h"
 
 namespace pointrt::test {
 namespace {

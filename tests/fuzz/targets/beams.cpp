@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables of simulated scanners' beams.
-#include "runtime/studies/lidar/files/sensor_keys.h"
+#include "runtime/studies/sensor_keys.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

@@ -2,7 +2,7 @@
 // Cameras as text, which Ctrl+V takes from the clipboard. What was taken must be taken again from the text of it.
 #include <optional>
 
-#include "runtime/window/view/camera_text.h"
+#include "runtime/window/input/camera_text.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

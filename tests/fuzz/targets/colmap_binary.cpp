@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // COLMAP's cameras.bin and images.bin.
-#include "runtime/camera_files/list_readers.h"
+#include "runtime/scene_io/list_readers.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

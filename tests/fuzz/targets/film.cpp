@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films that --resume goes on with.
-#include "runtime/film/film_file.h"
-#include "runtime/film/film_resume.h"
+#include "runtime/render/film_file.h"
+#include "runtime/render/film_resume.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The metadata of .pro files, as pointrt-info prints them.
-#include "format/points/metadata.h"
+#include "format/pointio/metadata.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

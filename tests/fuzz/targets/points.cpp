@@ -2,7 +2,7 @@
 // Points of LAS, LAZ and PLY files with their columns, as pointrt-rays reads them.
 #include <cstdlib>
 
-#include "format/points/input/point_reader.h"
+#include "format/pointio/point_reader.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

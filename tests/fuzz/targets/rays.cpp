@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays, and points with normals or without, in NumPy arrays and text.
-#include "runtime/rays/input/ray_source.h"
+#include "runtime/rays/ray_source.h"
 #include "tests/fuzz/fuzz_target.h"
 
 using namespace pointrt;

@@ -3,7 +3,7 @@
 // target's.
 #include <tbb/global_control.h>
 
-#include "preprocess/input/formats/formats.h"
+#include "preprocess/input/formats.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/temporary_folder.h"
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "format/base/error.h"
-#include "runtime/scene_file/scene_file.h"
-#include "runtime/scene_file/scene_write.h"
+#include "runtime/scene_io/scene_file.h"
+#include "runtime/scene_io/scene_write.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/support/temporary_folder.h"
 

@@ -11,7 +11,7 @@
 
 #include "format/base/error.h"
 #include "preprocess/input/read.h"
-#include "preprocess/input/source/scalar.h"
+#include "preprocess/input/scalar.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "input_fixture.h"
-#include "preprocess/input/source/columns.h"
-#include "preprocess/input/source/scalar.h"
-#include "preprocess/input/source/sink.h"
+#include "preprocess/input/columns.h"
+#include "preprocess/input/scalar.h"
+#include "preprocess/input/sink.h"
 
 namespace pointrt {
 namespace {

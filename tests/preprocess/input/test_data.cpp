@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "format/scanfile/e57.h"
-#include "format/scanfile/laz.h"
+#include "format/pointio/e57.h"
+#include "format/pointio/laz.h"
 
 namespace pointrt {
 namespace {

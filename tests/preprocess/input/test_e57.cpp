@@ -4,9 +4,9 @@
 #include <numbers>
 #include <random>
 
-#include "format/scanfile/e57.h"
-#include "preprocess/input/formats/formats.h"
-#include "preprocess/input/source/scalar.h"
+#include "format/pointio/e57.h"
+#include "preprocess/input/formats.h"
+#include "preprocess/input/scalar.h"
 #include "tests/preprocess/input/e57_file.h"
 #include "tests/preprocess/input/input_fixture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of formats, the folder that holds their readers and the README's table say the same.
-#include "preprocess/input/formats/formats.h"
+#include "preprocess/input/formats.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kTree = POINTRT_SOURCE_DIR;
-const fs::path kFormats = kTree / "preprocess/input/formats";
+const fs::path kFormats = kTree / "preprocess/input";
 
 std::string textOf(const fs::path& path) {
     std::ifstream file(path);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "format/scanfile/e57.h"
+#include "format/pointio/e57.h"
 #include "tests/preprocess/input/e57_file.h"
 #include "tests/preprocess/input/input_fixture.h"
 

@@ -4,8 +4,8 @@
 #include "tests/support/las_file.h"
 #include "tests/support/packed_las.h"
 
-#include "format/scanfile/las_fields.h"
-#include "format/scanfile/laz.h"
+#include "format/pointio/las_fields.h"
+#include "format/pointio/laz.h"
 
 namespace pointrt {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "format/base/error.h"
 #include "pointrt/pro.h"
-#include "preprocess/merge/merge_tile.h"
 #include "preprocess/tiles/finish_set.h"
-#include "tests/support/sets/cloud_set.h"
+#include "preprocess/tiles/merge_tile.h"
+#include "tests/support/cloud_set.h"
 #include "tests/support/splat_scenes.h"
 
 namespace pointrt::test {

@@ -21,7 +21,7 @@ layout(binding = 3, std430) writeonly buffer Answers { vec4 answers[]; };
 
 #define loadEnvironmentTexel(i) texelFetch(texels, i)
 #define loadEnvironmentCdf(i) texelFetch(cdf, i).x
-#include "shaders/light/environment.glsl"
+#include "shaders/shade/environment.glsl"
 
 void main() {
     const uint i = gl_GlobalInvocationID.x;

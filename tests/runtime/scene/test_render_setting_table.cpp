@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "format/base/error.h"
-#include "runtime/scene_file/scene_file.h"
-#include "runtime/scene_file/scene_write.h"
+#include "runtime/scene_io/scene_file.h"
+#include "runtime/scene_io/scene_write.h"
 #include "runtime/session/options.h"
 
 namespace pointrt {

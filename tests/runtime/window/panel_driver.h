@@ -10,7 +10,7 @@
 #include <string>
 
 #include "runtime/window/ui/panel_ui.h"
-#include "runtime/window/widgets/ui_style.h"
+#include "runtime/window/ui/ui_style.h"
 
 namespace pointrt {
 

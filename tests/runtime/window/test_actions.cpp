@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "runtime/window/view/camera_commands.h"
-#include "runtime/window/view/view_driver.h"
+#include "runtime/window/input/camera_commands.h"
+#include "runtime/window/input/view_driver.h"
 
 namespace pointrt {
 namespace {

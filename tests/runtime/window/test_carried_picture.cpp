@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points carried from camera to camera, in scenes whose pictures are known: a wall, and a card before it.
-#include "runtime/carry/carried_picture.h"
+#include "runtime/window/live/carried_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "runtime/carry/deposit.h"
-#include "runtime/carry/hole_filling.h"
-#include "runtime/carry/urgency.h"
+#include "runtime/window/live/deposit.h"
+#include "runtime/window/live/hole_filling.h"
+#include "runtime/window/live/urgency.h"
 
 namespace pointrt {
 namespace {

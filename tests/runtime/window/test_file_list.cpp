@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/files/file_list.h"
+#include "runtime/window/edit/file_list.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "runtime/window/files/free_name.h"
+#include "runtime/window/edit/free_name.h"
 #include "tests/support/temporary_folder.h"
 
 namespace pointrt {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of files that are opened, dropped and stepped to.
-#include "runtime/window/jobs/file_opener.h"
+#include "runtime/window/edit/file_opener.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which work goes on beside which, and what comes after it.
-#include "runtime/window/jobs/job_queue.h"
+#include "runtime/window/edit/job_queue.h"
 
 #include <gtest/gtest.h>
 

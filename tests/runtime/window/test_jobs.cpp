@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Work behind the window: a thread's, and another program's, for which a script stands in.
-#include "runtime/window/jobs/job.h"
+#include "runtime/window/edit/job.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "format/base/error.h"
-#include "runtime/window/files/bake_sources.h"
-#include "runtime/window/jobs/bake_job.h"
-#include "runtime/window/jobs/child_process.h"
+#include "runtime/window/edit/bake_job.h"
+#include "runtime/window/edit/bake_sources.h"
+#include "runtime/window/edit/child_process.h"
 #include "tests/format/tiny_scene.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes that are loaded, and lit anew, while the window goes on.
-#include "runtime/window/jobs/load_job.h"
+#include "runtime/window/edit/load_job.h"
 
 #include <gtest/gtest.h>
 

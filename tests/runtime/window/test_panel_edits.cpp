@@ -8,7 +8,7 @@
 
 #include "runtime/window/edit/light_edit.h"
 #include "runtime/window/edit/material_edit.h"
-#include "runtime/window/widgets/panel_numbers.h"
+#include "runtime/window/ui/panel_numbers.h"
 
 namespace pointrt {
 namespace {

@@ -18,8 +18,8 @@
 #include "format/base/error.h"
 #include "runtime/window/platform/key_names.h"
 #include "runtime/window/platform/platform.h"
-#include "runtime/window/present/presenter.h"
-#include "runtime/window/widgets/ui_input.h"
+#include "runtime/window/platform/presenter.h"
+#include "runtime/window/ui/ui_input.h"
 #include "tests/support/validated_device.h"
 
 namespace pointrt {

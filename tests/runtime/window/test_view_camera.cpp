@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/window/view/view_camera.h"
+#include "runtime/window/input/view_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@
 #include "format/base/error.h"
 #include "runtime/scene/camera.h"
 #include "runtime/session/options.h"
-#include "runtime/window/view/camera_text.h"
-#include "runtime/window/view/view_flight.h"
+#include "runtime/window/input/camera_text.h"
+#include "runtime/window/input/view_flight.h"
 
 namespace pointrt {
 namespace {

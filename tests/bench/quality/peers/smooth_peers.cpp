@@ -23,7 +23,7 @@
 
 #include "format/base/run_tool.h"
 #include "preprocess/input/read.h"
-#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/neighbors.h"
 #include "tests/bench/quality/shapes.h"
 
 namespace pointrt::quality {

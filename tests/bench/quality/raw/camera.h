@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera that pictures and truth share: a pinhole, rays through the middles of pixels as
-// shaders/frame/camera_ray.glsl makes them.
+// shaders/lib/camera_ray.glsl makes them.
 #pragma once
 
 #include <Eigen/Geometry>

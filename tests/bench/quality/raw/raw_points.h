@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "preprocess/neighbors/neighbors.h"
+#include "preprocess/surface/neighbors.h"
 #include "tests/bench/quality/scenes.h"
 
 namespace pointrt::quality {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/pointio/las.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "format/pointio/bytes.h"
+
+namespace pointrt {
+namespace {
+
+// Offsets in the header.
+constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kHeaderBytes = 94, kPointOffset = 96,
+                      kVlrCount = 100, kPointFormat = 104, kRecordBytes = 105, kLegacyCount = 107, kScale = 131,
+                      kOffset = 155, kEvlrOffset = 235, kEvlrCount = 243, kCount = 247;
+/// Bytes of the header up to 1.2, and of that of 1.4.
+constexpr std::size_t kShortHeader = 227, kLongHeader = 375;
+constexpr std::uint8_t kPackedBit = 0x80;
+
+constexpr std::uint16_t kRecordBytesOf[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+
+/// A count of 64 bits came with 1.4; before, and where it is 0, the old one of 32 bits holds.
+std::uint64_t countOf(std::string_view bytes, bool is_long) {
+    const std::uint64_t count = is_long ? loadAt<std::uint64_t>(bytes, kCount) : 0;
+    return count > 0 ? count : loadAt<std::uint32_t>(bytes, kLegacyCount);
+}
+
+void checkNumbers(const LasHeader& header, std::uint8_t format_bits) {
+    if (header.version_major != 1 || header.version_minor > 4)
+        refuseFile(
+            fmt::format("is LAS {}.{}; versions 1.0 to 1.4 are read", header.version_major, header.version_minor));
+    if ((format_bits & ~kPackedBit) >= std::size(kRecordBytesOf))
+        refuseFile(fmt::format("has points of format {}; 0 to {} are read", format_bits & ~kPackedBit,
+                               std::size(kRecordBytesOf) - 1));
+    if (header.header_bytes < kShortHeader)
+        refuseFile(fmt::format("has a header of {} bytes; LAS has {}", header.header_bytes, kShortHeader));
+    if (header.record_bytes < lasRecordBytes(header.point_format))
+        refuseFile(fmt::format("has {} bytes a point; format {} has {}", header.record_bytes, header.point_format,
+                               lasRecordBytes(header.point_format)));
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0 || !std::isfinite(header.offset[axis]))
+            refuseFile("has coordinates without a scale: it is 0 or no number in the header");
+}
+
+/// Reads up to count records from at on; false where the file ends before.
+bool readVlrs(LasFile& file, std::uint64_t at, std::uint64_t count, bool extended) {
+    const std::uint64_t head = extended ? 60 : 54;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (!liesIn(at, head, file.bytes.size())) return false;
+        const std::string_view record = file.bytes.substr(at, head);
+        const std::uint64_t size = extended ? loadAt<std::uint64_t>(record, 20) : loadAt<std::uint16_t>(record, 20);
+        if (!liesIn(at + head, size, file.bytes.size())) return false;
+        file.vlrs.push_back({fieldText(record.substr(2, 16)), fieldText(record.substr(head - 32)),
+                             loadAt<std::uint16_t>(record, 18), extended, file.bytes.substr(at + head, size)});
+        at += head + size;
+    }
+    return true;
+}
+
+void checkPoints(const LasFile& file) {
+    const LasHeader& header = file.header;
+    if (header.point_offset < kShortHeader || header.point_offset > file.bytes.size())
+        refuseFile(fmt::format("has points from byte {} on, but {} bytes", header.point_offset, file.bytes.size()));
+    const std::uint64_t room = (file.bytes.size() - header.point_offset) / header.record_bytes;
+    if (!header.packed && header.point_count > room)
+        refuseFile(fmt::format("promises {} points, but has the bytes of {}", header.point_count, room));
+}
+
+} // namespace
+
+LasHeader readLasHeader(std::string_view bytes) {
+    if (!bytes.starts_with("LASF")) refuseFile("is no LAS file");
+    if (bytes.size() < kShortHeader) refuseFile("ends within the header");
+    LasHeader header;
+    header.global_encoding = loadAt<std::uint16_t>(bytes, kGlobalEncoding);
+    header.version_major = loadAt<std::uint8_t>(bytes, kMajor);
+    header.version_minor = loadAt<std::uint8_t>(bytes, kMinor);
+    header.header_bytes = loadAt<std::uint16_t>(bytes, kHeaderBytes);
+    header.point_offset = loadAt<std::uint32_t>(bytes, kPointOffset);
+    header.vlr_count = loadAt<std::uint32_t>(bytes, kVlrCount);
+    const auto format_bits = loadAt<std::uint8_t>(bytes, kPointFormat);
+    header.packed = (format_bits & kPackedBit) != 0;
+    header.point_format = format_bits & ~kPackedBit;
+    header.record_bytes = loadAt<std::uint16_t>(bytes, kRecordBytes);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        header.scale[axis] = loadAt<double>(bytes, kScale + 8 * axis);
+        header.offset[axis] = loadAt<double>(bytes, kOffset + 8 * axis);
+    }
+    checkNumbers(header, format_bits);
+    const bool is_long = header.version_minor >= 4 && header.header_bytes >= kLongHeader;
+    if (is_long && bytes.size() < kLongHeader) refuseFile("ends within the header");
+    header.point_count = countOf(bytes, is_long);
+    if (is_long) {
+        header.evlr_offset = loadAt<std::uint64_t>(bytes, kEvlrOffset);
+        header.evlr_count = loadAt<std::uint32_t>(bytes, kEvlrCount);
+    }
+    return header;
+}
+
+std::uint16_t lasRecordBytes(std::uint8_t point_format) { return kRecordBytesOf[point_format]; }
+
+LasFile openLas(std::string_view bytes) {
+    LasFile file{bytes, readLasHeader(bytes), {}, {}};
+    if (!readVlrs(file, file.header.header_bytes, file.header.vlr_count, false) ||
+        !readVlrs(file, file.header.evlr_offset, file.header.evlr_count, true))
+        file.notes.push_back("lacks records that its header promises: what they say of it is not known");
+    checkPoints(file);
+    return file;
+}
+
+const LasVlr* findVlr(const LasFile& file, std::string_view user_id, std::uint16_t record_id) {
+    for (const LasVlr& vlr : file.vlrs)
+        if (vlr.user_id == user_id && vlr.record_id == record_id) return &vlr;
+    return nullptr;
+}
+
+} // namespace pointrt

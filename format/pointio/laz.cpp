@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/pointio/laz.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+#include <new>
+
+#include "format/pointio/bytes.h"
+#include "format/pointio/rust_abi.h"
+
+namespace pointrt {
+namespace {
+
+/// How the points are packed, the first field of the LASzip record.
+enum Compressor : std::uint16_t { kAllInOne = 1, kChunked = 2, kLayered = 3 };
+
+/// Offsets in the LASzip record, and its bytes without its items.
+constexpr std::size_t kCompressor = 0, kChunkPoints = 12, kShortestRecord = 34;
+constexpr std::uint32_t kVariable = 0xFFFFFFFF;
+/// Where the chunk table is, ahead of the chunks.
+constexpr std::size_t kTableOffset = 8;
+/// Version and number of chunks, ahead of the table's entries.
+constexpr std::size_t kTableHead = 8;
+
+/// The same point again and again packs into a three thousandth; scans into a quarter to a twentieth. What promises
+/// more is not asked how much it holds, but for the first 64 MiB: memory is not to be had for a few bytes.
+constexpr std::uint64_t kMostGain = 1000, kFreeBytes = std::uint64_t{64} << 20;
+
+const std::uint8_t* bytesAt(std::string_view bytes) { return reinterpret_cast<const std::uint8_t*>(bytes.data()); }
+
+const LasVlr& laszipVlr(const LasFile& file) {
+    const LasVlr* const vlr = findVlr(file, kLaszipUser, kLaszipRecord);
+    if (!vlr || vlr->data.size() < kShortestRecord)
+        refuseFile("is packed, but lacks the record that says how ('laszip encoded')");
+    return *vlr;
+}
+
+void checkGain(const LasFile& file) {
+    const LasHeader& header = file.header;
+    const std::uint64_t bytes = file.bytes.size() - header.point_offset;
+    const std::uint64_t most = (kFreeBytes + kMostGain * bytes) / header.record_bytes;
+    if (header.point_count > most)
+        refuseFile(fmt::format("promises {} points, more than its {} bytes can hold", header.point_count, bytes));
+}
+
+/// Where the table lies; 0 where there is none. A writer that could not go back has put that at the file's end.
+std::uint64_t tableAt(const LasFile& file) {
+    const std::uint64_t first = file.header.point_offset + kTableOffset, size = file.bytes.size();
+    if (!liesIn(file.header.point_offset, kTableOffset, size)) refuseFile("ends ahead of its points");
+    const auto good = [&](std::int64_t at) {
+        return at >= 0 && static_cast<std::uint64_t>(at) >= first &&
+               liesIn(static_cast<std::uint64_t>(at), kTableHead, size);
+    };
+    auto at = loadAt<std::int64_t>(file.bytes, file.header.point_offset);
+    if (!good(at)) at = loadAt<std::int64_t>(file.bytes, size - kTableOffset);
+    return good(at) ? static_cast<std::uint64_t>(at) : 0;
+}
+
+/// What a table says, not yet believed.
+struct Table {
+    std::vector<std::uint64_t> counts, sizes;
+};
+
+/// Empty where the table is broken.
+Table readTable(const LasFile& file, std::uint64_t at, bool has_counts) {
+    Table table;
+    const std::string_view bytes = file.bytes.substr(at);
+    const auto chunks = loadAt<std::uint32_t>(bytes, 4);
+    // each chunk starts with a point as it is; one without points may have no bytes
+    if (chunks > 1 + (at - file.header.point_offset) / lasRecordBytes(file.header.point_format)) return table;
+    table.counts.resize(chunks);
+    table.sizes.resize(chunks);
+    scan_error error{};
+    if (!scan_laz_read_table(bytesAt(bytes), bytes.size(), has_counts, chunks, table.counts.data(), table.sizes.data(),
+                             &error))
+        return {};
+    return table;
+}
+
+/// One run of chunks whose sizes only reading them tells.
+void makeRun(const LasFile& file, std::uint64_t at, LazLayout& layout) {
+    layout.in_one_run = true;
+    layout.chunks = {{at, file.bytes.size() - at, file.header.point_count}};
+}
+
+/// The chunks of a table; false where they do not lie in the file.
+bool takeTable(const LasFile& file, const Table& table, bool variable, LazLayout& layout) {
+    std::uint64_t at = file.header.point_offset + kTableOffset, left = file.header.point_count;
+    for (std::size_t i = 0; i < table.sizes.size() && left > 0; ++i) {
+        const std::uint64_t points = std::min(left, variable ? table.counts[i] : layout.run_points);
+        if (!liesIn(at, table.sizes[i], file.bytes.size())) return false;
+        if (points > 0) layout.chunks.push_back({at, table.sizes[i], points});
+        at += table.sizes[i];
+        left -= points;
+    }
+    return left == 0;
+}
+
+bool append(void* text, const std::uint8_t* data, std::size_t bytes) {
+    try {
+        static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), bytes);
+        return true;
+    } catch (const std::bad_alloc&) { // must not go through Rust
+        return false;
+    }
+}
+
+/// What work writes by the function and the argument that it is given. Records of our own are never wrong: what fails
+/// is this machine.
+template <typename Work>
+std::string written(const Work& work) {
+    std::string text;
+    scan_error error{};
+    if (!work(append, &text, &error)) throw Error(ExitCode::kCannotRun, fmt::format("LAZ: {}", error.text));
+    return text;
+}
+
+} // namespace
+
+LazLayout lazLayout(const LasFile& file) {
+    LazLayout layout;
+    layout.record = laszipVlr(file).data;
+    layout.record_bytes = file.header.record_bytes;
+    const auto compressor = loadAt<std::uint16_t>(layout.record, kCompressor);
+    if (compressor < kAllInOne || compressor > kLayered)
+        refuseFile(fmt::format("is packed in a way that is not known ({})", compressor));
+    checkGain(file);
+    layout.layered = compressor == kLayered;
+    if (compressor == kAllInOne) {
+        layout.run_points = std::numeric_limits<std::uint64_t>::max();
+        makeRun(file, file.header.point_offset, layout);
+        return layout;
+    }
+    const auto chunk_points = loadAt<std::uint32_t>(layout.record, kChunkPoints);
+    const bool variable = chunk_points == kVariable || chunk_points == 0;
+    layout.run_points = variable ? 0 : chunk_points;
+    const std::uint64_t table_at = tableAt(file);
+    const Table table = table_at > 0 ? readTable(file, table_at, variable) : Table{};
+    if (takeTable(file, table, variable, layout)) return layout;
+    layout.chunks.clear();
+    if (variable && !layout.layered) refuseFile("lacks a whole table of its chunks, which vary in size");
+    makeRun(file, file.header.point_offset + kTableOffset, layout);
+    return layout;
+}
+
+bool hasLaz() { return true; }
+
+LazStream::LazStream(const LazLayout& layout, std::string_view file, const LazChunk& chunk)
+    : layout_(layout), rest_(file.substr(chunk.at, chunk.bytes)),
+      chunk_points_(layout.in_one_run ? layout.run_points : chunk.points) {}
+
+LazStream::~LazStream() { scan_laz_close(reader_); }
+
+void LazStream::openNext() {
+    if (reader_) {
+        rest_.remove_prefix(std::min<std::uint64_t>(scan_laz_consumed(reader_), rest_.size()));
+        scan_laz_close(reader_);
+        reader_ = nullptr;
+    }
+    scan_error error{};
+    reader_ = scan_laz_open(bytesAt(layout_.record), layout_.record.size(), layout_.record_bytes, bytesAt(rest_),
+                            rest_.size(), &error);
+    if (!reader_) refuseFile(fmt::format("packed points: {}", error.text));
+    left_in_chunk_ = chunk_points_;
+    if (left_in_chunk_ > 0) return;
+    if (!liesIn(layout_.record_bytes, 4, rest_.size())) refuseFile("packed points: is cut short");
+    left_in_chunk_ = std::max<std::uint64_t>(1, loadAt<std::uint32_t>(rest_, layout_.record_bytes));
+}
+
+void LazStream::read(char* records, std::size_t count) {
+    while (count > 0) {
+        if (left_in_chunk_ == 0) openNext();
+        const std::size_t now = std::min<std::uint64_t>(count, left_in_chunk_);
+        scan_error error{};
+        if (!scan_laz_read(reader_, reinterpret_cast<std::uint8_t*>(records), now * layout_.record_bytes, &error))
+            refuseFile(fmt::format("packed points: {}", error.text));
+        records += now * layout_.record_bytes;
+        count -= now;
+        left_in_chunk_ -= now;
+    }
+}
+
+std::string lazRecord(std::uint8_t point_format, std::uint16_t extra_bytes, std::uint32_t chunk_points) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_describe(point_format, extra_bytes, chunk_points, write, user, error);
+    });
+}
+
+std::string packChunk(std::string_view laz_record, std::string_view records) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_pack(bytesAt(laz_record), laz_record.size(), bytesAt(records), records.size(), write, user,
+                             error);
+    });
+}
+
+std::string packTable(std::string_view laz_record, const std::vector<std::uint64_t>& chunk_points,
+                      const std::vector<std::uint64_t>& chunk_bytes) {
+    return written([&](scan_write write, void* user, scan_error* error) {
+        return scan_laz_pack_table(bytesAt(laz_record), laz_record.size(), chunk_points.data(), chunk_bytes.data(),
+                                   chunk_bytes.size(), write, user, error);
+    });
+}
+
+} // namespace pointrt

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "format/pointio/point_sink.h"
+
+#include "format/base/error.h"
+#include "format/pointio/csv_points.h"
+#include "format/pointio/las_points.h"
+#include "format/pointio/ply_points.h"
+
+namespace pointrt {
+
+PointFormat pointFormat(const std::string& path) {
+    if (path == "-" || path.ends_with(".ply")) return PointFormat::kPly;
+    if (path.ends_with(".las")) return PointFormat::kLas;
+    if (path.ends_with(".laz")) return PointFormat::kLaz;
+    if (path.ends_with(".csv")) return PointFormat::kCsv;
+    throw Error(ExitCode::kBadUsage, path + ": points are written as .ply, .las, .laz and .csv");
+}
+
+std::unique_ptr<PointSink> openPointSink(const std::string& path, const PointOutline& outline,
+                                         format::Existing existing) {
+    const PointFormat format = pointFormat(path);
+    PointFile file(path, existing);
+    if (format == PointFormat::kCsv) return csvPoints(std::move(file), outline);
+    if (format == PointFormat::kPly) return plyPoints(std::move(file), outline);
+    return lasPoints(std::move(file), outline, format == PointFormat::kLaz);
+}
+
+} // namespace pointrt

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-//! The Rust half of pointrt_scanfile, called through scanfile_abi.h.
-mod e57;
-mod e57_pages;
-mod e57_points;
-mod e57_xml;
-mod guard;
-mod laz;

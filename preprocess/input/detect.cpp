@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/detect.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "preprocess/input/foreign.h"
+#include "preprocess/input/text.h"
+
+namespace pointrt {
+namespace {
+
+/// The bytes in which the kind of a file shows; long comments may stand before it.
+constexpr std::size_t kSniffed = 1 << 16;
+
+/// The first format for which holds is true; null where there is none.
+template <typename Predicate>
+const InputFormat* firstFormat(const Predicate& holds) {
+    const auto formats = inputFormats();
+    const auto found = std::find_if(formats.begin(), formats.end(), holds);
+    return found == formats.end() ? nullptr : &*found;
+}
+
+const InputFormat* formatNamed(std::string_view name) {
+    return firstFormat([&](const InputFormat& format) { return format.name == name; });
+}
+
+/// The lower-case suffix of a name, ".gz" left out.
+std::string suffixOf(std::string name) {
+    for (char& letter : name) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (name.ends_with(".gz")) name.resize(name.size() - 3);
+    const std::size_t dot = name.find_last_of("./");
+    return dot == std::string::npos || name[dot] != '.' ? std::string() : name.substr(dot + 1);
+}
+
+const InputFormat* formatOfSuffix(std::string_view suffix) {
+    return firstFormat([&](const InputFormat& format) {
+        bool is_one = false;
+        forSuffixes(format, [&](std::string_view each) { is_one = is_one || each == suffix; });
+        return is_one && format.content != Content::kColumns; // which any text would do for
+    });
+}
+
+bool looksLikeText(std::string_view bytes) {
+    return std::none_of(bytes.begin(), bytes.end(), [](char letter) {
+        return (letter >= 0 && letter < ' ' && !isSpace(letter)) || letter == '\x7f';
+    });
+}
+
+const InputFormat* formatOfStart(std::string_view bytes) {
+    return firstFormat([&](const InputFormat& each) { return each.reader.isStart && each.reader.isStart(bytes); });
+}
+
+const InputFormat* formatOfLines(std::string_view bytes) {
+    std::string_view line;
+    bool first = true;
+    while (nextLine(bytes, line)) {
+        std::string_view words = line;
+        const std::string_view word = nextWord(words);
+        if (word.empty() || word[0] == '#') continue;
+        const InputFormat* const format =
+            firstFormat([&](const InputFormat& each) { return each.reader.isLine && each.reader.isLine(line, first); });
+        if (format) return format;
+        first = false;
+    }
+    return nullptr;
+}
+
+const InputFormat* formatOfContent(std::string_view bytes) {
+    if (const InputFormat* const format = formatOfStart(bytes)) return format;
+    const std::string_view sniffed = bytes.substr(0, kSniffed);
+    const InputFormat* const format = formatOfLines(sniffed);
+    return format && (format->content == Content::kAny || looksLikeText(sniffed)) ? format : nullptr;
+}
+
+const InputFormat* formatOfPlainText(std::string_view bytes) {
+    if (!looksLikeText(bytes.substr(0, kSniffed))) return nullptr;
+    return firstFormat([](const InputFormat& format) { return format.content == Content::kColumns; });
+}
+
+} // namespace
+
+SuffixOf suffixKind(const std::string& name) {
+    const std::string suffix = suffixOf(name);
+    if (suffix == "txt" || suffix == "csv") return SuffixOf::kText;
+    bool known = false;
+    for (const InputFormat& format : inputFormats())
+        forSuffixes(format, [&](std::string_view each) { known = known || each == suffix; });
+    return known ? SuffixOf::kScan : SuffixOf::kOther;
+}
+
+const InputFormat& formatOf(const Source& source, std::string_view name) {
+    const InputFormat* const named = formatNamed(name);
+    if (!name.empty() && !named)
+        throw Error(ExitCode::kBadUsage, fmt::format("unknown input format {}", inQuotes(name)));
+    if (!formatOfStart(source.bytes)) refuseForeignStart(source);
+    if (named) return *named;
+    if (const InputFormat* const format = formatOfContent(source.bytes)) return *format;
+    if (const InputFormat* const format = formatOfSuffix(suffixOf(source.name))) return *format;
+    refuseForeignSuffix(source, suffixOf(source.name));
+    if (const InputFormat* const format = formatOfPlainText(source.bytes)) return *format;
+    refuse(source, fmt::format("is of no known format; this build reads {}", readableFormats()));
+}
+
+} // namespace pointrt

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draco: https://google.github.io/draco/spec/
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include <draco/compression/config/compression_shared.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/compression/point_cloud/point_cloud_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/metadata/metadata_decoder.h>
+
+#include "preprocess/input/attribute_names.h"
+#include "preprocess/input/drc_guard.h"
+#include "preprocess/input/formats.h"
+
+namespace pointrt {
+namespace {
+
+using draco::GeometryAttribute;
+using draco::PointAttribute;
+
+struct Counts {
+    std::uint32_t points = 0, faces = 0;
+};
+
+/// Counts are fixed 32 bits in bitstreams before 2.0 (edgebreaker) or 2.2 (sequential), variable length since.
+bool decodeCount(draco::DecoderBuffer& buffer, std::uint16_t first_variable, std::uint32_t& count) {
+    if (buffer.bitstream_version() < first_variable) return buffer.Decode(&count);
+    return draco::DecodeVarint(&count, &buffer);
+}
+
+bool decodeMeshCounts(draco::DecoderBuffer& buffer, std::uint8_t method, Counts& counts) {
+    if (method == draco::MESH_SEQUENTIAL_ENCODING) {
+        constexpr std::uint16_t kVariable = DRACO_BITSTREAM_VERSION(2, 2);
+        return decodeCount(buffer, kVariable, counts.faces) && decodeCount(buffer, kVariable, counts.points);
+    }
+    constexpr std::uint16_t kVariable = DRACO_BITSTREAM_VERSION(2, 0);
+    std::uint8_t traversal = 0;
+    std::uint32_t split_vertices = 0;
+    if (!buffer.Decode(&traversal)) return false;
+    if (buffer.bitstream_version() < DRACO_BITSTREAM_VERSION(2, 2) && !decodeCount(buffer, kVariable, split_vertices))
+        return false;
+    return decodeCount(buffer, kVariable, counts.points) && decodeCount(buffer, kVariable, counts.faces);
+}
+
+/// Leaves the buffer behind the header.
+draco::DracoHeader decodeHeader(const Source& source, draco::DecoderBuffer& buffer) {
+    buffer.Init(source.bytes.data(), source.bytes.size());
+    draco::DracoHeader header;
+    if (!draco::PointCloudDecoder::DecodeHeader(&buffer, &header).ok() || header.encoder_method > 1)
+        refuse(source, "the Draco header is broken or cut short");
+    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+    return header;
+}
+
+/// Reads the file up to its counts of points and faces.
+bool decodeCounts(const Source& source, Counts& counts) {
+    draco::DecoderBuffer buffer;
+    const draco::DracoHeader header = decodeHeader(source, buffer);
+    draco::GeometryMetadata ignored;
+    const bool has_metadata =
+        buffer.bitstream_version() >= DRACO_BITSTREAM_VERSION(1, 3) && (header.flags & METADATA_FLAG_MASK) != 0;
+    if (has_metadata && !draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &ignored)) return false;
+    if (header.encoder_type == draco::TRIANGULAR_MESH) return decodeMeshCounts(buffer, header.encoder_method, counts);
+    return buffer.Decode(&counts.points);
+}
+
+/// The library allocates what a file promises. What a file may ask for is this much, and as much for each of its bytes
+/// as sixteen points of it: the best compressed regular grid of points has seven a byte.
+constexpr std::uint64_t kPointsAtLeast = 1 << 20, kPointsPerByte = 16;
+constexpr std::uint64_t kBytesPerPoint = 64;
+
+bool promisesTooMuch(std::uint64_t points, std::size_t file_size) {
+    return points > kPointsAtLeast + kPointsPerByte * file_size;
+}
+
+void checkCounts(const Source& source) {
+    Counts counts;
+    if (!decodeCounts(source, counts)) refuse(source, "the Draco header is broken or cut short");
+    if (promisesTooMuch(counts.points, source.bytes.size()) || promisesTooMuch(counts.faces, source.bytes.size()))
+        refuse(source, fmt::format("the header promises {} points and {} faces in {} bytes", counts.points,
+                                   counts.faces, source.bytes.size()));
+}
+
+/// A decoder of the library that looks at the size of the attributes before they are decoded.
+template <typename Decoder>
+struct Guarded : GuardedAttributes<Decoder> {
+    std::size_t file_size = 0;
+
+protected:
+    bool DecodeAllAttributes() override {
+        const draco::PointCloud& cloud = *this->point_cloud();
+        std::uint64_t point_size = 0;
+        for (int i = 0; i < cloud.num_attributes(); ++i)
+            point_size += static_cast<std::uint64_t>(cloud.attribute(i)->byte_stride());
+        const std::uint64_t points = point_size * cloud.num_points() / kBytesPerPoint;
+        return !promisesTooMuch(points, file_size) && Decoder::DecodeAllAttributes();
+    }
+};
+
+/// A mesh is also a point cloud; mesh points to it where it is one.
+struct Decoded {
+    std::unique_ptr<draco::PointCloud> points;
+    const draco::Mesh* mesh = nullptr;
+};
+
+template <typename Decoder, typename Geometry>
+draco::Status decodeInto(const Source& source, Geometry& geometry) {
+    draco::DecoderBuffer buffer;
+    buffer.Init(source.bytes.data(), source.bytes.size());
+    Guarded<Decoder> decoder;
+    decoder.file_size = source.bytes.size();
+    try {
+        return decoder.Decode(draco::DecoderOptions(), &buffer, &geometry);
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    return draco::Status(draco::Status::DRACO_ERROR, "impossible sizes");
+}
+
+Decoded decode(const Source& source) {
+    draco::DecoderBuffer ignored;
+    const draco::DracoHeader header = decodeHeader(source, ignored);
+    Decoded decoded;
+    draco::Status status;
+    if (header.encoder_type == draco::TRIANGULAR_MESH) {
+        auto mesh = std::make_unique<draco::Mesh>();
+        const bool sequential = header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING;
+        status = sequential ? decodeInto<draco::MeshSequentialDecoder>(source, *mesh)
+                            : decodeInto<draco::MeshEdgebreakerDecoder>(source, *mesh);
+        decoded.mesh = mesh.get();
+        decoded.points = std::move(mesh);
+    } else {
+        decoded.points = std::make_unique<draco::PointCloud>();
+        const bool sequential = header.encoder_method == draco::POINT_CLOUD_SEQUENTIAL_ENCODING;
+        status = sequential ? decodeInto<draco::PointCloudSequentialDecoder>(source, *decoded.points)
+                            : decodeInto<draco::PointCloudKdTreeDecoder>(source, *decoded.points);
+    }
+    if (!status.ok())
+        refuse(source, fmt::format("the Draco data is broken or cut short: {}", inQuotes(status.error_msg_string())));
+    return decoded;
+}
+
+const PointAttribute* attributeOf(const draco::PointCloud& points, GeometryAttribute::Type type) {
+    const PointAttribute* const attribute = points.GetNamedAttribute(type);
+    return attribute && attribute->num_components() >= 3 ? attribute : nullptr;
+}
+
+ColorScale scaleOf(const PointAttribute& colors) {
+    if (colors.data_type() == draco::DT_UINT8) return ColorScale::kByte;
+    if (colors.data_type() == draco::DT_UINT16) return ColorScale::k16Bit;
+    const bool real = colors.data_type() == draco::DT_FLOAT32 || colors.data_type() == draco::DT_FLOAT64;
+    return real ? ColorScale::kReal : ColorScale::kInteger;
+}
+
+std::optional<Scalar> scalarOf(draco::DataType type) {
+    switch (type) {
+    case draco::DT_INT8:
+        return Scalar::kI8;
+    case draco::DT_UINT8:
+    case draco::DT_BOOL:
+        return Scalar::kU8;
+    case draco::DT_INT16:
+        return Scalar::kI16;
+    case draco::DT_UINT16:
+        return Scalar::kU16;
+    case draco::DT_INT32:
+        return Scalar::kI32;
+    case draco::DT_UINT32:
+        return Scalar::kU32;
+    case draco::DT_INT64:
+        return Scalar::kI64;
+    case draco::DT_UINT64:
+        return Scalar::kU64;
+    case draco::DT_FLOAT32:
+        return Scalar::kF32;
+    case draco::DT_FLOAT64:
+        return Scalar::kF64;
+    default:
+        return std::nullopt;
+    }
+}
+
+/// What a writer calls an attribute, or its number.
+std::string nameOf(const draco::PointCloud& points, int id) {
+    std::string name;
+    const draco::AttributeMetadata* const metadata = points.GetAttributeMetadataByAttributeId(id);
+    if (metadata && metadata->GetEntryString("name", &name) && !name.empty()) return name;
+    return fmt::format("generic_{}", points.attribute(id)->unique_id());
+}
+
+/// Attributes that are packed one after the other, each with the bytes of its first `bytes`.
+struct PackedColumns {
+    struct Column {
+        const PointAttribute* attribute;
+        std::size_t bytes;
+    };
+    std::vector<Column> columns;
+    std::vector<ColumnTraits> traits;
+    std::size_t size = 0;
+    std::string unread;
+
+    void add(const PointAttribute& attribute, const std::string& name, Scalar type, std::uint32_t components) {
+        columns.push_back({&attribute, scalarSize(type) * components});
+        traits.push_back({name, type, components});
+        size += columns.back().bytes;
+    }
+};
+
+/// Colours of 16 bits, and all that the library has no meaning for; coordinates in textures are a mesh's.
+PackedColumns packedColumns(const draco::PointCloud& points, bool mesh) {
+    constexpr std::uint32_t kMostComponents = 4;
+    PackedColumns packed;
+    AttributeNames names;
+    const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
+    if (colors && scaleOf(*colors) == ColorScale::k16Bit) packed.add(*colors, *names.take(kRgb16), Scalar::kU16, 3);
+    for (int id = 0; id < points.num_attributes(); ++id) {
+        const PointAttribute& attribute = *points.attribute(id);
+        const GeometryAttribute::Type type = attribute.attribute_type();
+        const bool of_texture = mesh && type == GeometryAttribute::TEX_COORD;
+        const bool has_role = type != GeometryAttribute::GENERIC && &attribute == points.GetNamedAttribute(type) &&
+                              type != GeometryAttribute::TEX_COORD;
+        if (has_role || of_texture) continue;
+        const auto components = static_cast<std::uint32_t>(attribute.num_components());
+        const std::optional<Scalar> scalar = scalarOf(attribute.data_type());
+        const std::string written = nameOf(points, id);
+        const auto name =
+            scalar && components >= 1 && components <= kMostComponents ? names.take(written) : std::nullopt;
+        if (name)
+            packed.add(attribute, *name, *scalar, components);
+        else if (packed.unread.size() < 80) // a line's worth
+            packed.unread += (packed.unread.empty() ? "" : ", ") + inQuotes(written);
+    }
+    return packed;
+}
+
+draco::AttributeValueIndex valueOf(const Source& source, const PointAttribute& attribute, draco::PointIndex point) {
+    const draco::AttributeValueIndex value = attribute.mapped_index(point);
+    if (value.value() >= attribute.size()) refuse(source, "the Draco data is broken: a value is missing");
+    return value;
+}
+
+void pack(const Source& source, const PackedColumns& packed, draco::PointIndex point, char* into) {
+    for (const PackedColumns::Column& column : packed.columns) {
+        std::memcpy(into, column.attribute->GetAddress(valueOf(source, *column.attribute, point)), column.bytes);
+        into += column.bytes;
+    }
+}
+
+void load(const Source& source, const PointAttribute* attribute, draco::PointIndex point, double* into) {
+    if (!attribute) return;
+    const draco::AttributeValueIndex value = valueOf(source, *attribute, point);
+    const std::uint8_t* const bytes = attribute->GetAddress(value);
+    if (attribute->data_type() == draco::DT_UINT8) { // as it is, even where it is marked as a share of 1
+        std::copy(bytes, bytes + 3, into);
+    } else if (attribute->data_type() == draco::DT_BOOL) { // which the library loads as bool, whatever the byte is
+        std::transform(bytes, bytes + 3, into, [](std::uint8_t byte) { return byte != 0; });
+    } else if (!attribute->ConvertValue<double>(value, 3, into)) {
+        refuse(source, "the Draco data has values that are no numbers");
+    }
+}
+
+void addVertices(const Source& source, const draco::PointCloud& points, bool mesh, Sink& sink) {
+    const PointAttribute* const positions = attributeOf(points, GeometryAttribute::POSITION);
+    const PointAttribute* const normals = attributeOf(points, GeometryAttribute::NORMAL);
+    const PointAttribute* const colors = attributeOf(points, GeometryAttribute::COLOR);
+    if (!positions) refuse(source, "the Draco data has no positions");
+    ScanTraits traits;
+    traits.vertices = points.num_points();
+    traits.normals = normals != nullptr;
+    traits.colors = colors != nullptr;
+    traits.faces = mesh;
+    if (colors) traits.color_scale = scaleOf(*colors);
+    const PackedColumns packed = packedColumns(points, mesh);
+    traits.columns = packed.traits;
+    if (!packed.unread.empty())
+        addNote(sink.cloud, source.name,
+                "attributes of more than 4 numbers, or whose name is another's, are not read: " + packed.unread);
+    beginScan(sink, source, traits);
+    Row row{};
+    std::vector<char> values(packed.size);
+    for (draco::PointIndex i(0); i < points.num_points(); ++i) {
+        load(source, positions, i, &row[kX]);
+        load(source, normals, i, &row[kNormalX]);
+        load(source, colors, i, &row[kRed]);
+        pack(source, packed, i, values.data());
+        addVertex(sink, row, values.data());
+    }
+}
+
+void addFaces(const Source& source, const draco::Mesh& mesh, Sink& sink) {
+    for (draco::FaceIndex i(0); i < mesh.num_faces(); ++i) {
+        const auto& face = mesh.face(i);
+        const std::uint32_t corners[] = {face[0].value(), face[1].value(), face[2].value()};
+        for (const std::uint32_t corner : corners)
+            if (corner >= mesh.num_points())
+                refuseAt(source, fmt::format("face {}", i.value()), "vertex index out of range");
+        addPolygon(sink, corners);
+    }
+}
+
+bool isDracoStart(std::string_view bytes) { return bytes.starts_with("DRACO"); }
+
+void readDraco(const Source& source, Sink& sink) {
+    checkCounts(source);
+    const Decoded decoded = decode(source);
+    addVertices(source, *decoded.points, decoded.mesh != nullptr, sink);
+    if (decoded.mesh) addFaces(source, *decoded.mesh, sink);
+    finishScan(sink, source);
+}
+
+} // namespace
+
+const FormatReader readers::kDraco{.isStart = isDracoStart, .read = readDraco};
+
+} // namespace pointrt

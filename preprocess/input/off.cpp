@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Object File Format of Geomview (OFF, COFF, NOFF, CNOFF), as text.
+#include "preprocess/input/formats.h"
+#include "preprocess/input/text.h"
+
+namespace pointrt {
+namespace {
+
+struct Header {
+    bool normals = false, colors = false;
+    std::uint64_t vertices = 0, faces = 0;
+};
+
+std::uint64_t count(const Source& source, std::string_view& line) {
+    const std::string_view word = nextWord(line);
+    std::uint64_t value = 0;
+    if (!wholeInteger(word, value)) refuseLine(source, word.data(), "the numbers of vertices and faces are needed");
+    return value;
+}
+
+/// "0 0 0\n" is the shortest vertex, "0\n" the shortest face.
+void checkPromises(const Source& source, const Header& header, std::size_t left) {
+    if (header.vertices > left / 6 + 1 || header.faces > left / 2 + 1)
+        refuse(source, fmt::format("the header promises {} vertices and {} faces, only {} bytes are left for them",
+                                   header.vertices, header.faces, left));
+}
+
+Header readHeader(const Source& source, Lines& lines) {
+    std::string_view line;
+    if (!lines.next(line)) refuse(source, "does not start with OFF");
+    Header header;
+    const std::string_view keyword = nextWord(line);
+    header.normals = keyword == "NOFF" || keyword == "CNOFF";
+    header.colors = keyword == "COFF" || keyword == "CNOFF";
+    if (keyword != "OFF" && !header.normals && !header.colors)
+        refuseLine(source, keyword.data(),
+                   fmt::format("this build reads OFF, COFF, NOFF and CNOFF, not {}", inQuotes(keyword)));
+    std::string_view words = line;
+    const std::string_view next = nextWord(words);
+    if (next == "BINARY") refuse(source, "binary OFF is not read by this build, only text");
+    if (next.empty() && !lines.next(line)) refuse(source, "cut short after its first word");
+    header.vertices = count(source, line);
+    header.faces = count(source, line);
+    checkPromises(source, header, lines.rest.size());
+    return header;
+}
+
+/// Numbers of one vertex: x y z [nx ny nz] [r g b [a]].
+struct Vertex {
+    double values[10];
+    std::size_t size = 0;
+};
+
+Vertex parseVertex(const Source& source, std::string_view line, std::size_t least) {
+    Vertex vertex;
+    const char* const place = line.data();
+    for (std::string_view word = nextWord(line); !word.empty() && vertex.size < 10; word = nextWord(line))
+        if (!wholeNumber(word, vertex.values[vertex.size++]))
+            refuseLine(source, place, fmt::format("{} is no number", inQuotes(word)));
+    if (vertex.size < least)
+        refuseLine(source, place, fmt::format("has {} numbers, {} are needed", vertex.size, least));
+    return vertex;
+}
+
+/// Colours may follow a position whatever the first word says; the first vertex tells.
+void settleColors(const Source& source, Lines lines, Header& header) {
+    std::string_view line;
+    const std::size_t first = header.normals ? 6 : 3;
+    if (header.vertices == 0 || !lines.next(line)) return;
+    header.colors = parseVertex(source, line, first).size >= first + 3;
+}
+
+void readVertices(const Source& source, const Header& header, Lines& lines, Sink& sink) {
+    const std::size_t color_at = header.normals ? 6 : 3;
+    Row row{};
+    std::string_view line;
+    for (std::uint64_t i = 0; i < header.vertices; ++i) {
+        if (!lines.next(line))
+            refuse(source, fmt::format("cut short: {} of {} vertices are there", i, header.vertices));
+        const Vertex vertex = parseVertex(source, line, color_at + (header.colors ? 3 : 0));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            row[kX + axis] = vertex.values[axis];
+            if (header.normals) row[kNormalX + axis] = vertex.values[3 + axis];
+            if (header.colors) row[kRed + axis] = vertex.values[color_at + axis];
+        }
+        addVertex(sink, row);
+    }
+}
+
+void readFaces(const Source& source, const Header& header, Lines& lines, Sink& sink) {
+    std::vector<std::uint32_t> corners;
+    std::string_view line;
+    for (std::uint64_t i = 0; i < header.faces; ++i) {
+        if (!lines.next(line)) refuse(source, fmt::format("cut short: {} of {} faces are there", i, header.faces));
+        std::uint64_t size = 0;
+        if (!wholeInteger(nextWord(line), size))
+            refuseLine(source, line.data(), "a face starts with its number of corners");
+        corners.clear();
+        for (std::uint64_t k = 0; k < size; ++k) {
+            const std::string_view word = nextWord(line);
+            std::uint64_t index = 0;
+            if (!wholeInteger(word, index) || index >= header.vertices)
+                refuseLine(source, word.data(),
+                           fmt::format("{} is no index of one of {} vertices", inQuotes(word), header.vertices));
+            corners.push_back(static_cast<std::uint32_t>(index));
+        }
+        addPolygon(sink, corners);
+    }
+}
+
+bool isKeywordLine(std::string_view line, bool first) {
+    const std::string_view word = nextWord(line);
+    return first && word.ends_with("OFF") && word.size() <= 9; // the longest is ST, C, N, 4 and n before it
+}
+
+void readOff(const Source& source, Sink& sink) {
+    Lines lines{source.bytes, true};
+    Header header = readHeader(source, lines);
+    settleColors(source, lines, header);
+    ScanTraits traits;
+    traits.vertices = header.vertices;
+    traits.normals = header.normals;
+    traits.colors = header.colors;
+    traits.color_scale = ColorScale::kReal;
+    beginScan(sink, source, traits);
+    readVertices(source, header, lines, sink);
+    readFaces(source, header, lines, sink);
+    finishScan(sink, source);
+}
+
+} // namespace
+
+const FormatReader readers::kOff{.isLine = isKeywordLine, .read = readOff};
+
+} // namespace pointrt

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of a PLY file, one after the other in any of its three encodings.
+#pragma once
+
+#include "preprocess/input/ply_header.h"
+#include "preprocess/input/text.h"
+#include "preprocess/input/typed_word.h"
+
+namespace pointrt {
+
+/// Values as words.
+struct PlyWords {
+    const char* at;
+    const char* end;
+
+    bool next(Scalar, double& value) {
+        skipSpace();
+        const char* const stop = at < end ? parseNumber(at, end, value) : nullptr;
+        if (!stop || (stop < end && !isSpace(*stop))) return false;
+        at = stop;
+        return true;
+    }
+
+    bool nextAs(Scalar type, char* into, bool& exact) {
+        skipSpace();
+        const char* stop = at;
+        while (stop < end && !isSpace(*stop)) ++stop;
+        const Stored stored = storeWord({at, static_cast<std::size_t>(stop - at)}, type, into);
+        if (stored == Stored::kNothing) return false;
+        exact = exact && stored == Stored::kExactly;
+        at = stop;
+        return true;
+    }
+
+    void skipSpace() {
+        while (at < end && isSpace(*at)) ++at;
+    }
+};
+
+/// Values as bytes.
+struct PlyBytes {
+    const char* at;
+    const char* end;
+    bool swap_bytes;
+
+    bool has(Scalar type) {
+        if (static_cast<std::size_t>(end - at) >= scalarSize(type)) return true;
+        at = end; // nothing is left to tell of
+        return false;
+    }
+
+    bool next(Scalar type, double& value) {
+        if (!has(type)) return false;
+        value = loadScalar(at, type, swap_bytes);
+        at += scalarSize(type);
+        return true;
+    }
+
+    bool nextAs(Scalar type, char* into, bool&) {
+        if (!has(type)) return false;
+        storeBytes(at, type, swap_bytes, into);
+        at += scalarSize(type);
+        return true;
+    }
+};
+
+/// Reads elements; what is missing or no number throws Error.
+template <typename Values>
+struct PlyBody {
+    const Source& source;
+    Values values;
+    bool exact = true; ///< all words so far were numbers of their types
+
+    void value(const PlyElement& element, std::uint64_t index, Scalar type, double& into) {
+        if (!values.next(type, into)) refuseValue(element, index);
+    }
+
+    void valueAs(const PlyElement& element, std::uint64_t index, Scalar type, char* into) {
+        if (!values.nextAs(type, into, exact)) refuseValue(element, index);
+    }
+
+    std::uint64_t listLength(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
+        double length = 0;
+        value(element, index, property.count_type, length);
+        if (!(length >= 0 && length <= static_cast<double>(values.end - values.at)))
+            refuseAt(source, fmt::format("{} {}", element.name, index),
+                     fmt::format("impossible list length {}", length));
+        return static_cast<std::uint64_t>(length);
+    }
+
+    void skip(const PlyElement& element, std::uint64_t index, const PlyProperty& property) {
+        double ignored = 0;
+        const std::uint64_t count = property.is_list ? listLength(element, index, property) : 1;
+        for (std::uint64_t i = 0; i < count; ++i) value(element, index, property.type, ignored);
+    }
+
+    void skipElement(const PlyElement& element) {
+        for (std::uint64_t i = 0; i < element.count; ++i)
+            for (const PlyProperty& property : element.properties) skip(element, i, property);
+    }
+
+    [[noreturn]] void refuseValue(const PlyElement& element, std::uint64_t done) {
+        if (values.at == source.end())
+            refuse(source, fmt::format("cut short: {} of {} {} are there", done, element.count, pluralOf(element)));
+        std::string_view rest(values.at, static_cast<std::size_t>(source.end() - values.at));
+        refuseLine(source, values.at, fmt::format("{} is no number", inQuotes(nextWord(rest))));
+    }
+};
+
+/// Calls use with a PlyBody that stands at the file's first value.
+template <typename Use>
+void withPlyBody(const Source& source, const PlyHeader& header, const Use& use) {
+    if (header.encoding == PlyEncoding::kAscii)
+        use(PlyBody<PlyWords>{source, {header.body, source.end()}});
+    else
+        use(PlyBody<PlyBytes>{source, {header.body, source.end(), header.encoding == PlyEncoding::kBigEndian}});
+}
+
+} // namespace pointrt

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaussians in PLY files: as trained (3DGS, 2DGS), and as SuperSplat packs them.
+#pragma once
+
+#include "preprocess/input/ply_header.h"
+#include "preprocess/input/sink.h"
+
+namespace pointrt {
+
+/// Reads a file whose header says that it holds Gaussians as discs. Throws Error as readGaussians does, and where the
+/// packed ones are not as they should be.
+void readPlyGaussians(const Source& source, const PlyHeader& header, Sink& sink);
+
+} // namespace pointrt

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The header of a PLY file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "preprocess/input/columns.h"
+#include "preprocess/input/roles.h"
+#include "preprocess/input/scalar.h"
+#include "preprocess/input/source.h"
+
+namespace pointrt {
+
+enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
+
+struct PlyProperty {
+    std::string name;
+    Scalar type = Scalar::kF32;
+    bool is_list = false;
+    Scalar count_type = Scalar::kU8;  ///< of a list
+    Role role = kIgnored;             ///< of a scalar of the vertex element
+    std::optional<std::size_t> place; ///< of a scalar of the vertex element: in its packed values
+};
+
+struct PlyElement {
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+/// Whether the vertices are Gaussians, one property a number, or packed into four by SuperSplat.
+enum class PlyGaussians { kNone, kPlain, kPacked };
+
+struct PlyHeader {
+    PlyEncoding encoding = PlyEncoding::kAscii;
+    std::vector<PlyElement> elements;
+    const char* body = nullptr;   ///< the first byte after the header
+    bool harmonic_colors = false; ///< the colours are Gaussian-splat f_dc coefficients
+    PlyGaussians gaussians = PlyGaussians::kNone;
+    std::vector<ColumnTraits> columns;             ///< what a vertex's packed values are
+    std::size_t packed_size = 0;                   ///< their bytes
+    std::uint64_t grid_rows = 0, grid_columns = 0; ///< of a range_grid, as lines of obj_info say
+};
+
+/// Reads the header and settles the roles of the vertex properties. Lines with unknown keywords are skipped (scans of
+/// the Stanford repository have some). Throws Error when there is no vertex element with x, y and z or packed
+/// Gaussians, or the elements promised cannot fit in the bytes that follow.
+PlyHeader readPlyHeader(const Source& source);
+
+/// The vertex element.
+const PlyElement& vertexElement(const PlyHeader& header);
+
+/// Whether there are faces or strips of them.
+bool hasFaces(const PlyHeader& header);
+
+/// "vertices", "faces" or "'NAME' elements", for messages.
+std::string pluralOf(const PlyElement& element);
+
+} // namespace pointrt

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PTX: Leica's text of scans as the scanner saw them, each with its grid, its place and its transform.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "preprocess/input/formats.h"
+#include "preprocess/input/text.h"
+
+namespace pointrt {
+namespace {
+
+/// The numbers of a line; nothing where it has others words or more numbers.
+template <std::size_t kCount>
+std::optional<std::array<double, kCount>> numbersOf(std::string_view line) {
+    std::array<double, kCount> numbers;
+    for (double& number : numbers)
+        if (!wholeNumber(nextWord(line), number)) return std::nullopt;
+    return nextWord(line).empty() ? std::optional(numbers) : std::nullopt;
+}
+
+std::optional<std::uint64_t> countOf(std::string_view line) {
+    std::uint64_t count = 0;
+    const bool is_count = wholeInteger(nextWord(line), count) && nextWord(line).empty();
+    return is_count ? std::optional(count) : std::nullopt;
+}
+
+struct Header {
+    std::uint64_t columns = 0, rows = 0, cells = 0;
+    Vec3d position = Vec3d::Zero(); ///< of the scanner, once registered
+    Pose world_from_scan;
+};
+
+/// Two counts, four lines of three numbers and four of four: no list of points starts like that.
+bool isPtxStart(std::string_view bytes) {
+    Lines lines{bytes.substr(0, 4096)}; // ten lines of numbers are shorter
+    std::string_view line;
+    for (int i = 0; i < 2; ++i)
+        if (!lines.next(line) || !countOf(line)) return false;
+    for (int i = 0; i < 4; ++i)
+        if (!lines.next(line) || !numbersOf<3>(line)) return false;
+    for (int i = 0; i < 4; ++i)
+        if (!lines.next(line) || !numbersOf<4>(line)) return false;
+    return true;
+}
+
+std::string_view headerLine(const Source& source, Lines& lines) {
+    std::string_view line;
+    if (!lines.next(line)) refuse(source, "cut short in the header of a scan");
+    return line;
+}
+
+std::uint64_t readCount(const Source& source, std::string_view line, const char* what) {
+    const auto count = countOf(line);
+    if (!count) refuseLine(source, line.data(), fmt::format("is no number of {}: {}", what, inQuotes(line)));
+    return *count;
+}
+
+template <std::size_t kCount>
+std::array<double, kCount> readNumbers(const Source& source, Lines& lines, const char* what) {
+    const std::string_view line = headerLine(source, lines);
+    const auto numbers = numbersOf<kCount>(line);
+    if (!numbers) refuseLine(source, line.data(), fmt::format("{} numbers are needed for {}", kCount, what));
+    return *numbers;
+}
+
+/// The matrix turns rows: world = (x, y, z, 1) * matrix.
+void readTransform(const Source& source, Lines& lines, Pose& world_from_scan) {
+    const char* const place = lines.rest.data();
+    bool affine = true;
+    for (int row = 0; row < 4; ++row) {
+        const auto numbers = readNumbers<4>(source, lines, "a line of the transform");
+        const Vec3d values(numbers[0], numbers[1], numbers[2]);
+        if (row < 3)
+            world_from_scan.linear.col(row) = values;
+        else
+            world_from_scan.translation = values;
+        affine = affine && numbers[3] == (row < 3 ? 0 : 1);
+    }
+    const double determinant = world_from_scan.linear.determinant();
+    constexpr double kFlat = 1e-12; // of a rotation it is 1
+    if (!affine || !(std::abs(determinant) > kFlat) || !std::isfinite(determinant) ||
+        !world_from_scan.translation.allFinite())
+        refuseLine(source, place, "the transform is no rotation and translation");
+}
+
+Header readHeader(const Source& source, std::string_view first_line, Lines& lines) {
+    Header header;
+    header.columns = readCount(source, first_line, "columns");
+    header.rows = readCount(source, headerLine(source, lines), "rows");
+    const auto position = readNumbers<3>(source, lines, "the position of the scanner");
+    header.position = {position[0], position[1], position[2]};
+    for (int axis = 0; axis < 3; ++axis) readNumbers<3>(source, lines, "an axis of the scanner");
+    readTransform(source, lines, header.world_from_scan);
+    // A cell takes six bytes, "0 0 0" and what ends the line; the last one needs no end.
+    const std::uint64_t most = (lines.rest.size() + 1) / 6;
+    if (__builtin_mul_overflow(header.columns, header.rows, &header.cells) || header.cells > most)
+        refuseLine(source, first_line.data(),
+                   fmt::format("the header promises {} columns of {} points, only {} bytes are left for them",
+                               header.columns, header.rows, lines.rest.size()));
+    return header;
+}
+
+/// What the points of a scan have, as its first one tells.
+struct Shape {
+    std::size_t words = 3;
+    bool intensity = false, colors = false, real_colors = false;
+};
+
+bool isMissing(std::string_view line) {
+    double value = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!wholeNumber(nextWord(line), value) || value != 0) return false;
+    return true;
+}
+
+/// The first cell with a point, or the last one: what is missing may be written in fewer words.
+std::string_view tellingLine(Lines lines, std::uint64_t cells) {
+    std::string_view line;
+    for (std::uint64_t i = 0; i < cells && lines.next(line); ++i)
+        if (!isMissing(line)) break;
+    return line;
+}
+
+Shape shapeOf(const Source& source, const Lines& lines, std::uint64_t cells) {
+    Shape shape;
+    const std::string_view line = tellingLine(lines, cells);
+    if (line.empty()) return shape;
+    std::string_view words = line, word;
+    for (shape.words = 0; !(word = nextWord(words)).empty(); ++shape.words)
+        shape.real_colors |= shape.words > 3 && word.find('.') != std::string_view::npos;
+    shape.intensity = shape.words == 4 || shape.words == 7;
+    shape.colors = shape.words >= 6;
+    if (shape.words != 3 && !shape.intensity && shape.words != 6)
+        refuseLine(source, line.data(), fmt::format("a point has 3, 4, 6 or 7 numbers, not {}", shape.words));
+    return shape;
+}
+
+/// A cell's values as the attributes hold them, one after the other.
+struct PackedCell {
+    float intensity = 0; ///< of six decimals, as they are written
+    std::uint32_t row = 0, column = 0;
+};
+static_assert(sizeof(PackedCell) == 12);
+
+ScanTraits traitsOf(const Header& header, const Shape& shape) {
+    ScanTraits traits;
+    traits.vertices = header.cells;
+    traits.faces = false;
+    traits.colors = shape.colors;
+    traits.color_scale = shape.real_colors ? ColorScale::kReal : ColorScale::kInteger;
+    if (shape.intensity) traits.columns.push_back({"intensity", Scalar::kF32});
+    traits.columns.push_back({"row", Scalar::kU32, 1, true});
+    traits.columns.push_back({"column", Scalar::kU32, 1, true});
+    return traits;
+}
+
+/// Reads one line: x y z [intensity] [red green blue].
+void parseCell(const Source& source, std::string_view line, const Shape& shape, Row& row, float& intensity) {
+    double values[7] = {};
+    std::string_view words = line;
+    for (std::size_t i = 0; i < shape.words; ++i) {
+        const std::string_view word = nextWord(words);
+        if (!wholeNumber(word, values[i]))
+            refuseLine(source, line.data(),
+                       word.empty() ? fmt::format("has {} numbers, {} are needed", i, shape.words)
+                                    : fmt::format("{} is no number", inQuotes(word)));
+    }
+    std::copy(values, values + 3, &row[kX]);
+    if (shape.intensity) intensity = static_cast<float>(values[3]);
+    if (shape.colors) std::copy(values + shape.words - 3, values + shape.words, &row[kRed]);
+}
+
+/// What one scan came to.
+struct Cells {
+    std::uint64_t missing = 0;
+    Eigen::AlignedBox3d box; ///< of its points, in its frame
+};
+
+/// Cells stand column by column. Those of the scanner's own place say that nothing came back.
+Cells readCells(const Source& source, const Header& header, const Shape& shape, Lines& lines, Sink& sink) {
+    Cells cells;
+    Row row{};
+    PackedCell packed;
+    LetGoBehind let_go{source};
+    const char* const values = reinterpret_cast<const char*>(&packed) + (shape.intensity ? 0 : sizeof packed.intensity);
+    for (std::uint64_t i = 0; i < header.cells; ++i) {
+        std::string_view line;
+        if (!lines.next(line))
+            refuse(source, fmt::format("cut short: {} of {} points of a scan are there", i, header.cells));
+        let_go(static_cast<std::uint64_t>(line.data() - source.begin()));
+        if (isMissing(line)) {
+            ++cells.missing;
+            continue;
+        }
+        parseCell(source, line, shape, row, packed.intensity);
+        const Vec3d position(row[kX], row[kY], row[kZ]);
+        packed.row = static_cast<std::uint32_t>(i % header.rows);
+        packed.column = static_cast<std::uint32_t>(i / header.rows);
+        if (position.allFinite()) cells.box.extend(position);
+        setCell(sink, packed.row, packed.column, addVertex(sink, row, values));
+    }
+    return cells;
+}
+
+/// Whether a header has what one has that was written for want of knowing.
+bool saysNothing(const Header& header) {
+    const Pose& pose = header.world_from_scan;
+    return header.position.isZero(0) && pose.translation.isZero(0) && pose.linear.isIdentity(0);
+}
+
+/// Where the scanner stood, in the scan's frame: its origin or, where points stand in the world already, the position
+/// that the header gives; whichever is nearer to the points. Where the header says nothing, a scanner that is further
+/// away than ten times the size of what it saw is none: converters of points in a national grid write that.
+std::optional<Vec3d> sensorOf(const Header& header, const Cells& cells) {
+    if (cells.box.isEmpty()) return std::nullopt;
+    const Pose& pose = header.world_from_scan;
+    const Vec3d origin = Vec3d::Zero(), given = pose.linear.inverse() * (header.position - pose.translation);
+    const double to_origin = cells.box.exteriorDistance(origin), to_given = cells.box.exteriorDistance(given);
+    constexpr double kFarthest = 10;
+    if (saysNothing(header) && to_origin > kFarthest * cells.box.diagonal().norm()) return std::nullopt;
+    return to_given < to_origin ? given : origin;
+}
+
+/// Returns how many cells have no point.
+std::uint64_t readScan(const Source& source, const Header& header, std::size_t number, Lines& lines, Sink& sink) {
+    const Shape shape = shapeOf(source, lines, header.cells);
+    sink.world_from_scan = header.world_from_scan;
+    beginScan(sink, source, traitsOf(header, shape));
+    beginGrid(sink, header.rows, header.columns);
+    const Cells cells = readCells(source, header, shape, lines, sink);
+    sink.sensor = sensorOf(header, cells);
+    Lines after = lines;
+    std::string_view line;
+    const bool only_one = number == 1 && !after.next(line);
+    finishScan(sink, source, only_one ? "" : fmt::format("scan {}", number), Emptiness::kAllowed);
+    sink.world_from_scan.reset();
+    return cells.missing;
+}
+
+void readScans(const Source& source, Lines& lines, Sink& sink) {
+    std::string_view line;
+    std::uint64_t missing = 0, cells = 0;
+    const std::size_t points_before = sink.cloud.points_read;
+    for (std::size_t number = 1; lines.next(line); ++number) {
+        const Header header = readHeader(source, line, lines);
+        missing += readScan(source, header, number, lines, sink);
+        cells += header.cells;
+    }
+    if (sink.cloud.points_read == points_before) refuse(source, "holds no points");
+    if (missing > 0)
+        addNote(sink.cloud, source.name, fmt::format("{} of {} cells of its grids have no point", missing, cells));
+}
+
+void readPtx(const Source& source, Sink& sink) {
+    Lines lines{source.bytes};
+    const auto whole_progress = sink.progress;
+    if (whole_progress)
+        sink.progress = [&](double) {
+            whole_progress(1 - static_cast<double>(lines.rest.size()) / static_cast<double>(source.bytes.size()));
+        };
+    readScans(source, lines, sink);
+    sink.progress = whole_progress;
+    WorldFrame frame;
+    frame.up = Vec3d::UnitZ();
+    frame.metres_per_unit = 1;
+    setWorldFrame(sink, source, frame);
+}
+
+} // namespace
+
+const FormatReader readers::kPtx{.isStart = isPtxStart, .read = readPtx, .readsInBatches = alwaysInBatches};
+
+} // namespace pointrt

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/input/xyz_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace pointrt {
+namespace {
+
+/// Three decimals a component leave a unit vector's length right to 0.001; two to 0.01.
+constexpr double kUnitTolerance = 0.01;
+
+bool isUnit(const double* v) {
+    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    return std::abs(length - 1) <= kUnitTolerance;
+}
+
+/// How writers say that a point has no normal.
+bool isMissing(const double* v) {
+    return (v[0] == 0 && v[1] == 0 && v[2] == 0) || std::isnan(v[0]) || std::isnan(v[1]) || std::isnan(v[2]);
+}
+
+bool within(const ColumnStatistics& statistics, std::size_t first, double most) {
+    for (std::size_t i = first; i < first + 3; ++i)
+        if (!(statistics.least[i] >= 0 && statistics.most[i] <= most)) return false;
+    return true;
+}
+
+bool wholeNumbers(const ColumnStatistics& statistics, std::size_t first) {
+    return statistics.whole[first] && statistics.whole[first + 1] && statistics.whole[first + 2];
+}
+
+bool colorLike(const ColumnStatistics& statistics, std::size_t first) {
+    return (wholeNumbers(statistics, first) && within(statistics, first, 65535)) || within(statistics, first, 1);
+}
+
+bool isConstant(const ColumnStatistics& statistics, std::size_t column) {
+    return statistics.least[column] == statistics.most[column];
+}
+
+/// An alpha that says nothing.
+bool isOpaque(const ColumnStatistics& statistics, std::size_t column) {
+    return isConstant(statistics, column) && (statistics.most[column] == 255 || statistics.most[column] == 1);
+}
+
+std::optional<std::size_t> findNormals(const ColumnStatistics& statistics, std::size_t extras) {
+    for (std::size_t first = 0; first + 3 <= extras; ++first)
+        if (statistics.unit[first] && statistics.directed[first]) return first;
+    return std::nullopt;
+}
+
+/// What else is known of a list.
+struct Others {
+    bool is_pts, normals;
+};
+
+/// Three columns of colour, and whether others may have been meant.
+struct ColorPlace {
+    std::size_t first;
+    bool doubtful = false;
+};
+
+/// Which end of "a b c d", whole numbers all of them, is an intensity, going by which of them exceed a byte: 'a', 'd',
+/// or 0 where they do not tell.
+char intensityByWidth(const ColumnStatistics& statistics, std::size_t a) {
+    const auto wide = [&](std::size_t i) { return statistics.most[a + i] > 255; };
+    if (wide(1) != wide(2) || wide(0) == wide(3)) return 0;
+    return wide(0) == wide(1) ? 'd' : 'a';
+}
+
+/// Which of "a b c d" are colours: the first three where d is an alpha, or an unused intensity, the same everywhere;
+/// else all but the intensity, a or d. Where either may be it, it is a in lists of points and intensities, as in .pts
+/// files, and d beside normals, as programs write it there.
+std::optional<ColorPlace> colorsOfFour(const ColumnStatistics& statistics, std::size_t a, const Others& others) {
+    const bool first = colorLike(statistics, a), second = colorLike(statistics, a + 1);
+    if (!first && !second) return std::nullopt;
+    if (!first || !second) return ColorPlace{first ? a : a + 1};
+    const bool varied = !isConstant(statistics, a) && !isConstant(statistics, a + 1) && !isConstant(statistics, a + 2);
+    if (isOpaque(statistics, a + 3) || (isConstant(statistics, a + 3) && varied && !others.is_pts))
+        return ColorPlace{a};
+    const bool whole = wholeNumbers(statistics, a) && wholeNumbers(statistics, a + 1);
+    if (const char intensity = whole ? intensityByWidth(statistics, a) : char{0})
+        return ColorPlace{intensity == 'd' ? a : a + 1};
+    const bool unused_first = isConstant(statistics, a) && !isConstant(statistics, a + 3);
+    return ColorPlace{others.normals ? a : a + 1, !others.is_pts && !(unused_first && !others.normals)};
+}
+
+/// Colours among the columns from begin to end.
+std::optional<ColorPlace> colorsOfRun(const ColumnStatistics& statistics, std::size_t begin, std::size_t end,
+                                      const Others& others) {
+    if (end - begin == 4) return colorsOfFour(statistics, begin, others);
+    for (std::size_t first = begin; first + 3 <= end; ++first)
+        if (colorLike(statistics, first)) return ColorPlace{first, end - begin > 4};
+    return std::nullopt;
+}
+
+std::optional<ColorPlace> findColors(const ColumnStatistics& statistics, std::size_t extras,
+                                     std::optional<std::size_t> normals, bool is_pts) {
+    if (!normals) return colorsOfRun(statistics, 0, extras, {is_pts, false});
+    const Others others{is_pts, true};
+    const auto before = colorsOfRun(statistics, 0, *normals, others);
+    return before ? before : colorsOfRun(statistics, *normals + 3, extras, others);
+}
+
+constexpr std::string_view kCure = "a first line such as '//X Y Z R G B I' says what";
+
+std::string doubtOf(const std::optional<ColorPlace>& colors, bool normals, std::size_t unread) {
+    if (colors && colors->doubtful)
+        return fmt::format("has no header: columns {} to {} are taken as red, green and blue, what is beside them is "
+                           "not read; {} they are",
+                           colors->first + 4, colors->first + 6, kCure);
+    if (unread == 0) return {};
+    const bool one = unread == 1;
+    return fmt::format(
+        "has no header, and {} column{} after x, y, z{} that look{} like neither colours nor normals {} not "
+        "read; {} {}",
+        unread, one ? "" : "s", normals ? " and normals" : "", one ? "s" : "", one ? "is" : "are", kCure,
+        one ? "it is" : "they are");
+}
+
+void assign(std::vector<Role>& roles, std::size_t first, Role role) {
+    for (int i = 0; i < 3; ++i) roles[first + i] = static_cast<Role>(role + i);
+}
+
+} // namespace
+
+ColumnStatistics::ColumnStatistics() {
+    whole.fill(true);
+    unit.fill(true);
+    directed.fill(false);
+    least.fill(std::numeric_limits<double>::infinity());
+    most.fill(-std::numeric_limits<double>::infinity());
+}
+
+void observe(ColumnStatistics& statistics, const double* extras, std::size_t count) {
+    count = std::min(count, ColumnStatistics::kMax);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = extras[i];
+        statistics.whole[i] = statistics.whole[i] && value == std::trunc(value);
+        statistics.least[i] = std::min(statistics.least[i], value);
+        statistics.most[i] = std::max(statistics.most[i], value);
+        const bool direction = i + 3 <= count && isUnit(extras + i);
+        statistics.directed[i] = statistics.directed[i] || direction;
+        statistics.unit[i] = statistics.unit[i] && (direction || (i + 3 <= count && isMissing(extras + i)));
+    }
+}
+
+ColumnGuess guessColumns(const ColumnStatistics& statistics, std::size_t column_count, bool is_pts) {
+    ColumnGuess guess;
+    guess.roles.assign(column_count, kIgnored);
+    assign(guess.roles, 0, kX);
+    const std::size_t extras = column_count - 3;
+    if (is_pts && extras == 1) guess.intensity = 3;
+    if (column_count != 6 && column_count != 7 && column_count != 9 && column_count != 10) {
+        guess.doubt = doubtOf(std::nullopt, false, guess.intensity ? 0 : extras);
+        return guess;
+    }
+    const auto normals = findNormals(statistics, extras);
+    const auto colors = findColors(statistics, extras, normals, is_pts);
+    if (normals) assign(guess.roles, 3 + *normals, kNormalX);
+    if (colors) {
+        assign(guess.roles, 3 + colors->first, kRed);
+        guess.real_colors = !wholeNumbers(statistics, colors->first);
+    }
+    const auto left = std::find(guess.roles.begin() + 3, guess.roles.end(), kIgnored);
+    auto unread = static_cast<std::size_t>(std::count(left, guess.roles.end(), kIgnored));
+    if (colors && unread == 1) {
+        const auto column = static_cast<std::size_t>(left - guess.roles.begin());
+        if (!isOpaque(statistics, column - 3) && !colors->doubtful) guess.intensity = column;
+        unread = 0;
+    }
+    guess.doubt = doubtOf(colors, normals.has_value(), unread);
+    return guess;
+}
+
+} // namespace pointrt

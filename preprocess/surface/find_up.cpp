@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/surface/find_up.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "preprocess/surface/footprint.h"
+#include "preprocess/surface/surface_sample.h"
+
+namespace pointrt {
+namespace upright {
+namespace {
+
+/// A direction that may be up, with what the surface has to say of it.
+struct Candidate {
+    Vec3d up;
+    Footprint below, above; ///< as it stands, and standing on its head
+    double along = 0, across = 0;
+    bool is_axis = false;
+};
+
+struct Evidence {
+    const Splats& splats;
+    SurfaceSample sample;
+    std::vector<Vec3d> sensors; ///< distinct, relative to the splats' origin
+    std::vector<Candidate> candidates;
+};
+
+using Answer = std::optional<Vec3d>;
+
+bool isParallel(const Vec3d& a, const Vec3d& b) { return std::abs(a.dot(b)) > 0.87; } // 30 degrees
+
+/// The most that measure gives of candidates in other directions than up.
+template <typename Measure>
+double mostAcross(const Evidence& evidence, const Vec3d& up, const Measure& measure) {
+    double most = 0;
+    for (const Candidate& each : evidence.candidates)
+        if (!isParallel(each.up, up)) most = std::max(most, measure(each));
+    return most;
+}
+
+const Candidate& along(const Evidence& evidence, const Vec3d& axis) {
+    return *std::find_if(evidence.candidates.begin(), evidence.candidates.end(),
+                         [&](const Candidate& each) { return each.up == axis; });
+}
+
+/// Depth cameras: their files are in the camera's own frame, x to the right, y down and z ahead, or as in OpenGL with y
+/// up and z behind.
+Answer fromCamera(const Evidence& evidence) {
+    if (evidence.sensors.size() != 1) return {};
+    const Vec3d camera = evidence.sensors[0], ahead = evidence.sample.centroid - camera;
+    const Vec3d in_input = camera + evidence.splats.origin;
+    const double distance = ahead.norm();
+    if (!(distance > 0) || in_input.head<2>().norm() > 0.1 * distance) return {};
+    const double side = ahead.z() / distance;
+    if (std::abs(side) < std::cos(0.6)) return {}; // 35 degrees: half of the frame may be empty
+    double outside = 0;
+    for (std::size_t i = 0; i < evidence.sample.positions.size(); ++i) {
+        const Vec3d to = evidence.sample.positions[i] - camera;
+        // 60 degrees: no camera that measures depth sees more
+        if (to.z() * (side > 0 ? 1 : -1) < 0.5 * to.norm()) outside += evidence.sample.areas[i];
+    }
+    if (outside > 0.01) return {};
+    return side > 0 ? Vec3d(-Vec3d::UnitY()) : Vec3d(Vec3d::UnitY());
+}
+
+/// The axis within 8 degrees, or else the direction itself, on the side of the axis that people take for up.
+Vec3d settled(Vec3d direction) {
+    int axis = 0;
+    const double along = direction.cwiseAbs().maxCoeff(&axis);
+    if (direction[axis] < 0) direction = -direction;
+    return along > 0.99 ? Vec3d(Vec3d::Unit(axis)) : direction;
+}
+
+/// Tripods stand on level ground, turntables turn about what is up.
+Answer fromStations(const Evidence& evidence) {
+    if (evidence.sensors.size() < 4) return {};
+    Vec3d mean = Vec3d::Zero();
+    for (const Vec3d& sensor : evidence.sensors) mean += sensor / double(evidence.sensors.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3d& sensor : evidence.sensors) spread += (sensor - mean) * (sensor - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+    const Vec3d width = axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+    // as flat as ground and tripods are; not in a row, about which any plane turns
+    if (!(width[0] < 0.05 * width[1] && width[1] > 0.3 * width[2])) return {};
+    return settled(axes.eigenvectors().col(0));
+}
+
+/// Nothing tells the sides of it apart.
+bool isSheet(const Candidate& each) { return each.below.height < 0.02; }
+
+/// Never x, where walls that were scanned alone would lie.
+bool mayBeGround(const Candidate& each) { return !(each.is_axis && std::abs(each.up.x()) > 0.5); }
+
+Answer fromGround(const Evidence& evidence) {
+    for (const Candidate& each : evidence.candidates) {
+        const Footprint &below = each.below, &above = each.above;
+        const bool one_sided = below.level - above.level >= 0.25 || below.floor - above.floor >= 0.3;
+        // what stands on its own head may be flat on top: nobody takes a tower for ground
+        const bool flat = below.height < 0.5 || (below.height < 1 && below.floor >= 0.3);
+        if (!mayBeGround(each) || !(below.level >= 0.6) || !one_sided || !flat || isSheet(each)) continue;
+        if (mostAcross(evidence, each.up, [](const Candidate& other) { return other.below.level; }) > below.level - 0.2)
+            continue;
+        return each.up;
+    }
+    return {};
+}
+
+/// Most of what is in a room stands on its floor.
+Answer fromRoom(const Evidence& evidence) {
+    constexpr double kShelves = 0.03, kMoreLevel = 1.4, kAsMuch = 0.02;
+    for (const Candidate& each : evidence.candidates) {
+        if (each.below.floor < 0.3 || each.above.floor < 0.3 || each.below.shelves < kShelves) continue;
+        if (mostAcross(evidence, each.up, [](const Candidate& other) { return other.along; }) * kMoreLevel > each.along)
+            continue;
+        const bool turned = each.below.middle > 0.5 + kAsMuch;
+        const bool undecided = !turned && each.below.middle > 0.5 - kAsMuch;
+        if (turned || (undecided && each.up != Vec3d::UnitZ() && each.up != Vec3d::UnitY())) continue;
+        return each.up;
+    }
+    return {};
+}
+
+Answer fromLevels(const Evidence& evidence) {
+    const Candidate& z = along(evidence, Vec3d::UnitZ());
+    const bool open = z.above.floor < 0.2 || z.below.floor < 0.2 || z.below.shelves > 0.03;
+    const double others = mostAcross(evidence, z.up, [](const Candidate& each) { return each.along; });
+    if (!(z.along >= 0.3 && z.along >= 2 * others && z.across >= 0.15 && open)) return {};
+    return z.up;
+}
+
+/// Grids of maps, and sites in metres from a point of their own.
+Answer fromMap(const Evidence& evidence) {
+    const Vec3d centre = evidence.splats.origin + evidence.sample.centroid;
+    const double away = centre.head<2>().norm();
+    if (!(away > 3 * evidence.sample.extent.maxCoeff() && std::abs(centre.z()) < away / 3)) return {};
+    return Vec3d::UnitZ();
+}
+
+Answer fromTerrain(const Evidence& evidence) {
+    constexpr double kWide = 50; // metres or feet: nobody scans a relief as wide
+    const Candidate& z = along(evidence, Vec3d::UnitZ());
+    const double others = mostAcross(evidence, z.up, [](const Candidate& each) { return each.below.level; });
+    const double wide = evidence.sample.extent.head<2>().maxCoeff();
+    if (!(std::min(z.below.level, z.above.level) >= 0.65 && others < 0.4 && z.below.height < 0.34 && wide > kWide))
+        return {};
+    return z.up;
+}
+
+/// The candidates that it stands on best, and how well.
+struct Base {
+    const Candidate *best = nullptr, *opposite = nullptr;
+    double support = 0, across = 0, beneath = 0; ///< of the best, of others to its sides, of its opposite
+};
+
+Base bestBase(const Evidence& evidence, bool axes_only) {
+    Base base;
+    std::vector<std::pair<const Candidate*, double>> supports;
+    for (const Candidate& each : evidence.candidates)
+        if (!isSheet(each) && (each.is_axis || !axes_only))
+            supports.emplace_back(&each, supportOf(evidence.sample, each.up));
+    for (const auto& [candidate, support] : supports)
+        if (!base.best || support > base.support) base.best = candidate, base.support = support;
+    for (const auto& [candidate, support] : supports) {
+        if (!isParallel(candidate->up, base.best->up)) base.across = std::max(base.across, support);
+        if (candidate->up == -base.best->up) base.opposite = candidate, base.beneath = support;
+    }
+    return base;
+}
+
+Answer fromBase(const Evidence& evidence) {
+    constexpr double kLeast = 0.25, kClear = 1.6, kTwice = 2;
+    Base base = bestBase(evidence, true);
+    if (base.support < kLeast) base = bestBase(evidence, false);
+    if (!base.best || base.support < kLeast || base.support < kClear * base.across) return {};
+    if (base.support >= kTwice * base.beneath) return base.best->up;
+    // it stands on both: a flat base beats three tips
+    const bool turned = base.opposite->below.level > base.best->below.level;
+    const Candidate &flatter = turned ? *base.opposite : *base.best, &other = turned ? *base.best : *base.opposite;
+    if (flatter.below.level < kLeast || flatter.below.level < kTwice * other.below.level) return {};
+    return flatter.up;
+}
+
+Answer fromPole(const Evidence& evidence) {
+    const Candidate& z = along(evidence, Vec3d::UnitZ());
+    const double others = mostAcross(evidence, z.up, [](const Candidate& each) { return each.across; });
+    if (!(z.across >= 0.6 && others <= 0.5 * z.across && z.below.height > 2)) return {};
+    return z.up;
+}
+
+void addCandidates(Evidence& evidence) {
+    std::vector<Vec3d> directions{Vec3d::UnitZ(), Vec3d::UnitY(), Vec3d::UnitX()};
+    for (const Vec3d& plane : slantedPlanes(evidence.sample)) directions.push_back(plane);
+    for (const Vec3d& direction : directions) {
+        const bool is_axis = direction.cwiseAbs().maxCoeff() == 1;
+        const Footprint below = footprintOf(evidence.sample, direction);
+        const Footprint above = footprintOf(evidence.sample, -direction);
+        const double along = shareAlong(evidence.sample, direction), across = shareAcross(evidence.sample, direction);
+        evidence.candidates.push_back({direction, below, above, along, across, is_axis});
+        evidence.candidates.push_back({-direction, above, below, along, across, is_axis});
+    }
+}
+
+std::vector<Vec3d> distinctSensors(const std::vector<Scan>& scans, const Vec3d& origin) {
+    std::vector<Vec3d> sensors;
+    for (const Scan& scan : scans) {
+        if (!scan.sensor) continue;
+        const Vec3d place = *scan.sensor - origin;
+        if (std::find(sensors.begin(), sensors.end(), place) == sensors.end()) sensors.push_back(place);
+    }
+    return sensors;
+}
+
+constexpr struct {
+    Answer (*ask)(const Evidence&);
+    const char* reason;
+} kRules[] = {
+    {fromCamera, "a camera's own frame"},
+    {fromStations, "where the scanner stood"},
+    {fromGround, "its ground"},
+    {fromRoom, "floor and ceiling"},
+    {fromLevels, "level surfaces"},
+    {fromMap, "coordinates as on a map"},
+    {fromTerrain, "terrain"},
+    {fromBase, "what it stands on"},
+    {fromPole, "an upright pole"},
+};
+
+} // namespace
+} // namespace upright
+
+FoundUp findUp(const Splats& splats, const std::vector<Scan>& scans) {
+    using namespace upright;
+    Evidence evidence{splats, sampleSurface(splats), distinctSensors(scans, splats.origin), {}};
+    if (evidence.sample.positions.empty()) return {};
+    addCandidates(evidence);
+    for (const auto& rule : kRules)
+        if (const Answer up = rule.ask(evidence)) return {*up + Vec3d::Zero(), rule.reason}; // without zeros below 0
+    return {};
+}
+
+} // namespace pointrt

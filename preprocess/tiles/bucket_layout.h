@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Records of buckets: the same values as in memory, one after the other without gaps.
+//   position  float x 3, relative to the corner of the tile's core
+//   normal    float x 3, where the schema has normals
+//   colour    byte x 3, where it has colours
+//   radius    float, where it has radii
+//   scan      1, 2 or 4 bytes, where there are several
+//   attributes, each in its type
+// Behind the last record stands a trailer. Records are in the order of the input.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "preprocess/tiles/plan.h"
+
+namespace pointrt {
+
+/// Bytes from a record's start.
+struct BucketLayout {
+    std::size_t normal = 0, color = 0, radius = 0, scan = 0;
+    std::vector<std::size_t> attributes; ///< of the schema's, but the scan's number
+    std::size_t record_bytes = 0;
+
+    explicit BucketLayout(const PlanSchema& schema);
+};
+
+struct BucketTrailer {
+    static constexpr std::uint64_t kMagic = 0x4B43425452544E50u; ///< "PNTRTBCK" as bytes
+    std::uint64_t magic = kMagic;
+    std::uint64_t record_bytes = 0, records = 0;
+    std::uint64_t xxh3 = 0; ///< of all records
+};
+
+} // namespace pointrt

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/input_state.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+
+std::vector<PlanInput> statesOf(const std::vector<std::string>& paths) {
+    std::vector<PlanInput> states;
+    for (const std::string& path : paths) {
+        struct stat status {};
+        const auto refuse = [&](const std::string& reason) { throw Error(ExitCode::kBadInput, path + ": " + reason); };
+        if (::stat(path.c_str(), &status) != 0) refuse(errno == ENOENT ? "no such file" : std::strerror(errno));
+        if (!S_ISREG(status.st_mode)) refuse("is no regular file, and a tile set reads its inputs twice");
+        PlanInput& state = states.emplace_back();
+        state.path = path;
+        state.bytes = static_cast<std::uint64_t>(status.st_size);
+        state.modified_ns = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+    }
+    return states;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const SetPlan& plan, const std::string& reason) {
+    throw Error(ExitCode::kBadInput, plan.work + ": " + reason + "; --force begins anew");
+}
+
+/// As the plan has it, in UTF-8 whatever it is.
+std::string named(const std::string& path) {
+    using Json = nlohmann::json;
+    return Json::parse(Json(path).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
+} // namespace
+
+void requireSameInputs(const SetPlan& plan, const std::vector<std::string>& paths) {
+    if (paths.size() != plan.inputs.size())
+        refuse(plan, fmt::format("was begun with {} input files, not {}", plan.inputs.size(), paths.size()));
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (named(paths[i]) != plan.inputs[i].path)
+            refuse(plan, fmt::format("was begun with {} where {} is now", plan.inputs[i].path, paths[i]));
+}
+
+void requireUnwritten(const SetPlan& plan, const std::vector<std::string>& paths) {
+    const std::vector<PlanInput> now = statesOf(paths);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const PlanInput& then = plan.inputs.at(i);
+        if (now[i].bytes != then.bytes || now[i].modified_ns != then.modified_ns)
+            refuse(plan, then.path + " has been written since it was begun");
+    }
+}
+
+} // namespace pointrt

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/make_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "format/base/error.h"
+#include "preprocess/surface/estimate.h"
+#include "preprocess/surface/find_up.h"
+#include "preprocess/tiles/choose_tiles.h"
+#include "preprocess/tiles/input_state.h"
+#include "preprocess/tiles/sample.h"
+
+namespace pointrt {
+namespace {
+
+/// Enough for the shape of a country; surveys double their cells, which leaves a quarter of that at least.
+constexpr std::size_t kSamplePoints = 400'000;
+
+/// Cells of the counting grid for a given memory: they take 96 bytes at most, so that it is a tenth of the memory.
+std::size_t mostCells(std::uint64_t max_memory) {
+    constexpr std::uint64_t kBytesPerCell = 1024, kFewest = 1 << 16, kMost = 1 << 20;
+    return std::clamp(max_memory / kBytesPerCell, kFewest, kMost);
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// What the first reading takes down.
+struct Survey {
+    CountGrid counts;
+    Sample sample{kSamplePoints};
+    Eigen::AlignedBox3d bounds;
+    std::vector<ValueSurvey> values; ///< of the cloud's attributes, by number
+    bool normals = false, radii = false;
+    std::uint64_t normals_given = 0; ///< points with one
+
+    explicit Survey(std::uint64_t max_memory) : counts(mostCells(max_memory)) {}
+
+    void add(const PointBatch& batch) {
+        const Cloud& cloud = batch.cloud;
+        for (const Vec3d& position : batch.positions) bounds.extend(position);
+        values.resize(std::max(values.size(), cloud.attributes.size()));
+        for (std::size_t i = 0; i < cloud.attributes.size(); ++i)
+            values[i].add(cloud.attributes[i], contains(batch.loose, cloud.attributes[i].name));
+        for (const Vec3f& normal : cloud.normals) normals_given += !normal.isZero(0);
+        radii |= std::any_of(cloud.radii.begin(), cloud.radii.end(), [](float radius) { return radius > 0; });
+        counts.add(batch.positions, [&](std::size_t i) {
+            SamplePoint point{batch.positions[i]};
+            if (!cloud.normals.empty()) point.normal = cloud.normals[i];
+            point.scan = static_cast<std::uint32_t>(batch.scan);
+            sample.add(point, counts.edge());
+        });
+        normals = normals_given > 0;
+    }
+};
+
+Scalar scanNumberType(std::size_t bytes) { return bytes == 1 ? Scalar::kU8 : bytes == 2 ? Scalar::kU16 : Scalar::kU32; }
+
+PlanSchema schemaOf(const StreamFindings& found, const Survey& survey, const AttributeChoice& choice) {
+    PlanSchema schema;
+    schema.normals = survey.normals;
+    schema.normal_sides = found.cloud.normal_sides;
+    schema.colors = found.colors;
+    schema.radii = survey.radii;
+    const std::size_t scans = found.scan_points.size();
+    if (scans > 1) schema.scan_bytes = scans <= 0x100 ? 1 : scans <= 0x10000 ? 2 : 4;
+    const std::uint64_t points = std::accumulate(found.scan_points.begin(), found.scan_points.end(), std::uint64_t{0});
+    bool scan_taken = false;
+    for (std::size_t i = 0; i < found.cloud.attributes.size(); ++i) {
+        const Attribute& each = found.cloud.attributes[i];
+        const ValueSurvey values = i < survey.values.size() ? survey.values[i] : ValueSurvey{};
+        if (contains(found.minor, each.name) && !values.any) continue;
+        const bool loose = contains(found.loose, each.name);
+        const Scalar type = loose ? values.smallestType(each.type, values.values == points) : each.type;
+        schema.attributes.push_back({each.name, type, each.components, each.type});
+        scan_taken |= each.name == kScanNumber;
+    }
+    schema.scan_attribute = scans > 1 && !scan_taken && choice.wants(kScanNumber);
+    const Scalar type = scanNumberType(schema.scan_bytes);
+    if (schema.scan_attribute) schema.attributes.push_back({kScanNumber, type, 1, type});
+    return schema;
+}
+
+std::vector<PlanScan> scansOf(const StreamFindings& found) {
+    std::vector<PlanScan> scans;
+    for (std::size_t i = 0; i < found.cloud.scans.size(); ++i)
+        scans.push_back(
+            {found.cloud.scans[i].name, found.cloud.scans[i].sensor, found.scan_points[i], found.largest_color[i]});
+    return scans;
+}
+
+/// The sample as a cloud of its own, sorted by scans, as readers leave it.
+Cloud cloudOf(const std::vector<SamplePoint>& points, const SetPlan& plan) {
+    Cloud cloud;
+    cloud.world = plan.world;
+    cloud.normal_sides = plan.schema.normal_sides;
+    cloud.origin = plan.lattice_origin;
+    std::vector<std::uint32_t> sensor_of_scan(plan.scans.size(), kNoSensor);
+    for (std::size_t i = 0; i < plan.scans.size(); ++i) {
+        if (!plan.scans[i].sensor) continue;
+        sensor_of_scan[i] = static_cast<std::uint32_t>(cloud.sensors.size());
+        cloud.sensors.push_back((*plan.scans[i].sensor - cloud.origin).cast<float>());
+    }
+    for (const SamplePoint& point : points) {
+        if (!plan.bounds.contains(point.position)) continue; // strays
+        cloud.positions.push_back((point.position - cloud.origin).cast<float>());
+        if (plan.schema.normals) cloud.normals.push_back(point.normal);
+        if (!cloud.sensors.empty()) cloud.sensor_of_point.push_back(sensor_of_scan[point.scan]);
+    }
+    return cloud;
+}
+
+/// Whether each tile's points can be told their sides without those of others.
+bool sidesAreKnown(const SetPlan& plan, const Survey& survey, OrientMode mode) {
+    if (mode == OrientMode::kNone || mode == OrientMode::kSensor || mode == OrientMode::kUp) return true;
+    if (mode == OrientMode::kMst) return false;
+    const bool all_sensors = std::all_of(plan.scans.begin(), plan.scans.end(),
+                                         [](const PlanScan& scan) { return scan.sensor || scan.points == 0; });
+    const bool no_sensors = std::none_of(plan.scans.begin(), plan.scans.end(),
+                                         [](const PlanScan& scan) { return scan.sensor.has_value(); });
+    const bool given = survey.normals_given == plan.points && plan.schema.normal_sides;
+    return given || all_sensors || (no_sensors && plan.world.from_above);
+}
+
+std::vector<Scan> scansWithSensors(const SetPlan& plan) {
+    std::vector<Scan> scans;
+    for (const PlanScan& each : plan.scans) scans.push_back({each.name, each.sensor, 0});
+    return scans;
+}
+
+/// Up where neither the command line nor a file says it, and sides where nothing else tells them.
+void orient(const SetRequest& request, const Survey& survey, SetPlan& plan) {
+    plan.orient = request.bake.surface.orient;
+    const bool up_is_said = plan.up_from == "option" || plan.up_from == "file";
+    const bool sides_known = sidesAreKnown(plan, survey, plan.orient);
+    if (up_is_said && sides_known) return;
+    SurfaceOptions options = request.bake.surface;
+    options.clean = 0; // of points that lie far apart noise is little
+    SurfaceReport report;
+    const Splats splats = estimateSplats(cloudOf(survey.sample.points(), plan), options, report, {});
+    if (!up_is_said) {
+        const FoundUp found = findUp(splats, scansWithSensors(plan));
+        if (!found.up.isZero()) {
+            plan.world.up = found.up;
+            plan.up_from = "data";
+            plan.up_reason = found.reason;
+        }
+    }
+    if (sides_known) return;
+    plan.sides.normals = splats.normals;
+    for (const Vec3f& position : splats.positions)
+        plan.sides.positions.emplace_back(splats.origin + position.cast<double>());
+}
+
+void takeFindings(const SetRequest& request, StreamFindings& found, SetPlan& plan) {
+    plan.points_read = found.cloud.points_read;
+    plan.points_non_finite = found.cloud.points_non_finite;
+    plan.points_filtered = found.cloud.points_filtered + found.cloud.points_unused;
+    plan.scans = scansOf(found);
+    plan.world = found.cloud.world;
+    plan.source_header = found.cloud.source_header;
+    plan.notes = found.cloud.notes;
+    if (!plan.world.up.isZero()) plan.up_from = plan.world.up_by_custom ? "format" : "file";
+    if (request.up.isZero()) return;
+    plan.world.up = request.up;
+    plan.up_from = "option";
+}
+
+/// Of the points that stay: without strays, exactly.
+void takeBounds(const Survey& survey, SetPlan& plan) {
+    const double root = edgeOf(plan, plan.levels - 1);
+    const PlanBox lattice(plan.lattice_origin, plan.lattice_origin + Vec3d::Constant(root));
+    plan.bounds = survey.bounds.intersection(lattice);
+}
+
+std::string joinedNames(const std::vector<std::string>& inputs) {
+    return inputs.size() == 1 ? inputs.front() : fmt::format("{} and {} more", inputs.front(), inputs.size() - 1);
+}
+
+template <typename Work>
+void named(const SetRequest& request, const Work& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        throw Error(error.code, joinedNames(request.inputs) + ": " + error.what());
+    }
+}
+
+/// Thinning remembers each cell that has a point, for which a quarter of the memory is there.
+void checkThinning(const SetRequest& request, std::uint64_t kept) {
+    constexpr std::uint64_t kBytesPerCell = 64; // of a table that is a quarter full, as it is after it has grown
+    if (request.read.filter.thin_spacing > 0 && kept > request.bake.max_memory / 4 / kBytesPerCell)
+        throw Error(ExitCode::kCannotRun, fmt::format("{}: --thin keeps more points than --max-memory has room to "
+                                                      "remember: a larger one, or --every, helps",
+                                                      joinedNames(request.inputs)));
+}
+
+} // namespace
+
+StreamOptions streamOptionsOf(const SetRequest& request) {
+    StreamOptions options;
+    options.read = request.read;
+    constexpr std::uint64_t kBytesPerPoint = 1024; // of a batch with its attributes on their way, thrice over
+    constexpr std::uint64_t kFewest = 1 << 14, kMost = 1 << 20;
+    options.batch_points = std::clamp(request.bake.max_memory / 8 / kBytesPerPoint, kFewest, kMost);
+    options.largest_whole_file = request.bake.max_memory / 8; // of a mesh's few bytes a corner become eight times more
+    return options;
+}
+
+SetPlan makePlan(const SetRequest& request, const ReadProgress& progress) {
+    requirePossible(request);
+    SetPlan plan;
+    plan.output = request.output;
+    plan.work = workFolderOf(request.output);
+    plan.settings = request.settings;
+    plan.bake = request.bake;
+    plan.inputs = statesOf(request.inputs); // before they are read
+    Survey survey(request.bake.max_memory);
+    std::uint64_t kept = 0;
+    StreamFindings found = readInBatches(
+        request.inputs, streamOptionsOf(request),
+        [&](const PointBatch& batch) {
+            survey.add(batch);
+            checkThinning(request, kept += batch.positions.size());
+        },
+        progress);
+    takeFindings(request, found, plan);
+    plan.schema = schemaOf(found, survey, request.read.attributes);
+    for (std::size_t i = 0; i < found.files.size(); ++i) {
+        PlanInput& input = plan.inputs[i];
+        const FileReport& file = found.files[i];
+        input.format = file.format;
+        input.points = file.points;
+        input.kept = file.kept;
+        input.scans = file.scans;
+        input.seconds = file.seconds;
+    }
+    TileChoice choice;
+    choice.points_per_tile = request.points_per_tile;
+    choice.most_points = mostPointsAtOnce(request.bake.max_memory) / 2; // and as many again around them
+    choice.leaves_out_strays = request.bake.surface.remove_outliers;
+    if (kept > choice.most_points && choice.points_per_tile > choice.most_points)
+        plan.notes.push_back(
+            {"--tile-splats", fmt::format("{} points are more than --max-memory has room for in a tile: {} at most",
+                                          choice.points_per_tile, choice.most_points)});
+    named(request, [&] {
+        chooseTiles(survey.counts.cells(), survey.counts.edge(), choice, plan);
+        takeBounds(survey, plan);
+        orient(request, survey, plan);
+    });
+    return plan;
+}
+
+} // namespace pointrt

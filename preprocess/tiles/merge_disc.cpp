@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/merge_disc.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pointrt {
+
+namespace {
+
+/// Members whose discs stay within this share of the covering radius of the merged disc's plane lie in a plane: on a
+/// sphere those of a disc of half its radius do.
+constexpr float kFlat = 0.25f;
+
+/// And they lie side by side where their squared radii add up to this share of the covering one's. Of groups of a
+/// plane, sampled by a shaken grid or at random, 999 in 1000 have more, of discs spread at random in space, as far
+/// apart as they are wide or farther, one in a hundred.
+constexpr float kSideBySide = 0.5f;
+
+/// What of a member's radius closes the surface: discs overlap by a factor of 1.2 at least (radii.cpp). Covering no
+/// more than that keeps discs from growing beyond their spacing level by level: cells of 2.45 spacings reach 1.73 from
+/// their middles, so that a radius of 1.48 spacings stays one.
+constexpr float kClosing = 1 / 1.2f;
+
+Vec3f turnedTo(const Vec3f& normal, const Vec3f& side, bool oriented) {
+    return !oriented && normal.dot(side) < 0 ? Vec3f(-normal) : normal;
+}
+
+/// Means by area, the sum of the squared radii, and of that what a member's others have, the mean by area.
+struct Means {
+    Vec3f position, normal;
+    float squares = 0, others = 0;
+};
+
+Means meansOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented) {
+    const Vec3f base = discs.positions[members.front()], side = discs.normals[members.front()];
+    Vec3d place = Vec3d::Zero(), normal = Vec3d::Zero();
+    double squares = 0, own = 0;
+    for (const std::uint32_t i : members) {
+        const double area = double{discs.radii[i]} * discs.radii[i];
+        own += area * area;
+        place += area * (discs.positions[i] - base).cast<double>();
+        normal += area * turnedTo(discs.normals[i], side, oriented).cast<double>();
+        squares += area;
+    }
+    const double length = normal.norm();
+    return {base + (place / squares).cast<float>(), length > 0 ? Vec3f((normal / length).cast<float>()) : side,
+            static_cast<float>(squares), static_cast<float>(squares - own / squares)};
+}
+
+/// How far members reach: what of their discs closes the surface, from the middle in the merged disc's plane, and their
+/// discs off it.
+struct Reach {
+    float along = 0, off = 0;
+};
+
+Reach reachOf(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Means& means) {
+    Reach reach;
+    for (const std::uint32_t i : members) {
+        const Vec3f way = discs.positions[i] - means.position;
+        const float height = way.dot(means.normal), cosine = discs.normals[i].dot(means.normal);
+        const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+        reach.along = std::max(reach.along, (way - height * means.normal).norm() + kClosing * discs.radii[i]);
+        reach.off = std::max(reach.off, std::abs(height) + sine * discs.radii[i]);
+    }
+    return reach;
+}
+
+/// Radius of a disc that rays meet as often as they meet members that are scattered within `along` of its middle. Some
+/// of those hide behind others, and with the sum of their areas a tree's shadow would swell level by level. What is
+/// hidden of each is what the others cover, at random over kSpread discs of that radius. Of two to eight discs in a
+/// cube, 0.1 to 0.45 of its edge in radius, facing any way, within 60 degrees of one, or nearly all alike in a flat
+/// one, rays of all directions then meet 0.98 times what they met (0.88 to 1.21); with the sum of the areas 1.09 times
+/// (0.93 to 1.42).
+float scatteredRadius(const Means& means, float along) {
+    constexpr float kSpread = 1.2f;
+    const float part = means.others / (kSpread * along * along);
+    const float shown = part > 0 ? -std::expm1(-part) / part : 1;
+    return std::min(std::sqrt(means.squares * shown), along);
+}
+
+float distanceToDisc(const Vec3f& point, const Vec3f& center, const Vec3f& normal, float radius) {
+    const Vec3f way = point - center;
+    const float height = way.dot(normal);
+    const float beyond = std::max(0.0f, (way - height * normal).norm() - radius);
+    return std::hypot(height, beyond);
+}
+
+/// The farthest of eight points of the merged disc's rim from the members' discs.
+float rimDistance(const MergeDiscs& discs, std::span<const std::uint32_t> members, const MergedDisc& merged) {
+    constexpr int kPoints = 8; // between two of them the rim is at most 8% of the radius nearer to the centre
+    const Vec3f u = merged.normal.unitOrthogonal(), v = merged.normal.cross(u);
+    float farthest = 0;
+    for (int k = 0; k < kPoints; ++k) {
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(k) / kPoints;
+        const Vec3f point = merged.position + merged.radius * (std::cos(angle) * u + std::sin(angle) * v);
+        float nearest = std::numeric_limits<float>::max();
+        for (const std::uint32_t i : members)
+            nearest = std::min(nearest, distanceToDisc(point, discs.positions[i], discs.normals[i], discs.radii[i]));
+        farthest = std::max(farthest, nearest);
+    }
+    return farthest;
+}
+
+/// The axes along which positions spread most and second most.
+struct Spread {
+    Vec3f center, along, across;
+};
+
+Spread spreadOf(const MergeDiscs& discs, std::span<const std::uint32_t> members) {
+    Vec3d center = Vec3d::Zero();
+    for (const std::uint32_t i : members) center += discs.positions[i].cast<double>();
+    center /= static_cast<double>(members.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const std::uint32_t i : members) {
+        const Vec3d way = discs.positions[i].cast<double>() - center;
+        covariance += way * way.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance); // ascending
+    return {center.cast<float>(), solver.eigenvectors().col(2).cast<float>(),
+            solver.eigenvectors().col(1).cast<float>()};
+}
+
+/// Half of how far discs reach along an axis.
+float halfReach(const MergeDiscs& discs, std::span<const std::uint32_t> members, const Vec3f& axis) {
+    float low = std::numeric_limits<float>::max(), high = -low;
+    for (const std::uint32_t i : members) {
+        const float place = discs.positions[i].dot(axis);
+        low = std::min(low, place - discs.radii[i]);
+        high = std::max(high, place + discs.radii[i]);
+    }
+    return (high - low) / 2;
+}
+
+} // namespace
+
+void splitLong(const MergeDiscs& discs, std::span<std::uint32_t> members, std::vector<std::uint32_t>& sizes) {
+    constexpr float kLong = 2;
+    const auto whole = static_cast<std::uint32_t>(members.size());
+    if (members.size() < 2) return sizes.push_back(whole);
+    const Spread spread = spreadOf(discs, members);
+    if (halfReach(discs, members, spread.along) <= kLong * halfReach(discs, members, spread.across))
+        return sizes.push_back(whole);
+    const auto middle = std::stable_partition(members.begin(), members.end(), [&](std::uint32_t i) {
+        return (discs.positions[i] - spread.center).dot(spread.along) < 0;
+    });
+    const auto first = static_cast<std::size_t>(middle - members.begin());
+    if (first == 0 || first == members.size()) return sizes.push_back(whole); // all at one place
+    splitLong(discs, members.first(first), sizes);
+    splitLong(discs, members.subspan(first), sizes);
+}
+
+std::vector<std::uint32_t> groupBySide(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented) {
+    std::vector<Vec3f> sums;
+    std::vector<std::uint32_t> group_of;
+    for (const std::uint32_t i : members) {
+        const Vec3f& normal = discs.normals[i];
+        float best = kSameSide;
+        std::size_t group = sums.size();
+        for (std::size_t g = 0; g < sums.size(); ++g) {
+            const float cosine = normal.dot(sums[g].normalized());
+            const float alike = oriented ? cosine : std::abs(cosine);
+            if (alike < best) continue;
+            best = alike;
+            group = g;
+        }
+        if (group == sums.size()) sums.push_back(Vec3f::Zero());
+        sums[group] += discs.radii[i] * discs.radii[i] * turnedTo(normal, sums[group], oriented);
+        group_of.push_back(static_cast<std::uint32_t>(group));
+    }
+    return group_of;
+}
+
+MergedDisc mergeDiscs(const MergeDiscs& discs, std::span<const std::uint32_t> members, bool oriented) {
+    if (members.size() == 1) {
+        const std::uint32_t i = members.front();
+        return {discs.positions[i], discs.normals[i], discs.radii[i], 0};
+    }
+    const Means means = meansOf(discs, members, oriented);
+    const Reach reach = reachOf(discs, members, means);
+    const bool flat = reach.off <= kFlat * reach.along;
+    const bool side_by_side = means.squares >= kSideBySide * reach.along * reach.along;
+    const float area_radius = scatteredRadius(means, reach.along);
+    MergedDisc merged{means.position, means.normal, flat && side_by_side ? reach.along : area_radius, 0};
+    merged.error = std::max(reach.off, rimDistance(discs, members, merged));
+    for (const std::uint32_t i : members) {
+        const Vec3f way = discs.positions[i] - merged.position;
+        const float along = (way - way.dot(merged.normal) * merged.normal).norm() + discs.radii[i];
+        merged.error = std::max(merged.error, std::hypot(reach.off, std::max(0.0f, along - merged.radius)));
+    }
+    return merged;
+}
+
+} // namespace pointrt

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/plan_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointrt {
+namespace {
+
+constexpr std::uint32_t kMostLevels = 32; // cells of the finest are 31 bits wide
+constexpr std::uint32_t kMostComponents = 4;
+
+bool isScalar(Scalar type) { return type >= Scalar::kI8 && type <= Scalar::kF64; }
+
+bool isGood(const PlanAttribute& attribute) {
+    return !attribute.name.empty() && isScalar(attribute.type) && isScalar(attribute.read_type) &&
+           attribute.components >= 1 && attribute.components <= kMostComponents;
+}
+
+bool isGood(const PlanSchema& schema) {
+    const std::size_t bytes = schema.scan_bytes;
+    return (bytes <= 2 || bytes == 4) && std::all_of(schema.attributes.begin(), schema.attributes.end(),
+                                                     [](const PlanAttribute& each) { return isGood(each); });
+}
+
+bool isGood(const PlanTile& tile, const SetPlan& plan) {
+    return tile.level < plan.levels && std::all_of(tile.cell.begin(), tile.cell.end(), [](int i) { return i >= 0; }) &&
+           tile.points >= 1 && std::isfinite(tile.spacing) && tile.spacing >= 0;
+}
+
+bool areBlocks(const std::vector<std::uint32_t>& first_tiles, std::size_t tiles) {
+    return !first_tiles.empty() && first_tiles.front() == 0 && first_tiles.back() == tiles &&
+           std::is_sorted(first_tiles.begin(), first_tiles.end());
+}
+
+} // namespace
+
+std::string findPlanFault(const SetPlan& plan) {
+    if (!(plan.edge > 0) || !std::isfinite(plan.edge) || !plan.lattice_origin.allFinite()) return "its grid is none";
+    if (plan.levels < 1 || plan.levels > kMostLevels) return "its levels are too few or too many";
+    if (plan.orient < OrientMode::kAuto || plan.orient > OrientMode::kNone) return "its orientation is none";
+    if (!isGood(plan.schema)) return "what its points have is nothing that points can have";
+    for (const PlanTile& tile : plan.tiles)
+        if (!isGood(tile, plan)) return "tile " + std::to_string(&tile - plan.tiles.data()) + " cannot be one";
+    if (!areBlocks(plan.first_tile_of_block, plan.tiles.size())) return "its blocks are not those of its tiles";
+    const CloudTraits& traits = plan.traits;
+    if (!traits.noise.empty() && traits.noise.size() != plan.scans.size()) return "its noise is not that of its scans";
+    if (traits.common_reach && !(*traits.common_reach >= 0)) return "its points reach their neighbours nowhere";
+    if (traits.radius_limit && !(*traits.radius_limit > 0)) return "no disc is as narrow as its limit";
+    return "";
+}
+
+} // namespace pointrt

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preprocess/tiles/split.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "format/base/atomic_file.h"
+#include "format/base/error.h"
+#include "format/base/whole_number.h"
+#include "preprocess/tiles/bucket_writer.h"
+#include "preprocess/tiles/measure_traits.h"
+
+namespace pointrt {
+namespace {
+
+using Json = nlohmann::json;
+
+/// How far the buckets are between two files.
+struct Mark {
+    StreamPlace place;
+    std::vector<std::uint64_t> bytes; ///< [tiles] of their buckets
+};
+
+std::string markFile(const SetPlan& plan) { return plan.work + "/split.begun.json"; }
+
+void writeJson(const std::string& path, const Json& json) {
+    const std::string text = json.dump() + "\n";
+    format::AtomicFile file;
+    if (!file.open(path) || !file.write(text.data(), text.size()) || !file.commit())
+        throw Error(ExitCode::kCannotWrite, path + ": " + file.error());
+}
+
+void writeMark(const SetPlan& plan, const Mark& mark) {
+    const StreamPlace& place = mark.place;
+    writeJson(markFile(plan), {{"file", place.file},
+                               {"scan", place.scan},
+                               {"kept", place.kept},
+                               {"seen", place.seen},
+                               {"bytes", mark.bytes}});
+}
+
+std::optional<Mark> readMark(const SetPlan& plan) {
+    std::ifstream stream(markFile(plan));
+    const Json json = Json::parse(stream, nullptr, false);
+    try {
+        Mark mark;
+        mark.place.file = wholeNumber<std::size_t>(json.at("file"));
+        mark.place.scan = wholeNumber<std::size_t>(json.at("scan"));
+        mark.place.kept = wholeNumber<std::uint64_t>(json.at("kept"));
+        mark.place.seen = wholeNumber<std::uint64_t>(json.at("seen"));
+        for (const Json& each : json.at("bytes")) mark.bytes.push_back(wholeNumber<std::uint64_t>(each));
+        if (mark.place.file > plan.inputs.size() || mark.place.scan > plan.scans.size()) return std::nullopt;
+        return mark;
+    } catch (const Json::exception&) {
+        return std::nullopt; // there is none
+    }
+}
+
+/// What the first reading found, as far as the second asks.
+StreamFindings findingsOf(const SetPlan& plan) {
+    StreamFindings known;
+    for (const PlanScan& scan : plan.scans) known.largest_color.push_back(scan.largest_color);
+    const PlanSchema& schema = plan.schema;
+    const std::size_t stored = schema.attributes.size() - (schema.scan_attribute ? 1 : 0);
+    for (std::size_t i = 0; i < stored; ++i) {
+        const PlanAttribute& each = schema.attributes[i];
+        known.cloud.attributes.push_back({each.name, each.read_type, each.components, {}});
+    }
+    return known;
+}
+
+void requireCounts(const SetPlan& plan, const std::vector<std::uint64_t>& counts) {
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] != plan.tiles[i].points)
+            throw Error(ExitCode::kBadInput,
+                        fmt::format("{}: the inputs had other points when the plan was made ({} where {} are now); "
+                                    "--force begins anew",
+                                    plan.work, plan.tiles[i].points, counts[i]));
+}
+
+} // namespace
+
+bool isSplit(const SetPlan& plan) {
+    std::error_code failure;
+    return std::filesystem::exists(splitMark(plan), failure);
+}
+
+void splitPoints(const SetPlan& plan, const SetRequest& request, const ReadProgress& progress,
+                 const SplitOptions& options) {
+    if (isSplit(plan)) return;
+    constexpr std::uint64_t kBufferShare = 8; // of the memory
+    BucketWriter writer(plan, plan.bake.max_memory / kBufferShare);
+    const StreamFindings known = findingsOf(plan);
+    StreamOptions stream = streamOptionsOf(request);
+    stream.known = &known;
+    const std::optional<Mark> mark = readMark(plan);
+    if (mark && writer.goOn(mark->bytes))
+        stream.start = mark->place;
+    else
+        writer.beginAnew();
+    std::uint64_t marked = stream.start.kept;
+    stream.file_done = [&](const StreamPlace& place) {
+        const bool is_last = place.file == request.inputs.size();
+        // what thinning remembers stands nowhere
+        const bool can_go_on = request.read.filter.thin_spacing <= 0 || is_last;
+        if (!can_go_on || (place.kept - marked < options.points_between_marks && !is_last)) return;
+        writeMark(plan, {place, writer.flush()});
+        marked = place.kept;
+    };
+    if (stream.start.file < request.inputs.size())
+        readInBatches(
+            request.inputs, stream, [&](const PointBatch& batch) { writer.add(batch); }, progress);
+    requireCounts(plan, writer.counts());
+    writer.finish();
+    writeTraits(plan, measureTraits(plan));
+    writeJson(splitMark(plan), {{"points", plan.points}});
+    std::error_code failure;
+    std::filesystem::remove(markFile(plan), failure);
+}
+
+} // namespace pointrt

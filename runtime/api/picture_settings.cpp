@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/api/picture_settings.h"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+#include "format/base/error.h"
+#include "runtime/scene/render_setting_table.h"
+#include "runtime/session/option_table.h"
+#include "runtime/util/parse.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::string_view kDashes = "--";
+/// Of the options that have no row in the table of settings, those that scenes in memory have as well.
+constexpr std::string_view kOtherOptions[] = {"--up", "--memory"};
+constexpr const char* kStagedFor = "--staged-for";
+/// Settings of files of 8 bits, and what render() has an argument for.
+constexpr std::string_view kElsewhere[] = {"--size", "--exposure", "--legend"};
+
+template <typename List>
+bool has(const List& list, std::string_view option) {
+    return std::find(std::begin(list), std::end(list), option) != std::end(list);
+}
+
+/// As the command line has it.
+std::string optionNamed(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return std::string(kDashes) + name;
+}
+
+/// False where no row has such an option.
+bool takeTableSetting(const std::string& option, const std::string& text, Options& options) {
+    bool found = false;
+    forEachRenderSetting([&](const auto& row) {
+        if (option != row.command_line.option || has(kElsewhere, option)) return;
+        options.choices.*row.choice = parseValue(row.limits, text);
+        found = true;
+    });
+    return found;
+}
+
+bool takeOtherOption(const std::string& option, const std::string& text, Options& options) {
+    if (!has(kOtherOptions, option)) return false;
+    for (const OptionGroup& group : optionGroups())
+        for (const OptionRow& row : group.options)
+            if (option == row.names) row.set(options, text);
+    return true;
+}
+
+std::string knownNames() {
+    std::string names;
+    const auto add = [&](std::string_view option) {
+        if (!has(kElsewhere, option)) names += (names.empty() ? "" : ", ") + std::string(option.substr(kDashes.size()));
+    };
+    forEachRenderSetting([&](const auto& row) { add(row.command_line.option); });
+    for (const std::string_view option : kOtherOptions) add(option);
+    add(kStagedFor);
+    return names;
+}
+
+void take(const std::string& option, const std::string& text, PictureOptions& taken) {
+    if (option == kStagedFor)
+        taken.staged_for = parseVector(text);
+    else if (!takeTableSetting(option, text, taken.options) && !takeOtherOption(option, text, taken.options))
+        throw std::invalid_argument("is no setting of pictures; there are " + knownNames());
+}
+
+} // namespace
+
+PictureOptions pictureOptions(const PictureSettings& settings) {
+    PictureOptions taken;
+    for (const auto& [name, text] : settings) try {
+            take(optionNamed(name), text, taken);
+        } catch (const std::invalid_argument& error) {
+            throw Error{ExitCode::kBadUsage, name + ": " + error.what()};
+        }
+    return taken;
+}
+
+} // namespace pointrt

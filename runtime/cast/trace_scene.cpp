@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "format/base/error.h"
+#include "format/base/parallel.h"
+#include "runtime/cast/cast_programs.h"
+#include "runtime/cast/cast_rounds.h"
+#include "runtime/cast/describe_targets.h"
+#include "runtime/cast/given_rays.h"
+#include "runtime/cast/hit_unpacking.h"
+#include "runtime/cast/scene_attributes.h"
+#include "runtime/cast/slot_pool.h"
+#include "runtime/cast/trace_device.h"
+#include "runtime/cast/translated.h"
+
+namespace pointrt {
+namespace {
+
+/// More than two keep a device at work whose rays take less time than packing them on one core; beyond four, memory is
+/// all that they take.
+std::size_t slotCount() { return std::clamp(std::thread::hardware_concurrency(), 2u, 4u); }
+
+/// Rays whose way from target to target is kept at once, in 52 bytes each: the more, the fewer times tiles that come
+/// and go are brought.
+constexpr std::size_t kBatchRays = std::size_t{1} << 20;
+
+/// Instances of scenes with shapes: those have a number, too.
+TargetList described(const std::vector<std::string>& paths) {
+    TargetList list = describeTargets(paths);
+    if (!list.shapes.empty() && list.instances.size() >= kShapesInstance)
+        throw Error(ExitCode::kBadUsage, "a scene with shapes has at most 254 instances");
+    return list;
+}
+
+std::vector<Bounds> boxesOf(const TargetList& list) {
+    std::vector<Bounds> boxes;
+    for (const Target& each : list.targets) boxes.push_back(each.box);
+    return boxes;
+}
+
+} // namespace
+
+struct TraceScene::State {
+    State(std::shared_ptr<TraceDevice::State> on, const std::vector<std::string>& paths, const SceneOptions& options)
+        : owner(std::move(on)), device{workerDevice(owner->device)}, programs(device.worker),
+          resident(device.worker, described(paths), options.memory), tree(boxesOf(resident.list())),
+          slots(slotCount(), [this] { return createSlot(device.worker); }) {}
+
+    /// One target, and nothing else: rays need not be sent from here to there.
+    bool isOneTarget() const {
+        return resident.isWhole() && resident.list().targets.size() == 1 && resident.list().shapes.empty();
+    }
+
+    /// Chunk by chunk, on as many threads as there are slots, against the only target: work(slot, first ray, count).
+    template <typename Work>
+    void inChunks(const CastRequest& request, const Work& work) {
+        const std::size_t rays = request.rays.count, chunks = (rays + CastSlot::kRays - 1) / CastSlot::kRays;
+        const PlacedTarget& target = *resident.find(0);
+        const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            packRays(target.frame, request.rays, request.limits, first, slot.rayRows(count),
+                     std::span(slot.starts).first(count));
+            const CastRun run{&target, 0, static_cast<std::uint32_t>(count)};
+            traceSlot(slot, programs, {&run, 1}, request.any_hit);
+            work(slot, first, count);
+        };
+        forAll(
+            chunks,
+            [&](std::size_t k) {
+                const std::size_t first = k * CastSlot::kRays;
+                slots.with([&](CastSlot& slot) { trace(slot, first, std::min(CastSlot::kRays, rays - first)); });
+            },
+            slots.most());
+    }
+
+    /// Chunk by chunk, as they are given, against the only target: putAll(slot, first ray, count) where all of a chunk
+    /// are common ones, which it tells; else put(ray, hit) of each.
+    template <typename PutAll, typename Put>
+    void inGivenChunks(const CastRequest& request, const PutAll& putAll, const Put& put) {
+        const std::size_t rays = request.rays.count, most = CastSlot::kRays;
+        const PlacedTarget& target = *resident.find(0);
+        const GivenRays given(device.worker, request.rays);
+        const auto trace = [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            given.trace(slot, programs, target, request.limits, first, count, request.any_hit);
+            return putAll(slot, first, count);
+        };
+        forAll((rays + most - 1) / most,
+               [&](std::size_t k) {
+                   const std::size_t first = k * most, count = std::min(most, rays - first);
+                   bool done = false;
+                   slots.with([&](CastSlot& slot) { done = trace(slot, first, count); });
+                   if (!done) castAndPut(request, first, count, put); // with slots of its own
+               },
+               slots.most());
+    }
+
+    /// Batch by batch, from target to target: work(ray, hit) of each, on all cores.
+    template <typename Work>
+    void inRounds(const CastRequest& request, const Work& work) {
+        for (std::size_t first = 0; first < request.rays.count; first += kBatchRays)
+            castAndPut(request, first, std::min(kBatchRays, request.rays.count - first), work);
+    }
+
+    template <typename Put>
+    void castAndPut(const CastRequest& request, std::size_t first, std::size_t count, const Put& put) {
+        const std::vector<RayHit> hits = castBatch(request, first, count);
+        const std::size_t part = (count + slots.most() - 1) / slots.most();
+        forAll((count + part - 1) / part, [&](std::size_t k) {
+            for (std::size_t i = k * part; i < std::min(count, (k + 1) * part); ++i) put(first + i, hits[i]);
+        });
+    }
+
+    std::vector<RayHit> castBatch(const CastRequest& request, std::size_t first, std::size_t count) {
+        const std::unique_lock turn = takeTurn();
+        return CastRounds({resident, tree, programs, slots}, request, first, count).run();
+    }
+
+    /// Where tiles come and go.
+    std::unique_lock<std::mutex> takeTurn() {
+        return resident.isWhole() ? std::unique_lock<std::mutex>() : std::unique_lock(turns);
+    }
+
+    std::shared_ptr<TraceDevice::State> owner;
+    struct Worker {
+        Device worker;
+        ~Worker() { destroyWorkerDevice(worker); }
+    } device; // what follows goes before it does
+    CastPrograms programs;
+    ResidentTargets resident;
+    TargetTree tree;
+    SlotPool slots;
+    std::mutex turns;
+};
+
+TraceScene::TraceScene(const TraceDevice& device, const std::vector<std::string>& paths, const SceneOptions& options)
+    : state_(translated([&] { return std::make_unique<State>(device.state_, paths, options); })) {}
+TraceScene::~TraceScene() = default;
+TraceScene::TraceScene(TraceScene&&) noexcept = default;
+TraceScene& TraceScene::operator=(TraceScene&&) noexcept = default;
+
+void TraceScene::castRays(RayRows rays, const RayLimits& limits, const HitArrays& hits) const {
+    translated([&] {
+        requireLimits(limits);
+        requireSizes(hits, rays.count);
+        const TargetList& list = state_->resident.list();
+        const CastRequest request{rays, limits, false};
+        const auto put = [&](std::size_t ray, const RayHit& hit) { putHit(list, rays, ray, hit, hits); };
+        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        if (takesGiven(state_->device.worker, *state_->resident.find(0)))
+            return state_->inGivenChunks(
+                request,
+                [&](CastSlot& slot, std::size_t first, std::size_t count) {
+                    return putGiven(slot, list, rays, first, count, hits);
+                },
+                put);
+        state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            const std::span<const gpu::CastHit> found = slot.hitRows(count);
+            for (std::size_t i = 0; i < count; ++i)
+                putHit(list, rays, first + i, hitOf(found[i], 0, slot.starts[i], limits, {}), hits);
+        });
+    });
+}
+
+void TraceScene::testOcclusions(RayRows rays, const RayLimits& limits, std::span<std::uint8_t> occluded) const {
+    translated([&] {
+        requireLimits(limits);
+        if (occluded.size() != rays.count) throw Error(ExitCode::kBadUsage, "occluded must have a number for each ray");
+        const CastRequest request{rays, limits, true};
+        const auto put = [&](std::size_t ray, const RayHit& hit) { occluded[ray] = hit.target != kNothing; };
+        if (!state_->isOneTarget()) return state_->inRounds(request, put);
+        if (takesGiven(state_->device.worker, *state_->resident.find(0)))
+            return state_->inGivenChunks(
+                request,
+                [&](CastSlot& slot, std::size_t first, std::size_t count) {
+                    return putStopped(slot, occluded.subspan(first, count));
+                },
+                put);
+        state_->inChunks(request, [&](CastSlot& slot, std::size_t first, std::size_t count) {
+            const std::span<const std::uint32_t> stopped = slot.stoppedRows(count);
+            for (std::size_t i = 0; i < count; ++i) occluded[first + i] = stopped[i] != 0;
+        });
+    });
+}
+
+std::vector<SceneAttribute> TraceScene::attributes() const { return sceneAttributes(state_->resident); }
+
+void TraceScene::readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
+                               std::span<const std::uint32_t> instance_ids, std::span<const std::uint32_t> tile_ids,
+                               std::span<std::byte> values) const {
+    translated([&] {
+        const std::unique_lock turn = state_->takeTurn();
+        gatherAttribute(state_->resident, name, {splat_ids, instance_ids, tile_ids}, values);
+    });
+}
+
+void TraceScene::readAttribute(const std::string& name, std::span<const std::uint32_t> splat_ids,
+                               std::span<const std::uint32_t> instance_ids, std::span<std::byte> values) const {
+    readAttribute(name, splat_ids, instance_ids, {}, values);
+}
+
+void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                            std::span<const std::uint32_t> tile_ids, std::span<std::uint8_t> colors) const {
+    translated([&] {
+        const std::unique_lock turn = state_->takeTurn();
+        gatherColors(state_->resident, {splat_ids, instance_ids, tile_ids}, colors);
+    });
+}
+
+void TraceScene::readColors(std::span<const std::uint32_t> splat_ids, std::span<const std::uint32_t> instance_ids,
+                            std::span<std::uint8_t> colors) const {
+    readColors(splat_ids, instance_ids, {}, colors);
+}
+
+double TraceScene::metresPerUnit() const { return pointrt::metresPerUnit(state_->resident); }
+std::uint64_t TraceScene::splatCount() const { return pointrt::splatCount(state_->resident); }
+std::size_t TraceScene::instanceCount() const { return state_->resident.list().instances.size(); }
+bool TraceScene::hasTiles() const { return !state_->resident.list().sets.empty(); }
+std::uint64_t TraceScene::tileLoads() const { return state_->resident.tileLoads(); }
+std::uint64_t TraceScene::deviceBytes() const { return state_->resident.deviceBytes(); }
+
+} // namespace pointrt

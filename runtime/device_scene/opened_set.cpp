@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/device_scene/opened_set.h"
+
+#include <limits>
+
+#include "format/set/open_tile.h"
+
+namespace pointrt {
+namespace {
+
+/// Turned back.
+Vec3 unrotated(const Placement& placement, Vec3 v) {
+    return v.x * placement.rotation[0] + v.y * placement.rotation[1] + v.z * placement.rotation[2];
+}
+
+} // namespace
+
+OpenedSet openSet(const std::string& folder) {
+    OpenedSet set;
+    set.folder = folder;
+    set.set = readTileSet(folder);
+    set.children = childrenOf(set.set);
+    set.lost.assign(set.set.tiles.size(), false);
+    set.wanted_unseen.assign(set.set.tiles.size(), false);
+    return set;
+}
+
+std::string tilePath(const OpenedSet& set, std::uint32_t tile) { return tilePath(set.folder, set.set.tiles[tile]); }
+
+CutView cutView(const Placement& placement, const Camera& camera, PixelSize size) {
+    CutView view;
+    view.camera.eye = unrotated(placement, camera.eye - placement.translation) * (1 / placement.scale);
+    view.camera.right = unrotated(placement, camera.right);
+    view.camera.up = unrotated(placement, camera.up);
+    view.camera.forward = unrotated(placement, camera.forward);
+    view.camera.fov_deg = camera.fov_deg;
+    view.camera.ortho_height = camera.ortho_height / placement.scale;
+    view.aspect = static_cast<double>(size.width) / size.height;
+    view.height = size.height;
+    return view;
+}
+
+void chooseCuts(OpenedSet& set, CutRequest request) {
+    request.lost = set.lost;
+    request.wanted_unseen = set.wanted_unseen;
+    set.cut = chooseCut(set.set, set.children, request);
+    set.wanted = set.cut;
+    if (set.cut.fits) return;
+    request.memory = std::numeric_limits<std::uint64_t>::max();
+    set.wanted = chooseCut(set.set, set.children, request);
+}
+
+} // namespace pointrt

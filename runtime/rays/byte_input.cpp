@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/byte_input.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 30; // read(2) stops short of 2 GiB on Linux
+
+[[noreturn]] void failReading(const std::string& name) {
+    throw Error(ExitCode::kBadInput, name + ": " + std::strerror(errno));
+}
+
+} // namespace
+
+ByteInput::ByteInput(std::string path) : owned_(path != "-") {
+    name_ = owned_ ? std::move(path) : "standard input";
+    descriptor_ = owned_ ? ::open(name_.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
+    if (descriptor_ < 0) failReading(name_);
+}
+
+ByteInput::~ByteInput() {
+    if (owned_ && descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::size_t ByteInput::read(void* to, std::size_t bytes) {
+    const std::size_t ready = std::min(bytes, looked_at_.size());
+    if (ready > 0) {
+        std::memcpy(to, looked_at_.data(), ready);
+        looked_at_.erase(looked_at_.begin(), looked_at_.begin() + static_cast<std::ptrdiff_t>(ready));
+    }
+    return ready + fill(static_cast<std::uint8_t*>(to) + ready, bytes - ready);
+}
+
+bool ByteInput::beginsWith(const std::string& start) {
+    looked_at_.resize(start.size());
+    looked_at_.resize(fill(looked_at_.data(), looked_at_.size()));
+    return looked_at_.size() == start.size() &&
+           std::equal(start.begin(), start.end(), looked_at_.begin(),
+                      [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+std::size_t ByteInput::fill(void* to, std::size_t bytes) {
+    std::size_t done = 0;
+    while (done < bytes) {
+        const ssize_t got =
+            ::read(descriptor_, static_cast<std::uint8_t*>(to) + done, std::min(bytes - done, kReadAtOnce));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) failReading(name_);
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+} // namespace pointrt

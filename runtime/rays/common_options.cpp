@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/common_options.h"
+
+#include <unistd.h>
+
+#include "format/base/error.h"
+#include "format/base/same_file.h"
+#include "format/cli/command_line.h"
+#include "runtime/util/parse.h"
+
+namespace pointrt {
+namespace {
+
+[[noreturn]] void refuseUsage(const std::string& text) { throw Error(ExitCode::kBadUsage, text); }
+
+std::uint64_t bytesOf(const std::string& text) {
+    try {
+        return parseBytes(text);
+    } catch (const std::invalid_argument& reason) {
+        refuseUsage(std::string("--memory: ") + reason.what());
+    }
+}
+
+void checkStandardOutput(const CommonOptions& options, const std::string& what) {
+    if (options.output != "-") return;
+    if (options.stats == "-") refuseUsage("-o - and --stats - exclude each other: both write to standard output");
+    if (isatty(STDOUT_FILENO) == 1)
+        refuseUsage("-o -: standard output is a terminal; let a file or a pipe take the " + what);
+}
+
+} // namespace
+
+void addSceneAndOutput(CommandLine& app, CommonOptions& options, const std::string& output_help,
+                       const std::string& suffixes) {
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.add_option("SCENE", options.scene,
+                   "One or more .pro files, tile sets (.proset) and scene files (.toml): instance_ids count them, of a "
+                   "scene file its instances, from 0")
+        ->required()
+        ->type_name("")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("-o,--output", options.output, output_help)->required()->type_name("FILE");
+    completes(app, "SCENE", ".pro .proset .toml");
+    completes(app, "--output", suffixes);
+}
+
+void addDeviceAndReport(CommandLine& app, CommonOptions& options) {
+    app.add_option_function<std::string>(
+           "--memory", [&options](const std::string& text) { options.held.memory = bytesOf(text); },
+           "What the tiles of sets may take at once, such as 4G or 500M; with less than all take they come and go (2G)")
+        ->type_name("SIZE");
+    app.add_option("--device", options.device,
+                   "Vulkan device, by index or a part of its name (the best one); "
+                   "pointrt-view --device list lists them")
+        ->type_name("DEVICE");
+    app.add_option("--stats", options.stats, "Write a report as JSON; - is standard output")->type_name("FILE");
+    completes(app, "--stats", ".json");
+    app.add_flag("-q,--quiet", options.quiet, "No progress, only errors");
+    app.add_flag("-v,--verbose", options.verbose, "Say what was done, and how fast");
+}
+
+void checkCommonOptions(const CommonOptions& options, std::vector<std::string> inputs, const std::string& what) {
+    if (options.quiet && options.verbose) refuseUsage("-q and -v exclude each other");
+    checkStandardOutput(options, what);
+    inputs.insert(inputs.end(), options.scene.begin(), options.scene.end());
+    for (const std::string& input : inputs)
+        for (const std::string& output : {options.output, options.stats})
+            if (input != "-" && output != "-" && !output.empty() && isSameFile(input, output))
+                refuseUsage(output + ": is an input");
+    if (!options.stats.empty() && options.stats != "-" && isSameFile(options.stats, options.output))
+        refuseUsage(options.stats + ": is the output");
+}
+
+} // namespace pointrt

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/csv_rays.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "format/base/error.h"
+#include "format/base/printable.h"
+#include "runtime/util/words.h"
+
+namespace pointrt {
+namespace {
+
+constexpr std::size_t kNumbersMost = 6;        // of a row
+constexpr std::size_t kReadBytes = 1u << 20;   // at once: reading takes no time beside parsing then
+constexpr std::size_t kLongestLine = 1u << 16; // what has no line ends is no list of rays
+
+/// The numbers of a line; error is where it stops being numbers, or empty.
+struct Parsed {
+    std::array<double, kNumbersMost> numbers{};
+    std::size_t count = 0; ///< may be more than there is room for
+    std::string_view error;
+};
+
+Parsed parse(std::string_view line) {
+    Parsed parsed;
+    while (true) {
+        const std::size_t start = line.find_first_not_of(kBetweenWords);
+        if (start == line.npos) return parsed;
+        line.remove_prefix(line[start] == '+' ? start + 1 : start);
+        double number = 0;
+        const auto [rest, failure] = std::from_chars(line.data(), line.data() + line.size(), number);
+        const auto length = static_cast<std::size_t>(rest - line.data());
+        if (failure != std::errc() ||
+            (length < line.size() && kBetweenWords.find(line[length]) == kBetweenWords.npos)) {
+            parsed.error = line.substr(0, line.find_first_of(kBetweenWords));
+            return parsed;
+        }
+        if (parsed.count < kNumbersMost) parsed.numbers[parsed.count] = number;
+        ++parsed.count;
+        line.remove_prefix(length);
+    }
+}
+
+bool isWord(std::string_view text, std::string_view lower) {
+    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
+                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+class CsvRays final : public RaySource {
+public:
+    CsvRays(std::unique_ptr<ByteInput> input, const RowKind& kind) : input_(std::move(input)), kind_(kind) {}
+
+    std::size_t width() const override { return width_ > 0 ? width_ : kind_.widths[0]; }
+
+    bool next(RayBlock& block) override {
+        block.first = done_;
+        block.doubles.clear();
+        block.lines.clear();
+        std::string_view line;
+        while (block.lines.size() < RayBlock::kRays && nextLine(line)) addLine(line, block);
+        done_ += block.lines.size();
+        return !block.lines.empty();
+    }
+
+    std::optional<std::uint64_t> count() const override { return {}; }
+
+    std::string placeOf(const RayBlock& block, std::size_t ray) const override {
+        return input_->name() + ":" + std::to_string(block.lines.at(ray));
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& reason) const {
+        throw Error(ExitCode::kBadInput, input_->name() + ":" + std::to_string(line_) + ": " + reason);
+    }
+
+    void addLine(std::string_view line, RayBlock& block) {
+        const std::size_t start = line.find_first_not_of(kBetweenWords);
+        if (start == line.npos || line[start] == '#') return;
+        const bool may_name_columns = !std::exchange(met_any_, true);
+        const Parsed parsed = parse(line);
+        if (!parsed.error.empty() && may_name_columns && parsed.count == 0) return requireNames(line);
+        if (!parsed.error.empty()) fail("\"" + printable(parsed.error) + "\" is no number");
+        requireWidth(parsed.count);
+        block.doubles.insert(block.doubles.end(), parsed.numbers.begin(),
+                             parsed.numbers.begin() + static_cast<std::ptrdiff_t>(width_));
+        block.lines.push_back(line_);
+    }
+
+    /// The first row decides.
+    void requireWidth(std::size_t count) {
+        const auto& widths = kind_.widths;
+        if (std::find(widths.begin(), widths.end(), count) == widths.end())
+            fail("there are " + std::to_string(count) + " numbers, where a " + kind_.row + " has " + kind_.numbers);
+        if (width_ == 0) width_ = count;
+        if (width_ != count)
+            fail("there are " + std::to_string(count) + " numbers, where the first " + kind_.row + " has " +
+                 std::to_string(width_));
+    }
+
+    void requireNames(std::string_view line) const {
+        const std::vector<std::string_view> words = wordsOf(line);
+        const auto named = [&](std::size_t count) {
+            return words.size() == count && std::equal(words.begin(), words.end(), kind_.names.begin(), isWord);
+        };
+        if (kind_.names.empty() || std::any_of(kind_.widths.begin(), kind_.widths.end(), named)) return;
+        std::string wanted;
+        for (const std::size_t width : kind_.widths) {
+            wanted += wanted.empty() ? "" : ", or ";
+            for (std::size_t k = 0; k < width; ++k) wanted += (k > 0 ? "," : "") + kind_.names[k];
+        }
+        fail("its columns are not " + wanted);
+    }
+
+    /// Valid until the next call; false at the end.
+    bool nextLine(std::string_view& line) {
+        ++line_;
+        std::size_t end = text_.find('\n', at_);
+        if (end == text_.npos && more()) end = text_.find('\n', at_);
+        if (end == text_.npos && text_.size() - at_ > kLongestLine)
+            fail("a line without end: no list of " + kind_.rows);
+        if (end == text_.npos && at_ == text_.size()) return false;
+        if (end == text_.npos) end = text_.size();
+        line = std::string_view(text_).substr(at_, end - at_);
+        at_ = std::min(end + 1, text_.size());
+        return true;
+    }
+
+    /// What is left over of a line, and further text.
+    bool more() {
+        text_.erase(0, at_);
+        at_ = 0;
+        const std::size_t kept = text_.size();
+        text_.resize(kept + kReadBytes);
+        const std::size_t got = input_->read(text_.data() + kept, kReadBytes);
+        text_.resize(kept + got);
+        return got > 0;
+    }
+
+    std::unique_ptr<ByteInput> input_;
+    const RowKind& kind_;
+    std::size_t width_ = 0;
+    std::string text_;
+    std::size_t at_ = 0;
+    std::uint64_t line_ = 0, done_ = 0;
+    bool met_any_ = false;
+};
+
+} // namespace
+
+std::unique_ptr<RaySource> csvRays(std::unique_ptr<ByteInput> input, const RowKind& kind) {
+    return std::make_unique<CsvRays>(std::move(input), kind);
+}
+
+} // namespace pointrt

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of pointrt-rays lidar.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "format/cli/command_text.h"
+#include "runtime/rays/common_options.h"
+
+namespace pointrt {
+
+struct LidarOptions : CommonOptions {
+    std::string sensor;       ///< a sensor file
+    std::string trajectory;   ///< a file, or empty
+    std::vector<double> pose; ///< x, y, z and yaw, pitch, roll in degrees; or the first three; or none
+    std::optional<double> start_s, duration_s;
+    double metres_per_unit = 0; ///< 0: as the scans say
+    std::uint64_t seed = 0;
+    std::vector<std::string> attributes; ///< names
+};
+
+/// Fills options from the words behind "lidar". Returns an exit code where the run ends here (--help and --version).
+/// Throws Error kBadUsage with one line for anything wrong.
+std::optional<int> parseLidarOptions(int argc, const char* const* argv, LidarOptions& options);
+
+/// What --help says, as data.
+CommandText lidarText();
+
+} // namespace pointrt

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/rays/scene_points.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "format/base/error.h"
+#include "format/pointio/input_order.h"
+#include "format/pointio/pro_points.h"
+#include "format/pointio/set_points.h"
+#include "runtime/cast/describe_targets.h"
+#include "runtime/device_scene/render_space.h"
+#include "runtime/studies/target_points.h"
+
+namespace pointrt {
+namespace {
+
+constexpr const char* kInstance = "instance_id";
+
+bool isAlike(const PointColumn& a, const PointColumn& b) {
+    return a.name == b.name && a.type == b.type && a.components == b.components && a.role == b.role;
+}
+
+/// Leaves of one what both have, with room for the values of both.
+void share(PointOutline& outline, const PointOutline& other) {
+    std::erase_if(outline.columns, [&](PointColumn& column) {
+        const auto found = std::find_if(other.columns.begin(), other.columns.end(),
+                                        [&](const PointColumn& each) { return isAlike(each, column); });
+        if (found == other.columns.end()) return true;
+        if (column.range && found->range)
+            column.range = {
+                {std::min((*column.range)[0], (*found->range)[0]), std::max((*column.range)[1], (*found->range)[1])}};
+        return false;
+    });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        outline.bounds_min[axis] = std::min(outline.bounds_min[axis], other.bounds_min[axis]);
+        outline.bounds_max[axis] = std::max(outline.bounds_max[axis], other.bounds_max[axis]);
+    }
+    outline.position_step = std::min(outline.position_step, other.position_step);
+    outline.count = *outline.count + *other.count;
+}
+
+/// As it stands: what is moved lies in no coordinate system.
+void place(const Placement& placement, PointOutline& outline) {
+    if (placement == Placement{}) return;
+    pro_info info{};
+    std::ranges::copy(outline.bounds_min, info.bounds_min);
+    std::ranges::copy(outline.bounds_max, info.bounds_max);
+    const Bounds box = placedBounds(placement, info);
+    outline.bounds_min = {box.lo.x, box.lo.y, box.lo.z};
+    outline.bounds_max = {box.hi.x, box.hi.y, box.hi.z};
+    outline.position_step *= placement.scale;
+    outline.metres_per_unit /= placement.scale;
+    outline.metadata.clear();
+}
+
+PointOutline outlineOf(const TargetList& list, const TargetRun& instance) {
+    const Target& first = list.targets[instance.first];
+    PointOutline outline;
+    if (instance.set) {
+        outline = outlineOf(list.sets[*instance.set].set, list.sets[*instance.set].folder);
+    } else {
+        const ProFile file = openTarget(list, first);
+        outline = outlineOf(file);
+        outline.count = inputCount(file);
+        for (PointColumn& column : outline.columns) column.values = nullptr; // the file is closed again
+    }
+    place(first.placement, outline);
+    return outline;
+}
+
+/// @param scene for messages
+PointOutline outlineOf(const TargetList& list, const std::string& scene) {
+    if (list.instances.empty()) throw Error(ExitCode::kBadInput, scene + ": has no scan: studies are of points");
+    PointOutline all = outlineOf(list, list.instances.front());
+    for (std::size_t i = 1; i < list.instances.size(); ++i) share(all, outlineOf(list, list.instances[i]));
+    return all;
+}
+
+/// From the file's coordinates to where it stands. Normals and radii are the first two columns.
+void place(const Placement& placement, PointBlock& block) {
+    if (placement == Placement{}) return;
+    const std::span<float> normals = numbersIn<float>(block.columns[0]), radii = numbersIn<float>(block.columns[1]);
+    for (std::size_t i = 0; i < block.count(); ++i) {
+        double* const at = &block.positions[3 * i];
+        float* const normal = &normals[3 * i];
+        const Vec3 position = placed(placement, {at[0], at[1], at[2]});
+        const Vec3 outwards = turned(placement, {double{normal[0]}, double{normal[1]}, double{normal[2]}});
+        std::ranges::copy(std::initializer_list<double>{position.x, position.y, position.z}, at);
+        std::ranges::copy(std::initializer_list<float>{static_cast<float>(outwards.x), static_cast<float>(outwards.y),
+                                                       static_cast<float>(outwards.z)},
+                          normal);
+        radii[i] = static_cast<float>(placement.scale * double{radii[i]});
+    }
+}
+
+template <typename Each>
+void append(std::vector<Each>& to, const std::vector<Each>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+class PointsOfScene final : public PointSource {
+public:
+    PointsOfScene(const std::vector<std::string>& paths, const std::vector<std::string>& left_out)
+        : list_(describeTargets(paths)), outline_(outlineOf(list_, paths.front())) {
+        std::vector<std::string> names = left_out;
+        if (isNumbered()) names.push_back(kInstance);
+        std::erase_if(outline_.columns, [&](const PointColumn& column) { return isLeftOut(column, names); });
+        if (isNumbered()) outline_.columns.push_back({kInstance, PRO_TYPE_U32});
+    }
+
+    const PointOutline& outline() const override { return outline_; }
+
+    bool next(StudyBlock& block) override {
+        block = {};
+        block.points.columns.resize(outline_.columns.size());
+        while (block.points.count() < kPointsAtOnce && findNext()) take(kPointsAtOnce - block.points.count(), block);
+        return block.points.count() > 0;
+    }
+
+private:
+    bool isNumbered() const { return list_.instances.size() > 1; }
+
+    /// Whether there is a point that is not done yet.
+    bool findNext() {
+        while (target_ < list_.targets.size()) {
+            if (!file_) open(list_.targets[target_]);
+            if (done_ < splats_.size()) return true;
+            file_.reset();
+            ++target_;
+        }
+        return false;
+    }
+
+    void open(const Target& target) {
+        file_.emplace(openTarget(list_, target));
+        splats_ = target.tile == kNoTile ? inputOrder(*file_) : coreNumbers(*file_);
+        requireCount(list_, target, splats_.size());
+        done_ = 0;
+    }
+
+    /// The next points of the open file, up to most of them.
+    void take(std::size_t most, StudyBlock& block) {
+        const auto splats =
+            std::span<const std::uint32_t>(splats_).subspan(done_, std::min(most, splats_.size() - done_));
+        const Target& target = list_.targets[target_];
+        gatherPoints(*file_, splats, outline_.columns, part_);
+        place(target.placement, part_);
+        if (isNumbered()) std::ranges::fill(numbersIn<std::uint32_t>(part_.columns.back()), target.instance);
+        takeNoise(splats, block);
+        append(block.points.positions, part_.positions);
+        for (std::size_t k = 0; k < part_.columns.size(); ++k) append(block.points.columns[k], part_.columns[k]);
+        const std::span<const float> normals = numbersIn<float>(part_.columns[0]),
+                                     radii = numbersIn<float>(part_.columns[1]);
+        block.normals.insert(block.normals.end(), normals.begin(), normals.end());
+        block.radii.insert(block.radii.end(), radii.begin(), radii.end());
+        done_ += splats.size();
+    }
+
+    /// Of files that have none it is 0 where others of the block have some.
+    void takeNoise(std::span<const std::uint32_t> splats, StudyBlock& block) {
+        const std::span<const std::uint8_t> noise = file_->noise();
+        if (noise.empty() && block.noise.empty()) return;
+        block.noise.resize(block.radii.size());
+        const std::span<const float> radii = numbersIn<float>(part_.columns[1]);
+        for (std::size_t i = 0; i < splats.size(); ++i)
+            block.noise.push_back(noise.empty() ? 0
+                                                : radii[i] * static_cast<float>(noise[splats[i]]) /
+                                                      static_cast<float>(PRO_NOISE_STEPS));
+    }
+
+    TargetList list_;
+    PointOutline outline_;
+    std::size_t target_ = 0; ///< whose points come next
+    std::optional<ProFile> file_;
+    std::vector<std::uint32_t> splats_; ///< of it
+    std::size_t done_ = 0;              ///< of these
+    PointBlock part_;
+};
+
+} // namespace
+
+std::unique_ptr<PointSource> scenePoints(const std::vector<std::string>& paths,
+                                         const std::vector<std::string>& left_out) {
+    return std::make_unique<PointsOfScene>(paths, left_out);
+}
+
+PointOutline sceneOutline(const std::vector<std::string>& paths) {
+    return outlineOf(describeTargets(paths), paths.front());
+}
+
+} // namespace pointrt

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// pointrt-rays viewshed: which points observers see.
+#pragma once
+
+#include "format/cli/command_text.h"
+
+namespace pointrt {
+
+/// @param argv from "viewshed" on
+int viewshedCommand(int argc, const char* const* argv);
+
+/// What --help says, as data.
+CommandText viewshedText();
+
+} // namespace pointrt

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/band_tracer.h"
+
+#include <utility>
+
+#include "runtime/render/frame_params.h"
+#include "runtime/render/map_schedule.h"
+#include "runtime/render/sample_recorder.h"
+#include "runtime/render/sieves.h"
+#include "runtime/util/on_error.h"
+
+namespace pointrt {
+namespace {
+
+void bind(Device& device, BandTracer& tracer) {
+    tracer.targets = bindTargets(device, tracer.programs, *tracer.scene, tracer.buffers, shownMap(tracer.caustics));
+}
+
+/// A step on to the later map of that number, in place of the one there is, so that there are never three. True where
+/// it is bound.
+bool traceLater(Device& device, BandTracer& tracer, std::uint32_t number) {
+    CausticMaps& maps = tracer.caustics;
+    if (!maps.job || maps.job->map() != number) {
+        maps.job.reset();
+        maps.later_number = 0;
+        if (std::exchange(maps.shows_later, false)) rebind(device, tracer);
+        destroyCaustics(device, maps.later);
+        maps.job = std::make_unique<CausticJob>(device, *tracer.scene, tracer.programs,
+                                                CausticOrder{kPhotons, number, maps.seed, maps.finest});
+    }
+    const OnError undo([&] { maps.job.reset(); });
+    if (maps.job->step()) return false;
+    maps.later = maps.job->take(maps.finest);
+    maps.job.reset();
+    maps.later_number = number;
+    maps.shows_later = true;
+    rebind(device, tracer);
+    return true;
+}
+
+} // namespace
+
+void createBandTracer(Device& device, BandTracer& tracer, const DeviceScene& scene, const RenderSettings& settings,
+                      std::uint32_t lanes, std::uint64_t film_pixels, FormRequest form) {
+    tracer.scene = &scene;
+    tracer.shadows = settings.shadows;
+    const OnError undo([&] { destroyBandTracer(device, tracer); });
+    tracer.buffers = createFrameBuffers(device, lanes, film_pixels, maySift(scene));
+    tracer.programs = createPrograms(device, scene, settings, form);
+    tracer.caustics.first = emptyCaustics(device);
+    bind(device, tracer);
+}
+
+void destroyBandTracer(Device& device, BandTracer& tracer) {
+    destroyPrograms(device, tracer.programs);
+    destroyTargets(device, tracer.targets);
+    destroyFrameBuffers(device, tracer.buffers);
+    destroyCaustics(device, tracer.caustics);
+    tracer.scene = nullptr;
+}
+
+bool wantsPhotons(const DeviceScene& scene, const RenderSettings& settings) {
+    return castsCaustics(scene) && showsLight(settings.integrator);
+}
+
+void castPhotons(Device& device, BandTracer& tracer, const RenderSettings& settings) {
+    CausticMaps maps;
+    maps.seed = settings.seed;
+    if (wantsPhotons(*tracer.scene, settings)) {
+        CausticJob job(device, *tracer.scene, tracer.programs, {kPhotons, 0, maps.seed});
+        while (job.step()) {
+        }
+        maps.first = job.take(maps.finest);
+    } else {
+        maps.first = emptyCaustics(device);
+    }
+    destroyCaustics(device, tracer.caustics);
+    tracer.caustics = std::move(maps);
+    rebind(device, tracer);
+}
+
+bool showPhotons(Device& device, BandTracer& tracer, std::uint32_t sample, std::uint64_t pixels) {
+    CausticMaps& maps = tracer.caustics;
+    const std::uint32_t wanted = mapOfSample(sample, pixels);
+    const bool later = wanted > 0 && maps.first.frame.count.x > 0;
+    if (later && maps.later_number != wanted) {
+        const HostSpan span(tracer.profile, "caustics");
+        return traceLater(device, tracer, wanted);
+    }
+    if (std::exchange(maps.shows_later, later) != later) rebind(device, tracer);
+    return true;
+}
+
+void forgetPhotons(BandTracer& tracer) {
+    CausticMaps& maps = tracer.caustics;
+    maps.first.frame.count.x = 0;
+    maps.shows_later = false;
+    maps.later_number = 0;
+    maps.job.reset();
+}
+
+void resizeFilm(Device& device, BandTracer& tracer, std::uint64_t film_pixels) {
+    createFilm(device, tracer.buffers, film_pixels);
+    rebind(device, tracer);
+}
+
+void rebind(Device& device, BandTracer& tracer) {
+    destroyTargets(device, tracer.targets);
+    bind(device, tracer);
+}
+
+std::uint64_t deviceBytes(const BandTracer& tracer) {
+    return tracer.buffers.device_bytes + tracer.targets.sieves.size() * sizeof(gpu::Sieve) +
+           deviceBytes(tracer.caustics);
+}
+
+void openBand(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera, Band band,
+              FilmPlace film) {
+    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, band.first_row, band.rows);
+    params.film_pixels = film.pixels;
+    params.film_first = film.first_pixel;
+    params.caustics = shownMap(tracer.caustics).frame;
+    const HostSpan span(tracer.profile, "parameters");
+    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
+}
+
+BandSample openPlaces(Device& device, BandTracer& tracer, const RenderSettings& settings, const Camera& camera,
+                      std::uint32_t count, FilmPlace film) {
+    const std::uint32_t rows = (count + kPlacesRow - 1) / kPlacesRow;
+    gpu::FrameParams params = makeFrameParams(*tracer.scene, settings, camera, 0, rows);
+    params.width = kPlacesRow;
+    params.film_pixels = film.pixels;
+    params.film_first = film.first_pixel;
+    params.caustics = shownMap(tracer.caustics).frame;
+    uploadBuffer(device, tracer.buffers.params, &params, sizeof params);
+    BandSample sample{kPlacesRow, rows, 0, true};
+    sample.first_hits = sample.at_places = true;
+    return sample;
+}
+
+void traceOn(Device& device, const BandTracer& tracer, BandSample& sample, std::uint32_t passes, RayCounts& counts) {
+    PassCommands commands(device, tracer.buffers.control, tilesOf(sample.width, sample.rows), tracer.profile);
+    SampleRecorder recorder(commands, tracer, sample);
+    if (sample.pass == 0) {
+        if ((sample.first_hits && !sample.at_places) || sample.only_first_hits) recorder.firstHits();
+        if (!sample.only_first_hits) recorder.begin();
+        sample.pass = 1;
+    }
+    if (!sample.only_first_hits && tracer.programs.rays_go_on)
+        for (std::uint32_t i = 0; i < passes; ++i) recorder.pass(sample.pass++);
+    const gpu::Control control = commands.finish();
+    // rays that had to wait, where surfaces reflect and refract, take more passes than a path has bounces
+    sample.done = control.queued[0] + control.queued[1] == 0;
+    if (!sample.done) return;
+    // they are 32 bits wide on the device and start at 0 with each sample
+    counts.primary += control.primary_rays;
+    counts.shadow += control.shadow_rays;
+    counts.secondary += control.secondary_rays;
+}
+
+} // namespace pointrt

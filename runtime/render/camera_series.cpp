@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/camera_series.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "format/base/error.h"
+#include "runtime/render/film_readout.h"
+#include "runtime/render/picture_tiles.h"
+#include "runtime/util/available_memory.h"
+
+namespace pointrt {
+namespace {
+
+TracerSize roomFor(const Device& device, const RenderSettings& settings) {
+    return tracerSizeFor(tilingFor(device, settings.width, settings.height), settings.width);
+}
+
+void requireMemory(const RenderSettings& settings) {
+    const std::uint64_t bytes = std::uint64_t{settings.width} * settings.height * filmBytesPerPixel(settings);
+    const std::uint64_t available = availableMemory();
+    if (bytes <= available) return;
+    throw Error{ExitCode::kCannotRun, "a picture of " + std::to_string(settings.width) + "x" +
+                                          std::to_string(settings.height) + " pixels takes " + gibibytes(bytes) +
+                                          " of memory here, and " + gibibytes(available) + " are free"};
+}
+
+} // namespace
+
+CameraSeries::CameraSeries(Device& device, LoadedScene& loaded, std::uint64_t memory)
+    : device_(device), loaded_(loaded), room_(roomFor(device, loaded.settings)), renderer_(device, loaded.tracer) {
+    request_.memory = memory;
+    request_.form = loaded.tracer.programs.form;
+}
+
+/// A tracer with the room that the settings' size takes, for all sizes that there were.
+void CameraSeries::makeRoom() {
+    const TracerSize wanted = roomFor(device_, loaded_.settings);
+    if (wanted.lanes <= room_.lanes && wanted.film_pixels <= room_.film_pixels) return;
+    const TracerSize both{std::max(wanted.lanes, room_.lanes), std::max(wanted.film_pixels, room_.film_pixels)};
+    room_ = {}; // until there is one
+    destroyBandTracer(device_, loaded_.tracer);
+    createBandTracer(device_, loaded_.tracer, loaded_.scene, loaded_.settings, both.lanes, both.film_pixels,
+                     request_.form);
+    castPhotons(device_, loaded_.tracer, loaded_.settings);
+    room_ = both;
+}
+
+void CameraSeries::aim(const SeriesShot& shot) {
+    RenderSettings& settings = loaded_.settings;
+    loaded_.camera = shot.camera;
+    settings.width = shot.size.width;
+    settings.height = shot.size.height;
+    settings.first_hits = shot.first_hits;
+    settings.light_parts = shot.light_parts;
+    requireMemory(settings);
+    makeRoom();
+    if (loaded_.scene.sets.empty()) return;
+    standTilesAnew(device_, loaded_, request_);
+    if (wantsPhotons(loaded_.scene, settings)) castPhotons(device_, loaded_.tracer, settings);
+}
+
+Film CameraSeries::render(const SeriesShot& shot, const FrameJob& job) {
+    aim(shot);
+    const RenderSettings& settings = loaded_.settings;
+    renderer_.begin({settings, shot.camera, tilingFor(device_, settings.width, settings.height)}, job);
+    state_ = renderer_.run();
+    return renderer_.takeFilm();
+}
+
+} // namespace pointrt

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/caustics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <future>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "runtime/render/frame_buffers.h"
+#include "runtime/render/frame_params.h"
+#include "runtime/render/map_schedule.h"
+#include "runtime/render/photon_emission.h"
+#include "runtime/render/sieves.h"
+#include "runtime/render/targets.h"
+#include "runtime/util/on_error.h"
+
+namespace pointrt {
+
+namespace {
+
+/// Photons in flight, as a band of pixels.
+constexpr std::uint32_t kBatchWidth = 512, kBatchRows = 256;
+constexpr std::uint32_t kBatch = kBatchWidth * kBatchRows;
+/// Mirrors and glass in a photon's way, at most: more than light keeps much of itself through.
+constexpr std::uint32_t kPhotonBounces = 16;
+/// Each instance takes passes of its own for each batch: with more of them than this there are fewer photons, so that
+/// the time stays about the same.
+constexpr std::size_t kInstancesForAll = 8;
+
+RenderSphere sphereAround(const RenderSpace& space, const Bounds& bounds) {
+    const Vec3 lo = renderPoint(space, bounds.lo), hi = renderPoint(space, bounds.hi);
+    return {0.5 * (lo + hi), 0.5 * length(hi - lo)};
+}
+
+/// With all that may stand in the sun's way, but endless planes.
+Bounds boundsWithShapes(const DeviceScene& scene) {
+    const std::optional<Bounds> shapes = boundsOfShapes(scene.description);
+    return shapes ? joined(scene.bounds, *shapes) : scene.bounds;
+}
+
+/// Around the shape's unit form, by the inverse of its rows: a similarity but for unequal edges.
+PhotonTarget shapeTarget(const DeviceScene& scene, std::size_t number) {
+    const ShapeDescription& shape = scene.description.shapes[number];
+    const bool round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kDisc;
+    const bool flat = shape.kind == ShapeKind::kQuad;
+    const double uu = dot(shape.u, shape.u), vv = dot(shape.v, shape.v), ww = dot(shape.w, shape.w);
+    const double squared = round ? std::max(uu, vv) : uu + vv + (flat ? 0 : ww);
+    return {renderPoint(scene.space, shape.center), std::sqrt(squared) / scene.space.scale,
+            OWNER_SHAPES | static_cast<std::uint32_t>(number) << PHOTON_SHAPE_SHIFT};
+}
+
+std::vector<PhotonTarget> findTargets(const DeviceScene& scene) {
+    std::vector<PhotonTarget> targets;
+    const std::vector<const DeviceScan*> scans = wholeScans(scene);
+    const auto casts = [&](std::uint32_t number) {
+        return std::any_of(scene.instances.begin(), scene.instances.end(),
+                           [&](const Instance& each) { return each.number == number && each.params.materials.w != 0; });
+    };
+    for (std::uint32_t i = 0; i < scans.size(); ++i) {
+        if (!casts(i)) continue;
+        const Bounds bounds = placedBounds(scene.description.instances[i].placement, scans[i]->info);
+        const RenderSphere around = sphereAround(scene.space, bounds);
+        targets.push_back({around.center, around.radius, i});
+    }
+    for (std::size_t i = 0; i < scene.description.shapes.size(); ++i)
+        if (scene.casting_shapes[i]) targets.push_back(shapeTarget(scene, i));
+    return targets;
+}
+
+/// The tracer's programs over photons, a batch at a time.
+class PhotonTracer {
+public:
+    PhotonTracer(Device& device, const DeviceScene& scene, const Programs& programs, std::uint32_t seed)
+        : device_(device), scene_(scene), programs_(programs) {
+        const OnError undo([&] { release(); });
+        buffers_ = createFrameBuffers(device, kBatch, kBatch, maySift(scene));
+        map_ = emptyCaustics(device);
+        destroyBuffer(device, map_.traced);
+        map_.traced = createBuffer(device, "traced photon buffer", kBatch * sizeof(gpu::Photon),
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        bindAll(seed);
+    }
+    PhotonTracer(const PhotonTracer&) = delete;
+    PhotonTracer& operator=(const PhotonTracer&) = delete;
+    ~PhotonTracer() { release(); }
+
+    /// Starts paths, at most kBatch and at least one, with numbers of the sampler that no other batch has.
+    void begin(const std::vector<gpu::PathState>& paths, std::uint32_t batch) {
+        batch_ = batch;
+        pass_ = 1;
+        std::vector<gpu::Photon> none(paths.size());
+        uploadBuffer(device_, map_.traced, none.data(), none.size() * sizeof none[0]);
+        uploadBuffer(device_, buffers_.paths, paths.data(), paths.size() * sizeof paths[0]);
+        std::vector<std::uint32_t> queue(paths.size());
+        std::iota(queue.begin(), queue.end(), 0u);
+        // pass 1 reads queue 1
+        uploadBuffer(device_, buffers_.queues, queue.data(), queue.size() * sizeof queue[0], kBatch * sizeof queue[0]);
+        gpu::Control control{};
+        control.queued[1] = count_ = static_cast<std::uint32_t>(paths.size());
+        control.ray_groups = {(count_ + WORKGROUP_SIZE - 1) / WORKGROUP_SIZE, 1, 1};
+        uploadBuffer(device_, buffers_.control, &control, sizeof control);
+    }
+
+    /// On to the next hits, by itself: a window that shares the queue goes on between them. False where no photon of
+    /// the batch is under way any more.
+    bool pass() {
+        PassCommands commands(device_, buffers_.control, kBatch / TILE_PIXELS, nullptr);
+        record(commands, pass_++);
+        const gpu::Control control = commands.finish();
+        return pass_ <= kPhotonBounces + 1 && control.queued[0] + control.queued[1] > 0;
+    }
+
+    /// Appends what is left of the batch.
+    void keep(std::vector<gpu::Photon>& kept) const {
+        std::vector<gpu::Photon> traced(count_);
+        downloadBuffer(device_, map_.traced, traced.data(), traced.size() * sizeof traced[0]);
+        std::copy_if(traced.begin(), traced.end(), std::back_inserter(kept),
+                     [](const gpu::Photon& photon) { return photon.flux.w > 0; });
+    }
+
+private:
+    void release() {
+        destroyTargets(device_, targets_);
+        destroyFrameBuffers(device_, buffers_);
+        destroyCaustics(device_, map_);
+    }
+
+    void bindAll(std::uint32_t seed) {
+        targets_ = bindTargets(device_, programs_, scene_, buffers_, map_);
+        gpu::FrameParams params{};
+        params.width = kBatchWidth;
+        params.height = params.rows = kBatchRows;
+        params.options = OPTION_BLEND;
+        setShapes(scene_, params);
+        params.sky_light = NO_LIGHT;
+        params.integrator = static_cast<std::uint32_t>(Integrator::kPath);
+        params.bounces = kPhotonBounces;
+        params.seed = seed;
+        setReach(scene_, params);
+        uploadBuffer(device_, buffers_.params, &params, sizeof params);
+    }
+
+    void record(PassCommands& commands, std::uint32_t pass) {
+        const gpu::PushParams push{batch_, 0, pass % 2 ? STEP_QUEUE_ONE : 0u, LIST_ASKED};
+        const PassLanes queue = pass % 2 ? PassLanes::kQueueOne : PassLanes::kQueueZero;
+        const auto prepare = [&](std::uint32_t bits) {
+            gpu::PushParams step = push;
+            step.step |= bits;
+            commands.run({programs_.prepare, targets_.sets, pushBytes(step), PassLanes::kOne, 1});
+        };
+        commands.run({programs_.queued.trace_shapes, targets_.sets, pushBytes(push), queue});
+        prepare(STEP_LIST);
+        const AskedList asked{LIST_ASKED, &SievePrograms::asked, push};
+        askTargets(commands, programs_, targets_, asked, [&](const TracerTarget& target, std::uint32_t list) {
+            gpu::PushParams of_list = push;
+            of_list.list = list;
+            commands.run({target.programs->trace, target.sets, pushBytes(of_list), PassLanes::kList, 0, list});
+            prepare(STEP_HITS);
+            commands.run({target.programs->surface, target.sets, pushBytes(push), PassLanes::kHits});
+        });
+        commands.run({programs_.photon, targets_.sets, pushBytes(push), queue});
+        prepare(0);
+    }
+
+    Device& device_;
+    const DeviceScene& scene_;
+    const Programs& programs_;
+    CausticMap map_; ///< without photons but those in flight
+    FrameBuffers buffers_;
+    Targets targets_;
+    std::uint32_t batch_ = 0, pass_ = 0, count_ = 0;
+};
+
+PhotonEmission emissionOf(const DeviceScene& scene, const CausticOrder& order) {
+    const auto count = order.count / static_cast<std::uint32_t>(1 + scene.instances.size() / kInstancesForAll);
+    return {scene.light_rows,
+            findTargets(scene),
+            sphereAround(scene.space, boundsWithShapes(scene)),
+            count,
+            {order.map, order.seed}};
+}
+
+} // namespace
+
+struct CausticJob::State {
+    State(Device& owner, const DeviceScene& scene, const CausticOrder& wanted)
+        : device(owner), order(wanted), scene_radius(sphereAround(scene.space, scene.bounds).radius),
+          emission(emissionOf(scene, wanted)) {}
+
+    Device& device;
+    CausticOrder order;
+    double scene_radius;
+    PhotonEmission emission;
+    std::optional<PhotonTracer> tracer; ///< until all photons are traced
+    std::uint32_t batch = 0;            ///< the next one, of all maps' batches
+    bool in_flight = false;
+    std::vector<gpu::Photon> kept;
+    std::future<PhotonMap> sorted; ///< by a thread of its own, as that takes a while
+};
+
+CausticJob::CausticJob(Device& device, const DeviceScene& scene, const Programs& programs, const CausticOrder& order)
+    : state_(std::make_unique<State>(device, scene, order)) {
+    const auto batches = static_cast<std::uint32_t>((state_->emission.count() + kBatch - 1) / kBatch);
+    state_->batch = order.map * batches;
+    if (batches > 0) state_->tracer.emplace(device, scene, programs, order.seed);
+}
+
+CausticJob::~CausticJob() = default;
+
+std::uint32_t CausticJob::map() const { return state_->order.map; }
+
+bool CausticJob::step() {
+    State& state = *state_;
+    constexpr std::chrono::milliseconds kStep{5};
+    if (state.sorted.valid()) return state.sorted.wait_for(kStep) != std::future_status::ready;
+    if (state.in_flight) {
+        state.in_flight = state.tracer->pass();
+        if (!state.in_flight) state.tracer->keep(state.kept);
+        return true;
+    }
+    const std::vector<gpu::PathState> paths = state.emission.next(kBatch);
+    state.in_flight = !paths.empty();
+    if (state.in_flight) {
+        state.tracer->begin(paths, state.batch++);
+        return true;
+    }
+    state.tracer.reset();
+    state.sorted = std::async(std::launch::async, [&state] {
+        return sortPhotons(std::move(state.kept), state.scene_radius,
+                           {state.order.finest, discShrink(state.order.map)});
+    });
+    return true;
+}
+
+CausticMap CausticJob::take(double& finest) {
+    PhotonMap map = state_->sorted.get();
+    finest = map.finest;
+    return uploadCaustics(state_->device, std::move(map));
+}
+
+const CausticMap& shownMap(const CausticMaps& maps) { return maps.shows_later ? maps.later : maps.first; }
+
+std::uint64_t deviceBytes(const CausticMaps& maps) { return deviceBytes(maps.first) + deviceBytes(maps.later); }
+
+void destroyCaustics(Device& device, CausticMaps& maps) {
+    maps.job.reset();
+    for (CausticMap* map : {&maps.first, &maps.later}) destroyCaustics(device, *map);
+    maps = {};
+}
+
+} // namespace pointrt

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/film_readout.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "format/base/parallel.h"
+#include "runtime/image/film_parts.h"
+#include "runtime/render/frame_params.h"
+#include "shaders/shared/luminance.h"
+
+namespace pointrt {
+
+namespace {
+
+constexpr std::size_t kPixelsAtOnce = 1 << 16; ///< of a thread: a millisecond's work, starting one takes a tenth
+
+std::size_t firstPixel(Band band, const Film& film) { return std::size_t{band.first_row} * film.width; }
+std::size_t pixelCount(Band band, const Film& film) { return std::size_t{band.rows} * film.width; }
+
+/// buffer's vectors where the host can read them: in place, or in copy.
+const gpu::vec4* readVectors(Device& device, const Buffer& buffer, std::size_t count, std::vector<gpu::vec4>& copy) {
+    if (buffer.mapped) return static_cast<const gpu::vec4*>(buffer.mapped);
+    copy.resize(count);
+    downloadBuffer(device, buffer, copy.data(), count * sizeof copy[0]);
+    return copy.data();
+}
+
+/// Of the mean of samples with this sum and this sum of squares.
+float varianceOfMean(double sum, double squares, double samples) {
+    if (samples < 2) return std::numeric_limits<float>::infinity();
+    const double mean = sum / samples;
+    return static_cast<float>(std::max(squares / samples - mean * mean, 0.0) / (samples - 1));
+}
+
+/// What the device knows of a pixel's light: sums over samples.
+struct PixelLight {
+    gpu::vec4 layers[FILM_LAYERS];
+    gpu::vec4 sum; ///< of the light's parts; w: of the share covered
+    std::uint32_t samples;
+    float share; ///< of one of them
+};
+
+/// What its centre ray has hit.
+struct PixelHit {
+    gpu::vec4 surface;                  ///< normal and t
+    std::array<std::uint32_t, 4> words; ///< HIT_*
+    double distance;                    ///< input units
+    Vec3 position;
+};
+
+void storeMean(const gpu::vec4& sum, float share, float* rgb) {
+    rgb[0] = sum.x * share;
+    rgb[1] = sum.y * share;
+    rgb[2] = sum.z * share;
+}
+
+gpu::vec4 restored(const float* rgb, float sum) { return {rgb[0] * sum, rgb[1] * sum, rgb[2] * sum, 0}; }
+
+// The sources that rows of FILM_PARTS name: each stores its values from a pixel's light, or from what it has hit.
+
+struct Beauty {
+    static void store(const PixelLight& pixel, float* rgba) {
+        storeMean(pixel.sum, pixel.share, rgba);
+        rgba[3] = pixel.sum.w * pixel.share;
+    }
+};
+
+/// A layer of the film on the device, which can be restored.
+template <std::uint32_t kLayer>
+struct Mean {
+    static constexpr std::uint32_t layer = kLayer;
+    static void store(const PixelLight& pixel, float* rgb) { storeMean(pixel.layers[kLayer], pixel.share, rgb); }
+};
+
+struct Samples {
+    static void store(const PixelLight& pixel, float* count) { *count = static_cast<float>(pixel.samples); }
+};
+
+struct Variance {
+    static void store(const PixelLight& pixel, float* variance) {
+        // the last sample is not squared yet
+        const float last = pixel.layers[LAYER_INDIRECT].w;
+        const double squares = double{pixel.layers[LAYER_CAUSTIC].w} + double{last} * last;
+        *variance = varianceOfMean(luminance(pixel.sum.x, pixel.sum.y, pixel.sum.z), squares, pixel.samples);
+    }
+};
+
+struct Depth {
+    static void store(const PixelHit& pixel, float* depth) { *depth = static_cast<float>(pixel.distance); }
+};
+
+struct Normal {
+    static void store(const PixelHit& pixel, float* normal) {
+        normal[0] = pixel.surface.x;
+        normal[1] = pixel.surface.y;
+        normal[2] = pixel.surface.z;
+    }
+};
+
+struct Position {
+    static void store(const PixelHit& pixel, float* position) {
+        position[0] = static_cast<float>(pixel.position.x);
+        position[1] = static_cast<float>(pixel.position.y);
+        position[2] = static_cast<float>(pixel.position.z);
+    }
+};
+
+/// One of the words of a first hit.
+template <std::uint32_t kWord>
+struct HitWord {
+    static void store(const PixelHit& pixel, std::uint32_t* word) { *word = pixel.words[kWord]; }
+};
+
+std::uint32_t ownerOf(const PixelHit& pixel) { return pixel.words[HIT_OWNER] & HIT_OWNER_MASK; }
+
+struct OwnerId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) { *id = ownerOf(pixel); }
+};
+
+struct TileId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) {
+        const std::uint32_t tile = pixel.words[HIT_OWNER] >> HIT_TILE_SHIFT;
+        if (tile > 0) *id = tile - 1;
+    }
+};
+
+struct SplatId {
+    static void store(const PixelHit& pixel, std::uint32_t* id) {
+        if (ownerOf(pixel) != OWNER_SHAPES) *id = pixel.words[HIT_SPLAT];
+    }
+};
+
+template <typename Source, typename Value>
+concept StoresLight = requires(const PixelLight& pixel, Value* values) {
+    Source::store(pixel, values);
+};
+template <typename Source, typename Value>
+concept StoresHit = requires(const PixelHit& pixel, Value* values) {
+    Source::store(pixel, values);
+};
+
+/// Stores a pixel's values of an array, where the film has it and they come from such a pixel.
+template <typename Source, std::size_t kValues, typename Pixel, typename Value>
+void storeValues(const Pixel& pixel, std::size_t at, std::vector<Value>& values) {
+    static_assert(StoresLight<Source, Value> != StoresHit<Source, Value>, "a source stores one or the other");
+    if constexpr (requires { Source::store(pixel, values.data()); })
+        if (!values.empty()) Source::store(pixel, values.data() + kValues * at);
+}
+
+template <typename Pixel>
+void storePixel(const Pixel& pixel, std::size_t at, Film& film) {
+#define POINTRT_STORE(array, Value, channels, group, nothing, source, view)                                            \
+    storeValues<source, film_values::array>(pixel, at, film.array);
+    FILM_PARTS(POINTRT_STORE)
+#undef POINTRT_STORE
+}
+
+/// Where it is a mean: sums of its layer as the film has them.
+template <typename Source>
+void restoreValues(std::size_t at, const std::vector<float>& values, float samples, PixelLight& pixel) {
+    if constexpr (requires { Source::layer; }) pixel.layers[Source::layer] = restored(values.data() + 3 * at, samples);
+}
+template <typename Source>
+void restoreValues(std::size_t, const std::vector<std::uint32_t>&, float, PixelLight&) {}
+
+/// The pixel's sums over that many samples.
+PixelLight restoredPixel(const Film& film, std::size_t at, std::uint32_t samples) {
+    PixelLight pixel{};
+    const auto sum = static_cast<float>(samples);
+#define POINTRT_RESTORE(array, Value, channels, group, nothing, source, view)                                          \
+    restoreValues<source>(at, film.array, sum, pixel);
+    FILM_PARTS(POINTRT_RESTORE)
+#undef POINTRT_RESTORE
+    const float* rgba = film.rgba.data() + 4 * at;
+    const double mean = luminance(rgba[0], rgba[1], rgba[2]);
+    const double squares = samples * (double{film.variance[at]} * (samples - 1.0) + mean * mean);
+    pixel.layers[LAYER_DIRECT].w = rgba[3] * sum;
+    pixel.layers[LAYER_CAUSTIC].w = samples > 1 ? static_cast<float>(squares) : static_cast<float>(mean * mean);
+    return pixel;
+}
+
+bool has(FilmGroup group, const RenderSettings& settings) {
+    if (group == FilmGroup::kLightParts) return settings.light_parts;
+    if (group == FilmGroup::kFirstHits) return settings.first_hits;
+    return true;
+}
+
+} // namespace
+
+void allocateFilm(const RenderSettings& settings, Film& film) {
+    const std::size_t pixels = std::size_t{settings.width} * settings.height;
+    film.width = settings.width;
+    film.height = settings.height;
+#define POINTRT_ALLOCATE(array, Value, channels, group, nothing, source, view)                                         \
+    film.array.assign(has(FilmGroup::group, settings) ? film_values::array* pixels : 0, static_cast<Value>(nothing));
+    FILM_PARTS(POINTRT_ALLOCATE)
+#undef POINTRT_ALLOCATE
+}
+
+std::uint64_t filmBytesPerPixel(const RenderSettings& settings) {
+    std::uint64_t bytes = 0;
+#define POINTRT_BYTES(array, Value, channels, group, nothing, source, view)                                            \
+    if (has(FilmGroup::group, settings)) bytes += film_values::array * sizeof(Value);
+    FILM_PARTS(POINTRT_BYTES)
+#undef POINTRT_BYTES
+    return bytes;
+}
+
+void storeLight(Device& device, const FrameBuffers& buffers, const BandRows& rows, std::uint32_t samples, Film& film) {
+    const std::size_t width = film.width, stride = width * rows.band.rows, pixels = width * rows.rows;
+    const std::size_t from = width * rows.first, to = width * (rows.band.first_row + rows.first - rows.film_origin);
+    std::vector<gpu::vec4> copy;
+    const gpu::vec4* const layers = readVectors(device, buffers.film, FILM_LAYERS * stride, copy) + from;
+    const auto store = [&](std::size_t i) {
+        PixelLight pixel{{}, {}, samples, 1.0f / static_cast<float>(samples)};
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) pixel.layers[layer] = layers[layer * stride + i];
+        const gpu::vec4 &direct = pixel.layers[LAYER_DIRECT], &indirect = pixel.layers[LAYER_INDIRECT],
+                        &caustic = pixel.layers[LAYER_CAUSTIC];
+        pixel.sum = {direct.x + indirect.x + caustic.x, direct.y + indirect.y + caustic.y,
+                     direct.z + indirect.z + caustic.z, direct.w};
+        storePixel(pixel, to + i, film);
+    };
+    forAll((pixels + kPixelsAtOnce - 1) / kPixelsAtOnce, [&](std::size_t part) {
+        const std::size_t end = std::min((part + 1) * kPixelsAtOnce, pixels);
+        for (std::size_t i = part * kPixelsAtOnce; i < end; ++i) store(i);
+    });
+}
+
+void restoreLight(Device& device, FrameBuffers& buffers, Band band, std::uint32_t samples, const Film& film) {
+    if (film.direct.empty()) throw std::logic_error("film: there are no parts of the light to go on from");
+    const std::size_t pixels = pixelCount(band, film), first = firstPixel(band, film);
+    std::vector<gpu::vec4> layers(FILM_LAYERS * pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const PixelLight pixel = restoredPixel(film, first + i, samples);
+        for (std::uint32_t layer = 0; layer < FILM_LAYERS; ++layer) layers[layer * pixels + i] = pixel.layers[layer];
+    }
+    uploadBuffer(device, buffers.film, layers.data(), layers.size() * sizeof layers[0]);
+}
+
+void storeFirstHits(Device& device, const FrameBuffers& buffers, const BandRows& rows, const DeviceScene& scene,
+                    const RenderSettings& settings, const Camera& camera, Film& film) {
+    std::vector<gpu::vec4> copy;
+    const gpu::vec4* const hits =
+        readVectors(device, buffers.first_hits, FIRST_HIT_VECTORS * pixelCount(rows.band, film), copy);
+    for (std::uint32_t row = rows.first; row < rows.first + rows.rows; ++row)
+        for (std::uint32_t x = 0; x < film.width; ++x) {
+            const gpu::vec4* hit = hits + FIRST_HIT_VECTORS * (std::size_t{row} * film.width + x);
+            if (hit->w < 0) continue;
+            const std::uint32_t y = rows.band.first_row + row;
+            PixelHit pixel{hit[0], std::bit_cast<std::array<std::uint32_t, 4>>(hit[1]), hit->w * scene.space.scale, {}};
+            pixel.position =
+                centerRayOrigin(settings, camera, x, y) + pixel.distance * centerRayDirection(settings, camera, x, y);
+            storePixel(pixel, std::size_t{y - rows.film_origin} * film.width + x, film);
+        }
+}
+
+} // namespace pointrt

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/frame_buffers.h"
+
+#include "runtime/util/on_error.h"
+#include "shaders/shared/params.h"
+
+namespace pointrt {
+
+std::uint32_t tilesOf(std::uint32_t width, std::uint32_t rows) {
+    return (width + TILE_SIDE - 1) / TILE_SIDE * ((rows + TILE_SIDE - 1) / TILE_SIDE);
+}
+
+std::uint32_t lanesOf(std::uint32_t width, std::uint32_t rows) { return tilesOf(width, rows) * TILE_PIXELS; }
+
+FrameBuffers createFrameBuffers(Device& device, std::uint32_t lane_count, std::uint64_t film_pixels, bool sifts) {
+    const std::uint64_t lanes = lane_count;
+    FrameBuffers buffers;
+    const auto storage = [&](const char* what, std::uint64_t bytes, VkBufferUsageFlags more = 0) {
+        buffers.device_bytes += bytes;
+        return createBuffer(device, what, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | more);
+    };
+    const auto texels = [&](const char* what, std::uint64_t bytes, VkFormat format, VkBufferUsageFlags usage) {
+        Buffer buffer = storage(what, bytes, usage);
+        createTexelView(device, what, buffer, format);
+        return buffer;
+    };
+    constexpr VkBufferUsageFlags kRead = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
+    const OnError undo([&] { destroyFrameBuffers(device, buffers); });
+    buffers.params = storage("frame parameters", sizeof(gpu::FrameParams), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    buffers.control = storage("control buffer", sizeof(gpu::Control), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    // words a lane, see shaders/lib/bindings.glsl
+    constexpr std::uint64_t kQueueWords = 5 + ASKED_TURNS, kSiftedWords = ASKED_TURNS + SIFTED_ENTRIES;
+    const std::uint64_t queue_words = kQueueWords + (sifts ? kSiftedWords : 0);
+    buffers.queues = texels("queue buffer", queue_words * lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+    buffers.paths = texels("path buffer", lanes * sizeof(gpu::PathState), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.hits = texels("hit buffer", lanes * sizeof(gpu::uvec4), VK_FORMAT_R32G32B32A32_UINT,
+                          VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
+    buffers.beams = texels("beam buffer", lanes / TILE_PIXELS * sizeof(float), VK_FORMAT_R32_SFLOAT, kRead);
+    buffers.places = texels("place buffer", lanes * sizeof(std::uint32_t), VK_FORMAT_R32_UINT, kRead);
+    buffers.surfaces =
+        texels("surface buffer", lanes * sizeof(gpu::SurfaceInteraction), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.light_queries =
+        texels("light query buffer", lanes * sizeof(gpu::DirectLightQuery), VK_FORMAT_R32G32B32A32_UINT, kRead);
+    buffers.blank_sieve = storage("blank sieve", sizeof(gpu::Sieve), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    buffers.light_masks = storage("light mask buffer", lanes * sizeof(std::uint32_t));
+    buffers.deferred = storage("deferred ray buffer", lanes * MAX_DEFERRED * sizeof(gpu::PathState));
+    createFilm(device, buffers, film_pixels);
+    return buffers;
+}
+
+void createFilm(Device& device, FrameBuffers& buffers, std::uint64_t film_pixels) {
+    const auto replace = [&](const char* what, Buffer& buffer, std::uint64_t vectors) {
+        buffers.device_bytes -= buffer.bytes;
+        destroyBuffer(device, buffer);
+        buffer =
+            createBuffer(device, what, film_pixels * vectors * sizeof(gpu::vec4), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+        buffers.device_bytes += buffer.bytes;
+    };
+    replace("film buffer", buffers.film, FILM_LAYERS);
+    replace("first hit buffer", buffers.first_hits, FIRST_HIT_VECTORS);
+}
+
+void destroyFrameBuffers(Device& device, FrameBuffers& buffers) {
+    for (Buffer* buffer : {&buffers.params, &buffers.control, &buffers.queues, &buffers.paths, &buffers.hits,
+                           &buffers.surfaces, &buffers.light_queries, &buffers.light_masks, &buffers.deferred,
+                           &buffers.film, &buffers.first_hits, &buffers.beams, &buffers.places, &buffers.blank_sieve})
+        destroyBuffer(device, *buffer);
+    buffers = {};
+}
+
+std::vector<BufferBinding> frameBindings(const FrameBuffers& buffers) {
+    return {{BINDING_PARAMS, &buffers.params},
+            {BINDING_CONTROL, &buffers.control},
+            {BINDING_QUEUES, &buffers.queues},
+            {BINDING_QUEUES_TEXELS, &buffers.queues},
+            {BINDING_PATHS, &buffers.paths},
+            {BINDING_PATHS_TEXELS, &buffers.paths},
+            {BINDING_HITS, &buffers.hits},
+            {BINDING_LIGHT_QUERIES, &buffers.light_queries},
+            {BINDING_LIGHT_QUERIES_TEXELS, &buffers.light_queries},
+            {BINDING_FILM, &buffers.film},
+            {BINDING_FIRST_HITS, &buffers.first_hits},
+            {BINDING_BEAMS, &buffers.beams},
+            {BINDING_BEAMS_TEXELS, &buffers.beams},
+            {BINDING_SURFACES, &buffers.surfaces},
+            {BINDING_SURFACES_TEXELS, &buffers.surfaces},
+            {BINDING_LIGHT_MASKS, &buffers.light_masks},
+            {BINDING_DEFERRED, &buffers.deferred},
+            {BINDING_PLACES, &buffers.places},
+            {BINDING_SHADOW_RAYS, &buffers.light_queries},
+            {BINDING_SHADOW_RAYS_TEXELS, &buffers.light_queries}};
+}
+
+} // namespace pointrt

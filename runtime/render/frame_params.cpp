@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/frame_params.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "runtime/scene/camera.h"
+#include "runtime/scene/default_lighting.h"
+
+namespace pointrt {
+
+namespace {
+
+gpu::vec3 scaled(Color color, float strength) {
+    return {color[0] * strength, color[1] * strength, color[2] * strength};
+}
+
+gpu::vec3 packed(Vec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+
+std::uint32_t optionBits(const RenderSettings& settings) {
+    return (settings.blend ? OPTION_BLEND : 0u) | (settings.shadows ? OPTION_SHADOWS : 0u);
+}
+
+/// A sky image lights the scene as a light does, with shadows: nothing of it is taken as ambient.
+void setSky(const SkyDescription& sky, gpu::FrameParams& params) {
+    params.sky_zenith = scaled(sky.zenith, sky.strength);
+    params.ambient_share = sky.image.empty() ? sky.ambient : 0.0f;
+    params.sky_horizon = scaled(sky.horizon, sky.strength);
+    params.sky_ground = scaled(sky.ground, sky.strength);
+}
+
+/// Of what rays go through and of the window that they start in: one of them is 0 (shaders/lib/camera_ray.glsl).
+struct HalfHeights {
+    double at_distance_1 = 0;
+    double window = 0; ///< input units
+};
+
+HalfHeights halfHeights(const Camera& camera) {
+    if (camera.ortho_height > 0) return {0, camera.ortho_height / 2};
+    return {std::tan(verticalHalfAngle(camera.fov_deg)), 0};
+}
+
+/// From the picture's middle to the centre of pixel (x, y), in half heights of the picture.
+Vec3 pixelOffset(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    const double aspect = static_cast<double>(settings.width) / settings.height;
+    const double across = (2.0 * (x + 0.5) / settings.width - 1.0) * aspect;
+    const double upwards = 1.0 - 2.0 * (y + 0.5) / settings.height;
+    return across * camera.right + upwards * camera.up;
+}
+
+/// A share of the reach's size, more than what rounding adds where rays are asked whether they meet it.
+constexpr float kReachMargin = 1e-4f;
+
+/// Of a point in an instance's cube, by the transposed rows: they are a rotation's but for the scale.
+std::array<float, 3> stageFromCube(const gpu::InstanceParams& p, std::array<float, 3> cube) {
+    const float x = cube[0] - p.row_x.w, y = cube[1] - p.row_y.w, z = cube[2] - p.row_z.w;
+    const float squared = p.splat.w * p.splat.w;
+    return {(p.row_x.x * x + p.row_y.x * y + p.row_z.x * z) / squared,
+            (p.row_x.y * x + p.row_y.y * y + p.row_z.y * z) / squared,
+            (p.row_x.z * x + p.row_y.z * y + p.row_z.z * z) / squared};
+}
+
+/// A corner of its entry grid, by three bits.
+std::array<float, 3> gridCorner(const gpu::InstanceParams& p, unsigned corner) {
+    const auto end = [&](unsigned axis, std::uint32_t lowest, std::uint32_t cells) {
+        return static_cast<float>(lowest + (corner >> axis & 1 ? cells : 0)) / p.grid_scale.x;
+    };
+    return {end(0, p.grid_origin.x, p.grid_size.x), end(1, p.grid_origin.y, p.grid_size.y),
+            end(2, p.grid_origin.z, p.grid_size.z)};
+}
+
+} // namespace
+
+void setReach(const DeviceScene& scene, gpu::FrameParams& params) {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    std::array<float, 3> low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+    for (const Instance& instance : scene.instances)
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const std::array<float, 3> at = stageFromCube(instance.params, gridCorner(instance.params, corner));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], at[axis]);
+                high[axis] = std::max(high[axis], at[axis]);
+            }
+        }
+    const float margin =
+        scene.instances.empty() ? 0 : kReachMargin * std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    params.reach_low = {low[0] - margin, low[1] - margin, low[2] - margin};
+    params.reach_high = {high[0] + margin, high[1] + margin, high[2] + margin};
+}
+
+void setShapes(const DeviceScene& scene, gpu::FrameParams& params) {
+    params.shape_count = static_cast<std::uint32_t>(scene.shape_rows.size());
+    const auto held = std::min<std::size_t>(scene.shape_rows.size(), HELD_SHAPES);
+    std::copy_n(scene.shape_rows.begin(), held, params.held_shapes);
+}
+
+gpu::FrameParams makeFrameParams(const DeviceScene& scene, const RenderSettings& settings, const Camera& camera,
+                                 std::uint32_t first_row, std::uint32_t rows) {
+    const RenderSpace& space = scene.space;
+    const Vec3 center = 0.5 * (scene.bounds.lo + scene.bounds.hi);
+    const double radius = 0.5 * length(scene.bounds.hi - scene.bounds.lo);
+    gpu::FrameParams params{};
+    const HalfHeights half = halfHeights(camera);
+    params.eye = packed(renderPoint(space, camera.eye));
+    params.tan_half_fov = static_cast<float>(half.at_distance_1);
+    params.right = packed(camera.right);
+    params.aspect = static_cast<float>(static_cast<double>(settings.width) / settings.height);
+    params.up = packed(camera.up);
+    params.half_window = static_cast<float>(half.window / space.scale);
+    params.forward = packed(camera.forward);
+    setSky(scene.description.sky.value_or(SkyDescription{}), params);
+    params.sky_up = packed(sceneUp(scene.description, settings));
+    params.depth_black = static_cast<float>((length(camera.eye - center) + radius) / space.scale);
+    params.width = settings.width;
+    params.height = settings.height;
+    params.first_row = first_row;
+    params.rows = rows;
+    params.light_count = static_cast<std::uint32_t>(scene.light_rows.size());
+    params.options = optionBits(settings);
+    setShapes(scene, params);
+    params.sky_light = scene.sky_light;
+    params.environment = scene.environment;
+    params.film_pixels = settings.width * rows;
+    params.picture_width = settings.width;
+    params.picture_height = settings.height;
+    params.integrator = static_cast<std::uint32_t>(settings.integrator);
+    params.bounces = settings.bounces;
+    params.seed = settings.seed;
+    setReach(scene, params);
+    return params;
+}
+
+Vec3 centerRayOrigin(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    return camera.eye + halfHeights(camera).window * pixelOffset(settings, camera, x, y);
+}
+
+Vec3 centerRayDirection(const RenderSettings& settings, const Camera& camera, std::uint32_t x, std::uint32_t y) {
+    return normalize(camera.forward + halfHeights(camera).at_distance_1 * pixelOffset(settings, camera, x, y));
+}
+
+} // namespace pointrt

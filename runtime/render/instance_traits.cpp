@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/instance_traits.h"
+
+namespace pointrt {
+
+InstanceTraits traitsOf(const DeviceScan& file, bool oriented, bool is_tile) {
+    return {file.index.uneven != 0, oriented, file.noisy, is_tile, isPaged(file.pages) ? file.pages : PageCounts{}};
+}
+
+InstanceTraits traitsOf(const DeviceScene& scene, const Instance& instance) {
+    return traitsOf(scene.files[instance.file], instance.oriented, instance.tile.has_value());
+}
+
+std::vector<SpecConstant> traitConstants(const InstanceTraits& traits) {
+    std::vector<SpecConstant> values{{SPEC_UNEVEN, traits.uneven},
+                                     {SPEC_ORIENTED, traits.oriented},
+                                     {SPEC_NOISY, traits.noisy},
+                                     {SPEC_CORED, traits.cored}};
+    if (!isPaged(traits.pages)) return values;
+    for (const SpecConstant& each : pageConstants(traits.pages)) values.push_back(each);
+    return values;
+}
+
+} // namespace pointrt

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/loaded_scene.h"
+
+#include <algorithm>
+
+#include "runtime/device_scene/gather_sample.h"
+#include "runtime/device_scene/scene_rows.h"
+#include "runtime/device_scene/scene_tiles.h"
+#include "runtime/render/picture_tiles.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/framing.h"
+#include "runtime/scene/upright.h"
+
+namespace pointrt {
+namespace {
+
+// What of loading is done when a stage begins, by the times of scans of half a million to a million splats with an
+// index in the file, on a CPU.
+constexpr double kFilesShare = 0.0, kRowsShare = 0.15, kProgramsShare = 0.2, kPhotonsShare = 0.6;
+
+double aspectOf(const RenderSettings& settings) { return static_cast<double>(settings.width) / settings.height; }
+
+Camera framedCamera(const LoadedScene& loaded, const CameraRequest& request) {
+    return frameCamera(request, loaded.scene.bounds.lo, loaded.scene.bounds.hi, aspectOf(loaded.settings));
+}
+
+/// What a request comes to in the scene as it stands.
+FramedRequest framed(const LoadedScene& loaded, const CameraRequest& request, const LoadRequest& load) {
+    const Vec3 up = sceneUp(loaded.scene.description, loaded.settings);
+    return frameScene(request, loaded.sample, up, {aspectOf(loaded.settings), load.free_share}, load.fov_is_free);
+}
+
+/// The bounds, but where strays are well outside of all the rest. Of clean scans they are the bounds, to the bit; of
+/// those that are a few large discs they go around the discs, so that these do not stand knee-deep in a floor.
+Bounds shownBounds(const DeviceScene& scene, const SceneSample& sample) {
+    if (sample.splats.empty() || scene.description.instances.empty()) return scene.bounds;
+    constexpr double kMargin = 0.1; // of each edge: rims that the sample has missed
+    if (sample.splats.size() < kEachCounts) {
+        const SampleBox discs = discBounds(sample);
+        return {discs.low, discs.high};
+    }
+    const SampleBox box = boundsOf(withoutStrays(sample));
+    const Vec3 margin = kMargin * (box.high - box.low), low = box.low - margin, high = box.high + margin;
+    const Bounds& all = scene.bounds;
+    return {{std::max(all.lo.x, low.x), std::max(all.lo.y, low.y), std::max(all.lo.z, low.z)},
+            {std::min(all.hi.x, high.x), std::min(all.hi.y, high.y), std::min(all.hi.z, high.z)}};
+}
+
+/// Puts up what stands around the scene, and all tables.
+void furnish(Device& device, LoadedScene& loaded, const LoadRequest& request) {
+    DeviceScene& scene = loaded.scene;
+    CameraRequest staging = request.staging;
+    standUpright(scene.description, loaded.settings.camera, staging, {knownUp(scene), request.fallback_up});
+    loaded.sample = gatherSample(scene);
+    loaded.free_share = request.free_share;
+    loaded.shown = shownBounds(scene, loaded.sample);
+    // what is up in a view from above is not so in the scene
+    if (loaded.settings.camera.view && !scene.description.up)
+        scene.description.up = sceneUp(scene.description, loaded.settings);
+    loaded.described = scene.description;
+    const FramedRequest view = framed(loaded, loaded.settings.camera, request);
+    loaded.settings.camera = view.camera;
+    loaded.pivot = view.pivot;
+    loaded.aside = view.aside;
+    const FramedRequest stage_view = framed(loaded, staging, request);
+    loaded.subject = {brightReflectance(loaded.sample), stage_view.within};
+    loaded.camera = framedCamera(loaded, view.camera);
+    const Camera stage = framedCamera(loaded, stage_view.camera);
+    loaded.staged_for = scene.description.staged_for.value_or(stage.eye);
+    addSurroundings(scene.description, loaded.settings, stage, loaded.shown.lo, loaded.shown.hi, loaded.subject);
+    if (!scene.sets.empty()) standTiles(device, scene, tileRequest(device, loaded, request));
+    uploadSceneTables(device, scene, loaded.settings);
+}
+
+TracerSize wholeFrames(const Device& device, const RenderSettings& settings) {
+    return tracerSizeFor(tilingFor(device, settings.width, settings.height), settings.width);
+}
+
+} // namespace
+
+TurntableAxis turntableAxis(const LoadedScene& loaded) {
+    const Vec3 center = 0.5 * (loaded.scene.bounds.lo + loaded.scene.bounds.hi);
+    return {loaded.settings.camera.target.value_or(center), sceneUp(loaded.scene.description, loaded.settings)};
+}
+
+ProgramKinds kindsOf(const DeviceScene& scene, const RenderSettings& settings) {
+    return {scene.features, shapeKinds(scene.shape_rows), settings.integrator, scene.sky_light != NO_LIGHT,
+            castsCaustics(scene)};
+}
+
+LoadedScene::~LoadedScene() {
+    destroyBandTracer(device, tracer);
+    destroyDeviceScene(device, scene);
+}
+
+std::unique_ptr<LoadedScene> loadScene(Device& owner, Device& worker, const LoadRequest& request,
+                                       const LoadStage& stage) {
+    const auto begin = [&](const char* what, double share) {
+        if (stage) stage(what, share);
+    };
+    auto loaded = std::make_unique<LoadedScene>(owner);
+    begin("reading", kFilesShare);
+    loaded->settings = request.settings;
+    loaded->scene = openScene(worker, request.scene, request.verbose);
+    // tiles come and go, then
+    if (request.roots_alone)
+        loaded->scene.tile_cache_bytes = pictureTileMemory(worker, request.settings, request.memory);
+    begin("materials and lights", kRowsShare);
+    furnish(worker, *loaded, request);
+    begin("programs", kProgramsShare);
+    const TracerSize size = request.size.value_or(wholeFrames(worker, request.settings));
+    createBandTracer(worker, loaded->tracer, loaded->scene, loaded->settings, size.lanes, size.film_pixels,
+                     request.form);
+    if (request.refines_tiles && !loaded->scene.sets.empty()) refineTiles(worker, *loaded, request);
+    loaded->program_kinds = kindsOf(loaded->scene, loaded->settings);
+    if (!wantsPhotons(loaded->scene, loaded->settings)) return loaded;
+    begin("caustics", kPhotonsShare);
+    castPhotons(worker, loaded->tracer, loaded->settings);
+    return loaded;
+}
+
+} // namespace pointrt

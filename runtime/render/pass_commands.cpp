@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/pass_commands.h"
+
+#include <ctime>
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a profile itself takes.
+constexpr const char* kReadSpan = "profile: counters and clock read";
+
+/// Where control has the workgroups for a list.
+std::size_t groupsOf(PassLanes lanes, std::uint32_t list) {
+    switch (lanes) {
+    case PassLanes::kTilesLeft:
+        return offsetof(gpu::Control, tile_groups);
+    case PassLanes::kList:
+        return offsetof(gpu::Control, lists) + list * sizeof(gpu::RayList) + offsetof(gpu::RayList, groups);
+    case PassLanes::kHits:
+        return offsetof(gpu::Control, hit_groups);
+    default:
+        return offsetof(gpu::Control, ray_groups);
+    }
+}
+
+} // namespace
+
+PassCommands::PassCommands(Device& device, const Buffer& control, std::uint32_t tiles, PassProfile* profile)
+    : device_(device), control_(control), tiles_(tiles), profile_(profile) {
+    if (!profile_) {
+        commands_ = beginCommands(device_);
+        return;
+    }
+    const HostSpan span(profile_, kReadSpan);
+    counters_ = readControl();
+}
+
+void PassCommands::run(const Pass& pass) {
+    if (profile_)
+        runTimed(pass);
+    else
+        record(pass);
+}
+
+void PassCommands::copyHitCount(const Buffer& counts, std::size_t place) {
+    if (!commands_) return;
+    const VkBufferCopy copy{offsetof(gpu::Control, hit_count), place * sizeof(std::uint32_t), sizeof(std::uint32_t)};
+    vkCmdCopyBuffer(commands_, control_.handle, counts.handle, 1, &copy);
+    recordBarrier(commands_);
+}
+
+gpu::Control PassCommands::finish() {
+    if (profile_) return counters_;
+    submitAndWait(device_, commands_);
+    return readControl();
+}
+
+void PassCommands::record(const Pass& pass) {
+    if (pass.groups != 0)
+        recordDispatch(commands_, pass.program, pass.sets, pass.push, {pass.groups, 1, 1});
+    else
+        recordDispatchIndirect(commands_, pass.program, pass.sets, pass.push, control_,
+                               groupsOf(pass.lanes, pass.list));
+    recordBarrier(commands_);
+}
+
+void PassCommands::runTimed(const Pass& pass) {
+    PassRun run{pass.program.name.c_str(), pass.lanes, tiles_, counters_, {}, 0, 0, {}, pass.list};
+    const Clock::time_point start = Clock::now();
+    const std::clock_t cpu = std::clock();
+    commands_ = beginCommands(device_);
+    recordClockStart(commands_, profile_->clock);
+    record(pass);
+    recordClockEnd(commands_, profile_->clock);
+    submitAndWait(device_, commands_);
+    run.cpu_ms = 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+    run.host_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const HostSpan span(profile_, kReadSpan);
+    run.device_ms = clockedMilliseconds(device_, profile_->clock);
+    run.after = counters_ = readControl();
+    addRun(*profile_, run);
+}
+
+gpu::Control PassCommands::readControl() {
+    gpu::Control control{};
+    downloadBuffer(device_, control_, &control, sizeof control);
+    return control;
+}
+
+} // namespace pointrt

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/pass_profile.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kWord = sizeof(std::uint32_t), kVector = sizeof(gpu::vec4), kHit = sizeof(gpu::uvec4);
+constexpr std::uint64_t kPath = sizeof(gpu::PathState), kQuery = sizeof(gpu::DirectLightQuery);
+constexpr std::uint64_t kSurface = sizeof(gpu::SurfaceInteraction);
+constexpr std::uint64_t kShadowRay = sizeof(gpu::ShadowRay);
+/// Of the film: rgb of one layer and the luminance beside, read and written.
+constexpr std::uint64_t kAddedLight = 2 * (3 * kWord + kWord);
+
+/// A lane of a program (see PassTally::bytes), and what it stores with the rays and the points or shadow rays that it
+/// lists.
+struct PassBytes {
+    const char* program;
+    std::uint64_t bytes, ray = kPath, lit = kQuery;
+};
+
+constexpr PassBytes kPassBytes[] = {
+    {"prepare", 2 * sizeof(gpu::Control)},
+    {"trace_shapes (camera)", kHit},
+    {"trace_shapes", kWord + kPath + kHit},
+    {"beam", kWord},
+    {"trace_primary", kHit}, // a tile's number and beam are 1/64 of a word each
+    {"trace", kWord + kPath + kHit},
+    {"surface (camera)", kWord + kHit + 2 * kSurface}, // the second time by shade, which does not list whose it reads
+    {"surface", kWord + kPath + kHit + 2 * kSurface},
+    {"first_hits", kHit + FIRST_HIT_VECTORS* kVector},
+    {"shade (camera)", kHit + 2 * FILM_LAYERS* kVector},
+    {"shade", kWord + kPath + kHit + kAddedLight},
+    {"shadow_shapes", kWord + kQuery + kWord},
+    {"shadow", kWord + kQuery + 2 * kWord},
+    {"light", kWord + kQuery + kWord + kAddedLight},
+    // those that ask all lights list their points, which are longer than shadow rays
+    {"follow (camera)", kHit + 2 * FILM_LAYERS* kVector, kPath + kHit, kShadowRay},
+    {"follow", kWord + kPath + kHit + 4 * kVector, kPath + kHit, kShadowRay},
+    {"shadow_light", kWord + kShadowRay + kAddedLight},
+    {"sift_asked", kWord + 2 * kVector + kHit + kWord},
+    {"sift_turns", kWord + kQuery + 2 * kWord},
+    {"sift_shadow_rays", kWord + 2 * kVector + kWord},
+    {"place", 2 * kWord},
+    {"bring", kWord + kShadowRay + kAddedLight},
+    {"caustic", kWord + kQuery + kAddedLight},
+};
+
+/// Entries of queues and lists that a run has appended, and the bytes that came with them.
+struct Appended {
+    std::uint64_t entries = 0, bytes = 0;
+};
+
+Appended appendedBy(const PassRun& run, const PassBytes& each_has) {
+    Appended sum;
+    if (run.lanes == PassLanes::kOne) return sum; // it empties them
+    const auto add = [&](std::uint32_t before, std::uint32_t after, std::uint64_t bytes) {
+        sum.entries += after - before;
+        sum.bytes += (after - before) * (kWord + bytes);
+    };
+    for (const int queue : {0, 1}) add(run.before.queued[queue], run.after.queued[queue], each_has.ray);
+    const auto in_list = [&](std::uint32_t list) {
+        const gpu::RayList &before = run.before.lists[list], &after = run.after.lists[list];
+        if (list < LIST_SIFTED) return add(before.appended, after.appended, list == LIST_LIT ? each_has.lit : 0);
+        add(before.placed, after.placed, 0);
+    };
+    for (std::uint32_t list = 0; list < LISTS; ++list) in_list(list);
+    add(run.before.hits_appended, run.after.hits_appended, kHit);
+    add(run.before.tile_count, run.after.tile_count, 0);
+    return sum;
+}
+
+const PassBytes& bytesOf(const std::string& program) {
+    for (const PassBytes& each : kPassBytes)
+        if (program == each.program) return each;
+    throw std::logic_error("a profile knows nothing of what " + program + " moves");
+}
+
+/// The one of that name, at the end where there is none yet.
+template <typename Tally>
+Tally& tallyOf(std::vector<Tally>& tallies, const std::string& name) {
+    const auto at = std::find_if(tallies.begin(), tallies.end(), [&](const Tally& each) { return each.name == name; });
+    if (at != tallies.end()) return *at;
+    tallies.push_back({});
+    tallies.back().name = name;
+    return tallies.back();
+}
+
+} // namespace
+
+void clearProfile(PassProfile& profile) {
+    const DeviceClock clock = profile.clock;
+    profile = {};
+    profile.clock = clock;
+}
+
+double unaccountedMilliseconds(const PassProfile& profile) {
+    double rest = profile.frames_ms;
+    for (const PassTally& each : profile.passes) rest -= each.host_ms;
+    for (const HostTally& each : profile.host) rest -= each.ms;
+    return rest;
+}
+
+std::uint64_t lanesIn(const gpu::Control& control, PassLanes lanes, std::uint32_t tiles, std::uint32_t list) {
+    switch (lanes) {
+    case PassLanes::kOne:
+        return 1;
+    case PassLanes::kTiles:
+        return tiles;
+    case PassLanes::kTilesLeft:
+        return std::uint64_t{control.tile_count} * TILE_PIXELS;
+    case PassLanes::kPixels:
+        return control.primary_rays;
+    case PassLanes::kQueueZero:
+        return control.queued[0];
+    case PassLanes::kQueueOne:
+        return control.queued[1];
+    case PassLanes::kList:
+        return control.lists[list].count;
+    case PassLanes::kHits:
+        return control.hit_count;
+    }
+    return 0;
+}
+
+void addRun(PassProfile& profile, const PassRun& run) {
+    PassTally& tally = tallyOf(profile.passes, run.name);
+    const PassBytes& bytes = bytesOf(run.name);
+    const Appended appended = appendedBy(run, bytes);
+    const std::uint64_t lanes = lanesIn(run.before, run.lanes, run.tiles, run.list);
+    ++tally.runs;
+    tally.host_ms += run.host_ms;
+    tally.cpu_ms += run.cpu_ms;
+    tally.device_ms += run.device_ms.value_or(0);
+    tally.lanes_in += lanes;
+    tally.lanes_out += appended.entries;
+    tally.bytes += lanes * bytes.bytes + appended.bytes;
+}
+
+HostSpan::HostSpan(PassProfile* profile, const char* name) : profile_(profile), name_(name) {
+    if (profile_) start_ = Clock::now();
+}
+
+HostSpan::~HostSpan() {
+    if (!profile_) return;
+    tallyOf(profile_->host, name_).ms += std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+}
+
+} // namespace pointrt

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/render/strip_pace.h"
+
+#include <algorithm>
+
+namespace pointrt {
+namespace {
+
+/// Four times what the largest strips of usual scans take on two cores: those are never cut.
+constexpr double kStripSeconds = 1;
+/// For a splat that a cell lists, of a pixel that shows the scan: twice what two cores take where a cell lists 7000.
+/// From 76 splats a cell on the largest strips (frame_tiling.cpp) are not taken unseen.
+constexpr double kSecondsPerListed = 50e-9;
+/// Of a new measurement where it is faster; what is slower is believed at once.
+constexpr double kShareOfFaster = 0.3;
+
+double splatsPerCell(const pro_index& index) {
+    const double listed = static_cast<double>(index.near_count) + index.blending_count;
+    return listed / std::max(index.cell_count, 1u);
+}
+
+} // namespace
+
+double splatsPerCell(const DeviceScene& scene) {
+    double most = 0;
+    for (const DeviceScan& scan : scene.files) most = std::max(most, splatsPerCell(scan.index));
+    return most;
+}
+
+StripPace::StripPace(double splats_per_cell) : least_(kSecondsPerListed * splats_per_cell), seconds_(least_) {}
+
+std::uint32_t StripPace::rowsFor(std::uint32_t width, std::uint32_t most) const {
+    const double rows = kStripSeconds / (std::max(seconds_, least_) * width);
+    if (!(rows < most)) return most;
+    return std::max(static_cast<std::uint32_t>(rows), 1u);
+}
+
+void StripPace::learn(std::uint64_t pixels, double seconds) {
+    const double measured = seconds / static_cast<double>(pixels);
+    seconds_ += (measured > seconds_ ? 1 : kShareOfFaster) * (measured - seconds_);
+}
+
+} // namespace pointrt

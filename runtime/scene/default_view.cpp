@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/default_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "runtime/scene/camera.h"
+#include "runtime/scene/cells.h"
+#include "runtime/scene/visibility.h"
+
+namespace pointrt {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// Three quarters above: sites lie open, and what stands on them does not look flat.
+constexpr double kSiteElevation = 35 * kDegree, kSiteAzimuth = 30 * kDegree;
+/// Another side must show so many times as much as the front to be taken in its place.
+constexpr double kMuchMore = 1.3;
+/// A frame: all but strays within this angle of the line of sight.
+constexpr double kFrameCosine = 0.34; // 70 degrees
+constexpr double kFrameShare = 0.99;
+/// As wide as an eye sees within a room, in degrees.
+constexpr double kRoomFov_deg = 80;
+constexpr std::size_t kMostPlaces = 16;
+
+struct Ground {
+    Vec3 up, front, right;
+};
+
+Ground groundOf(Vec3 up) {
+    const Vec3 front = frontSide(up);
+    return {up, front, cross(up, front)};
+}
+
+Vec3 sideAt(const Ground& ground, double azimuth, double elevation) {
+    const Vec3 level = std::cos(azimuth) * ground.front + std::sin(azimuth) * ground.right;
+    return std::cos(elevation) * level + std::sin(elevation) * ground.up;
+}
+
+ViewBasis basisFrom(const Ground& ground, Vec3 side) {
+    const bool steep = std::abs(dot(side, ground.up)) > 0.999;
+    return basisOf(-1.0 * side, steep ? -1.0 * ground.front : ground.up);
+}
+
+Vec3 centroidOf(const SceneSample& sample) {
+    Vec3 sum;
+    for (const SampledSplat& splat : sample.splats) sum = sum + splat.position;
+    return (1.0 / static_cast<double>(sample.splats.size())) * sum;
+}
+
+Extent alongAxis(const SceneSample& sample, Vec3 axis) {
+    std::vector<double> values;
+    for (const SampledSplat& splat : sample.splats) values.push_back(dot(splat.position, axis));
+    return extentOfMost(values);
+}
+
+/// Its height over its width.
+double flatness(const SceneSample& sample, const Ground& ground) {
+    const double width = std::max(alongAxis(sample, ground.front).size(), alongAxis(sample, ground.right).size());
+    return width > 0 ? alongAxis(sample, ground.up).size() / width : std::numeric_limits<double>::infinity();
+}
+
+/// Of the ground plan, the share whose lowest surface is level.
+double levelGround(const SceneSample& sample, const Ground& ground) {
+    constexpr int kCells = 16;
+    constexpr double kLevel = 0.85; // 32 degrees: slopes, and noise of normals
+    const Extent x = alongAxis(sample, ground.right), y = alongAxis(sample, ground.front);
+    const double edge = std::max({x.size(), y.size(), std::numeric_limits<double>::min()}) / kCells;
+    struct Cell {
+        double lowest = std::numeric_limits<double>::infinity(), level = 0, whole = 0;
+    };
+    std::array<Cell, (kCells + 1) * (kCells + 1)> cells;
+    const auto cell_of = [&](const SampledSplat& splat) -> Cell* {
+        const double column = (dot(splat.position, ground.right) - x.low) / edge;
+        const double row = (dot(splat.position, ground.front) - y.low) / edge;
+        if (!(column >= 0 && column <= kCells && row >= 0 && row <= kCells)) return nullptr;
+        return &cells[static_cast<std::size_t>(row) * (kCells + 1) + static_cast<std::size_t>(column)];
+    };
+    for (const SampledSplat& splat : sample.splats)
+        if (Cell* cell = cell_of(splat)) cell->lowest = std::min(cell->lowest, dot(splat.position, ground.up));
+    for (const SampledSplat& splat : sample.splats) {
+        Cell* cell = cell_of(splat);
+        if (!cell || dot(splat.position, ground.up) > cell->lowest + edge / 2) continue;
+        cell->whole += 1;
+        cell->level += std::abs(dot(splat.normal, ground.up)) > kLevel ? 1 : 0;
+    }
+    double level = 0, filled = 0;
+    for (const Cell& cell : cells)
+        if (cell.whole > 0) level += cell.level / cell.whole, filled += 1;
+    return filled > 0 ? level / filled : 0;
+}
+
+/// From above a level front view shows an edge.
+bool isSite(const SceneSample& sample, const Ground& ground) {
+    constexpr double kFlat = 0.25, kAsHighAsWide = 1, kGround = 0.7;
+    const double flat = flatness(sample, ground);
+    return flat < kFlat || (flat < kAsHighAsWide && levelGround(sample, ground) >= kGround);
+}
+
+/// The side from which most is seen of what faces the eye, at one elevation; the first but for one that shows much
+/// more.
+Vec3 fullestSide(const SceneSample& sample, const Ground& ground, double azimuth, double elevation) {
+    const SampleBox box = boundsOf(sample);
+    Vec3 best = sideAt(ground, azimuth, elevation);
+    double most = lookAlong(sample, box, basisFrom(ground, best)).facing * kMuchMore;
+    for (int turn = 1; turn < 8; ++turn) {
+        const Vec3 side = sideAt(ground, azimuth + turn * 45 * kDegree, elevation);
+        const double facing = lookAlong(sample, box, basisFrom(ground, side)).facing;
+        if (facing > most) most = facing, best = side;
+    }
+    return best;
+}
+
+bool isWithin(const SampleBox& box, Vec3 point) {
+    return point.x > box.low.x && point.y > box.low.y && point.z > box.low.z && point.x < box.high.x &&
+           point.y < box.high.y && point.z < box.high.z;
+}
+
+/// Whether an eye has room there: next to no disc would hold it.
+bool isFree(const SceneSample& sample, Vec3 eye) {
+    constexpr double kInTheWay = 0.001; // a scanner's own dust
+    double around = 0;
+    for (const SampledSplat& splat : sample.splats) around += length(splat.position - eye) <= splat.radius ? 1 : 0;
+    return around <= kInTheWay * static_cast<double>(sample.splats.size());
+}
+
+std::vector<Vec3> freeWithin(const SceneSample& sample, const SampleBox& box, const std::vector<Vec3>& places) {
+    std::vector<Vec3> within;
+    for (const Vec3 place : places)
+        if (isWithin(box, place) && isFree(sample, place)) within.push_back(place);
+    return within;
+}
+
+/// From wherever one looks down on it, of what is seen more is turned away than faces the eye.
+bool showsItsBack(const SceneSample& sample, const Ground& ground) {
+    const SampleBox box = denseBox(sample);
+    for (const double elevation : {5 * kDegree, kSiteElevation, 89 * kDegree})
+        for (int turn = 0; turn < 8; ++turn) {
+            const Sight sight =
+                lookAlong(sample, box, basisFrom(ground, sideAt(ground, turn * 45 * kDegree, elevation)));
+            if (sight.facing >= sight.covered / 2) return false;
+        }
+    return true;
+}
+
+/// Share of the sample that something hides from all of its six sides.
+double hiddenShare(const SceneSample& sample, const Ground& ground) {
+    const SampleBox box = denseBox(sample);
+    std::vector<bool> seen(sample.splats.size());
+    for (const Vec3 side :
+         {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
+        for (const std::uint32_t splat : lookAlong(sample, box, basisFrom(ground, side)).seen) seen[splat] = true;
+    return static_cast<double>(std::count(seen.begin(), seen.end(), false)) / static_cast<double>(seen.size());
+}
+
+/// Of what is seen from above, the share that is level and about as high as the highest.
+double ceilingShare(const SceneSample& sample, const Ground& ground) {
+    constexpr double kLevel = 0.85, kDepth = 0.1; // 32 degrees; of the height
+    const Sight above = lookAlong(sample, denseBox(sample), basisFrom(ground, ground.up));
+    const Extent heights = alongAxis(sample, ground.up);
+    double level = 0;
+    for (const std::uint32_t i : above.seen) {
+        const SampledSplat& splat = sample.splats[i];
+        const bool high = dot(splat.position, ground.up) > heights.high - kDepth * heights.size();
+        level += high && std::abs(dot(splat.normal, ground.up)) > kLevel ? 1 : 0;
+    }
+    return above.seen.empty() ? 0 : level / static_cast<double>(above.seen.size());
+}
+
+/// Whether what was scanned is the inside of something: scanners stood within and saw nothing of its outside; or things
+/// stand under a ceiling.
+bool isRoom(const SceneSample& sample, const Ground& ground) {
+    constexpr double kFurniture = 0.015, kCeiling = 0.5; // of boxes nothing is hidden, and no statue has a flat top
+    const bool scanned_within = !freeWithin(sample, boundsOf(sample), sample.sensors).empty();
+    if (sample.oriented && scanned_within && showsItsBack(sample, ground)) return true;
+    return hiddenShare(sample, ground) >= kFurniture && ceilingShare(sample, ground) >= kCeiling;
+}
+
+/// Places at the height of eyes, from wall to wall, with room around them.
+std::vector<Vec3> placesWithin(const SceneSample& sample, const Ground& ground) {
+    constexpr int kSteps = 5;
+    const Extent x = alongAxis(sample, ground.right), y = alongAxis(sample, ground.front),
+                 h = alongAxis(sample, ground.up);
+    struct Place {
+        Vec3 eye;
+        double clearance;
+    };
+    std::vector<Place> places;
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const double column = (i % kSteps + 0.5) / kSteps, row = (i / kSteps + 0.5) / kSteps;
+        const Vec3 eye = (x.low + column * x.size()) * ground.right + (y.low + row * y.size()) * ground.front +
+                         (h.low + 0.6 * h.size()) * ground.up; // over tables, under lamps
+        double clearance = std::numeric_limits<double>::infinity();
+        for (const SampledSplat& splat : sample.splats)
+            clearance = std::min(clearance, length(splat.position - eye) - splat.radius);
+        places.push_back({eye, clearance});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.clearance > b.clearance; });
+    std::vector<Vec3> roomiest;
+    for (std::size_t i = 0; i < places.size() / 2; ++i) roomiest.push_back(places[i].eye);
+    return roomiest;
+}
+
+std::vector<Vec3> someOf(const std::vector<Vec3>& places) {
+    std::vector<Vec3> some;
+    const std::size_t step = std::max<std::size_t>(1, (places.size() + kMostPlaces - 1) / kMostPlaces);
+    for (std::size_t i = 0; i < places.size(); i += step) some.push_back(places[i]);
+    return some;
+}
+
+/// The share of a sample that an eye sees when it turns around.
+double seenAround(const SceneSample& sample, const std::vector<double>& weights, const Ground& ground, Vec3 eye) {
+    double seen = 0;
+    for (const Vec3 side :
+         {ground.up, -1.0 * ground.up, ground.front, -1.0 * ground.front, ground.right, -1.0 * ground.right})
+        seen += seenFrom(sample, weights, eye, basisFrom(ground, side), 90);
+    return seen;
+}
+
+/// Scanners' places in a room. Where none is known, the place from which most is seen: nothing was hidden from the
+/// scanner. It may be the zero of the file, or one with room around it.
+std::vector<Vec3> placesToStand(const SceneSample& sample, const Ground& ground) {
+    const std::vector<Vec3> known = someOf(freeWithin(sample, boundsOf(sample), sample.sensors));
+    if (!known.empty()) return known;
+    std::vector<Vec3> places = someOf(freeWithin(sample, denseBox(sample), sample.zeros));
+    const std::vector<Vec3> roomiest = placesWithin(sample, ground);
+    places.insert(places.end(), roomiest.begin(), roomiest.end());
+    const std::vector<double> weights = evenWeights(sample);
+    std::vector<double> seen;
+    for (const Vec3 place : places) seen.push_back(seenAround(sample, weights, ground, place));
+    return {places[static_cast<std::size_t>(std::max_element(seen.begin(), seen.end()) - seen.begin())]};
+}
+
+/// Of some places the one, and the level direction, that shows most.
+ViewChoice fullestPlace(const SceneSample& sample, const Ground& ground, const std::vector<Vec3>& places) {
+    const std::vector<double> weights = evenWeights(sample);
+    ViewChoice best;
+    double most = -1;
+    for (const Vec3 place : places)
+        for (int turn = 0; turn < 8; ++turn) {
+            const Vec3 side = sideAt(ground, turn * 45 * kDegree, 5 * kDegree); // a little down: floors tell more
+            const double seen = seenFrom(sample, weights, place, basisFrom(ground, side), kRoomFov_deg);
+            if (seen > most) most = seen, best = {side, place};
+        }
+    return best;
+}
+
+/// Where one scanner saw all that is there in front of it.
+std::optional<ViewChoice> viewOfFrame(const SceneSample& sample) {
+    if (sample.sensors.size() != 1) return {};
+    const Vec3 eye = sample.sensors[0], ahead = centroidOf(sample) - eye;
+    if (!(length(ahead) > 0) || !isFree(sample, eye)) return {};
+    const Vec3 forward = normalize(ahead);
+    double within = 0;
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 to = splat.position - eye;
+        within += dot(to, forward) > kFrameCosine * length(to) ? 1 : 0;
+    }
+    if (within < kFrameShare * static_cast<double>(sample.splats.size())) return {};
+    return ViewChoice{-1.0 * forward, eye};
+}
+
+} // namespace
+
+Vec3 sideOf(StandardView view, Vec3 up) {
+    const auto [above, front, right] = groundOf(up);
+    switch (view) {
+    case StandardView::kBack:
+        return -1.0 * front;
+    case StandardView::kLeft:
+        return -1.0 * right;
+    case StandardView::kRight:
+        return right;
+    case StandardView::kTop:
+        return above;
+    case StandardView::kBottom:
+        return -1.0 * above;
+    case StandardView::kIso:
+        return normalize(front + right + above);
+    default:
+        return front;
+    }
+}
+
+Vec3 upIn(StandardView view, Vec3 up) {
+    if (view == StandardView::kTop) return -1.0 * frontSide(up);
+    if (view == StandardView::kBottom) return frontSide(up);
+    return up;
+}
+
+std::optional<ViewChoice> viewOfSensor(const SceneSample& sample, Vec3 up) {
+    if (sample.sensors.empty()) return {};
+    if (const auto frame = viewOfFrame(sample)) return frame;
+    return fullestPlace(sample, groundOf(up), someOf(sample.sensors));
+}
+
+ViewChoice chooseView(const SceneSample& sample, Vec3 up) {
+    const Ground ground = groundOf(up);
+    if (const auto frame = viewOfFrame(sample)) return *frame;
+    if (isRoom(sample, ground)) return fullestPlace(sample, ground, placesToStand(sample, ground));
+    if (isSite(sample, ground)) return {fullestSide(sample, ground, kSiteAzimuth, kSiteElevation), {}};
+    return {fullestSide(sample, ground, 0, 0), {}};
+}
+
+} // namespace pointrt

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/framing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "format/base/error.h"
+#include "runtime/scene/default_view.h"
+
+namespace pointrt {
+namespace {
+
+/// Cameras and rooms may want wider pictures than objects, but beyond this everything is bent.
+constexpr double kWidest_deg = 80;
+/// What is seen under less from a scanner is seen from afar: there is no more to be seen from its very place.
+constexpr double kNarrowest_deg = 20;
+/// From the eye to what it looks at within a room, of the way to what it sees on average.
+constexpr double kPivotShare = 0.5;
+
+Vec3 usable(Vec3 up, Vec3 side) {
+    if (length(cross(up, side)) > 1e-3 * length(up)) return up;
+    return std::abs(side.z) > 0.9 * length(side) ? Vec3{0, 1, 0} : Vec3{0, 0, -1};
+}
+
+double meanDistance(const SceneSample& sample, Vec3 eye) {
+    double sum = 0;
+    for (const SampledSplat& splat : sample.splats) sum += length(splat.position - eye);
+    return sum / static_cast<double>(sample.splats.size());
+}
+
+/// Sides and places are many, and are told apart by a part of the sample: at even steps so many, or up to twice as
+/// many.
+constexpr std::size_t kChoosing = 8192;
+
+SceneSample thinned(const SceneSample& sample) {
+    SceneSample some = sample;
+    const std::size_t step = std::max<std::size_t>(1, sample.splats.size() / kChoosing);
+    some.splats.clear();
+    for (std::size_t i = 0; i < sample.splats.size(); i += step) some.splats.push_back(sample.splats[i]);
+    return some;
+}
+
+ViewChoice chosen(const CameraRequest& request, const SceneSample& sample, Vec3 up) {
+    if (!request.view) return chooseView(sample, up);
+    if (*request.view != StandardView::kSensor) return {sideOf(*request.view, up), {}};
+    if (const auto view = viewOfSensor(sample, up)) return *view;
+    throw Error{ExitCode::kBadUsage, "--view sensor: no scan says where its scanner stood"};
+}
+
+/// The eye stays; a picture whose field of view was not said is as wide as it takes.
+FramedRequest fromPlace(CameraRequest request, const SceneSample& sample, const ViewChoice& choice,
+                        const FixedEyeFit& fit, Vec3 up, bool free_fov) {
+    const Vec3 eye = *choice.eye;
+    const bool sees_all = fit.fov_deg < kWidest_deg; // else it stands amidst them
+    FramedRequest framed;
+    framed.within = true;
+    const Vec3 forward = sees_all ? fit.forward : -1.0 * choice.side;
+    if (free_fov) request.fov_deg = std::min(fit.fov_deg, kWidest_deg);
+    request.eye = eye;
+    request.target = eye + (sees_all ? 1 : kPivotShare) * meanDistance(sample, eye) * forward;
+    request.up = up;
+    framed.camera = request;
+    framed.pivot = *request.target;
+    return framed;
+}
+
+FramedRequest fromOutside(CameraRequest request, const SceneSample& sample, Vec3 side, Vec3 up,
+                          const PictureArea& area) {
+    const ViewBasis basis = basisOf(-1.0 * side, up);
+    FramedRequest framed;
+    if (request.ortho || request.ortho_height) {
+        const Fit fit = fitParallel(sample, basis, area);
+        if (!request.ortho_height) request.ortho_height = fit.height;
+        framed.pivot = fit.pivot;
+        framed.aside = fit.aside;
+        request.target = fit.pivot + fit.aside * *request.ortho_height * basis.right;
+        request.side = side;
+    } else {
+        const Fit fit = fitPinhole(sample, basis, request.fov_deg, area);
+        framed.pivot = fit.pivot;
+        framed.aside = fit.aside;
+        request.eye = fit.eye;
+        request.target = fit.eye + dot(fit.pivot - fit.eye, basis.forward) * basis.forward;
+    }
+    request.up = up;
+    framed.camera = request;
+    return framed;
+}
+
+/// A target seen from the side that a view names, as far as frameCamera goes away, or from a scanner's place.
+FramedRequest fromSideOf(CameraRequest request, const SceneSample& sample, Vec3 up) {
+    const ViewChoice choice = chosen(request, sample, up);
+    request.eye = choice.eye;
+    request.side = choice.side;
+    request.up = usable(upIn(*request.view, up), choice.side);
+    request.view.reset();
+    return {request, {}};
+}
+
+} // namespace
+
+FramedRequest frameScene(const CameraRequest& request, const SceneSample& all, Vec3 up, const PictureArea& area,
+                         bool free_fov) {
+    FramedRequest framed{request, {}};
+    framed.camera.view.reset();
+    if (request.view && request.target && !request.eye && !all.splats.empty())
+        return fromSideOf(request, thinned(withoutStrays(all)), up);
+    if (request.eye || request.target || all.splats.empty() || (all.furnished && !request.view)) return framed;
+    const SceneSample sample = withoutStrays(all);
+    // an --up of the picture's own is no scene's: it looks along the side it has
+    const bool tilted = !request.view && request.up && length(cross(*request.up, up)) > 1e-6 * length(*request.up);
+    const ViewChoice choice = tilted ? ViewChoice{request.side, {}} : chosen(request, thinned(sample), up);
+    const Vec3 picture_up = request.view ? upIn(*request.view, up) : tilted ? *request.up : up;
+    const Vec3 level = usable(picture_up, choice.side);
+    if (!choice.eye || request.ortho || request.ortho_height)
+        return fromOutside(framed.camera, sample, choice.side, level, area);
+    // what a camera sees from afar or, where its field of view is given, would not see whole: as near as it takes
+    const FixedEyeFit fit = fitFromEye(sample, *choice.eye, -1.0 * choice.side, level, area);
+    const bool hardly_seen = fit.fov_deg < (free_fov ? kNarrowest_deg : kNarrowest_deg / 2);
+    const bool cut = !free_fov && fit.fov_deg > request.fov_deg && fit.fov_deg < kWidest_deg;
+    if (hardly_seen || cut) return fromOutside(framed.camera, sample, -1.0 * fit.forward, level, area);
+    return fromPlace(framed.camera, sample, choice, fit, level, free_fov);
+}
+
+} // namespace pointrt

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pointrt {
+namespace {
+
+/// Cells along the edge of a picture: of some thousand splats ten lie in each, of one side of a surface five.
+constexpr int kCells = 28;
+/// What is no farther behind the nearest of a cell, in cells' edges, is of the same surface.
+constexpr double kSurfaceDepth = 1.5;
+
+/// What is within a degree of the picture's plane is beside the eye.
+constexpr double kAcross = 0.02;
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr std::size_t kOutside = kCells * kCells;
+
+struct Placed {
+    std::size_t cell = kOutside;
+    double depth = 0;
+};
+
+std::size_t cellOf(double x, double y) {
+    if (!(x >= 0 && x < kCells && y >= 0 && y < kCells)) return kOutside;
+    return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x);
+}
+
+std::vector<double> nearest(const std::vector<Placed>& placed) {
+    std::vector<double> depths(kOutside, kFar);
+    for (const Placed& splat : placed)
+        if (splat.cell != kOutside) depths[splat.cell] = std::min(depths[splat.cell], splat.depth);
+    return depths;
+}
+
+/// Where a disc is in a picture, and how far it reaches, in cells.
+struct Outline {
+    double x, y, reach_x, reach_y;
+};
+
+/// Cells whose middles are within the ellipse, and the one that its own is in.
+void hide(std::vector<double>& depths, const Outline& disc, double depth) {
+    const auto nearer = [&](std::size_t cell) {
+        if (cell != kOutside) depths[cell] = std::min(depths[cell], depth);
+    };
+    nearer(cellOf(disc.x, disc.y));
+    const auto first = [](double low) { return static_cast<int>(std::clamp(low, 0.0, double{kCells})); };
+    for (int row = first(disc.y - disc.reach_y); row < kCells && row + 0.5 < disc.y + disc.reach_y; ++row)
+        for (int column = first(disc.x - disc.reach_x); column < kCells && column + 0.5 < disc.x + disc.reach_x;
+             ++column) {
+            const double x = column + 0.5, y = row + 0.5;
+            if (std::hypot((x - disc.x) / disc.reach_x, (y - disc.y) / disc.reach_y) < 1) nearer(cellOf(x, y));
+        }
+}
+
+} // namespace
+
+Sight lookAlong(const SceneSample& sample, const SampleBox& box, const ViewBasis& basis) {
+    const Vec3 middle = 0.5 * (box.low + box.high);
+    const double edge = length(box.high - box.low) / kCells;
+    Sight sight;
+    if (!(edge > 0)) return sight;
+    std::vector<Placed> placed;
+    for (const SampledSplat& splat : sample.splats) {
+        const Vec3 to = splat.position - middle;
+        placed.push_back({cellOf(dot(to, basis.right) / edge + kCells / 2.0, dot(to, basis.up) / edge + kCells / 2.0),
+                          dot(to, basis.forward) / edge});
+    }
+    const std::vector<double> depths = nearest(placed);
+    std::vector<double> fronts(kOutside, 0);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const auto [cell, depth] = placed[i];
+        if (cell == kOutside || depth > depths[cell] + kSurfaceDepth) continue;
+        sight.seen.push_back(static_cast<std::uint32_t>(i));
+        fronts[cell] -= dot(sample.splats[i].normal, basis.forward);
+    }
+    for (std::size_t cell = 0; cell < kOutside; ++cell) {
+        if (depths[cell] == kFar) continue;
+        sight.covered += 1.0 / kOutside;
+        if (fronts[cell] > 0 || !sample.oriented) sight.facing += 1.0 / kOutside;
+    }
+    return sight;
+}
+
+double seenFrom(const SceneSample& sample, const std::vector<double>& weights, Vec3 eye, const ViewBasis& basis,
+                double fov_deg) {
+    const double half = std::tan(fov_deg * std::numbers::pi / 360);
+    std::vector<Placed> placed(sample.splats.size());
+    std::vector<double> depths(kOutside, kFar);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const SampledSplat& splat = sample.splats[i];
+        const Vec3 to = splat.position - eye;
+        const double ahead = dot(to, basis.forward);
+        if (!(ahead > kAcross * length(to))) continue;
+        const double cells = kCells / (2 * ahead * half); // a unit of length
+        const double x = dot(to, basis.right) * cells + kCells / 2.0, y = dot(to, basis.up) * cells + kCells / 2.0;
+        placed[i] = {cellOf(x, y), length(to)};
+        hide(depths, {x, y, cells * reachAlong(splat, basis.right), cells * reachAlong(splat, basis.up)}, length(to));
+    }
+    double seen = 0;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        if (placed[i].cell != kOutside && placed[i].depth <= 1.25 * depths[placed[i].cell])
+            seen += weights[i]; // slanted walls, and their noise
+    return seen;
+}
+
+} // namespace pointrt

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene_io/camera_list.h"
+
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+
+#include "format/base/error.h"
+#include "format/base/printable.h"
+#include "runtime/scene_io/list_readers.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& reason) { throw Error{ExitCode::kBadInput, reason}; }
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+struct Kind {
+    const char* images;  ///< the file that lists pictures
+    const char* cameras; ///< and the one with their lenses beside it, if there is one
+    std::vector<CameraShot> (*read)(const std::string& images, const std::string& cameras,
+                                    const CameraFileRequest& request);
+};
+
+constexpr std::array kKinds = {Kind{"transforms.json", nullptr, readTransforms},
+                               Kind{"images.bin", "cameras.bin", readColmapBinary},
+                               Kind{"images.txt", "cameras.txt", readColmapText}};
+
+std::vector<CameraShot> readKind(const Kind& kind, const fs::path& file, const CameraFileRequest& request) {
+    if (!kind.cameras) return kind.read(file.string(), "", request);
+    const fs::path images = file.parent_path() / kind.images, cameras = file.parent_path() / kind.cameras;
+    for (const fs::path& each : {images, cameras})
+        if (!isThere(each)) refuse(each.string() + ": No such file or directory; COLMAP's models have both of them");
+    return kind.read(images.string(), cameras.string(), request);
+}
+
+std::optional<std::vector<CameraShot>> readFolder(const fs::path& folder, const CameraFileRequest& request) {
+    for (const Kind& kind : kKinds)
+        if (isThere(folder / kind.images)) return readKind(kind, folder / kind.images, request);
+    return std::nullopt;
+}
+
+std::vector<CameraShot> readAny(const std::string& path, const CameraFileRequest& request) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(path, failure);
+    if (!fs::exists(status)) refuse(path + ": " + (failure ? failure.message() : "No such file or directory"));
+    if (fs::is_directory(status)) {
+        for (const fs::path& folder : {fs::path(path), fs::path(path) / "sparse" / "0"})
+            if (auto shots = readFolder(folder, request)) return std::move(*shots);
+        refuse(path + ": has neither transforms.json nor COLMAP's cameras and images, as .bin or .txt");
+    }
+    const std::string name = fs::path(path).filename().string();
+    for (const Kind& kind : kKinds)
+        if (name == kind.images || (kind.cameras && name == kind.cameras)) return readKind(kind, path, request);
+    if (name.ends_with(".json")) return readTransforms(path, "", request);
+    refuse(path + ": cameras are in a transforms.json, or in COLMAP's cameras and images, .bin or .txt");
+}
+
+void requireUsable(const CameraShot& shot, bool drops_distortion) {
+    if (shot.size.width < 1 || shot.size.height < 1 || shot.size.width > kMaxPixelSide ||
+        shot.size.height > kMaxPixelSide)
+        refuse(shot.place + "a picture of " + std::to_string(shot.size.width) + " x " +
+               std::to_string(shot.size.height) + " pixels; each side is 1 to " + std::to_string(kMaxPixelSide));
+    if (!shot.distortion.empty() && !drops_distortion)
+        refuse(shot.place + "the lens has distortion (" + shot.distortion +
+               "), and pictures here have none; --distortion drop renders without it");
+    try {
+        pinholeCamera(shot.pose, shot.lens, shot.size);
+    } catch (const std::invalid_argument& error) {
+        refuse(shot.place + "the camera of " + printable(shot.name) + ": " + error.what());
+    }
+}
+
+} // namespace
+
+std::vector<CameraShot> readCameraList(const std::string& path, const CameraFileRequest& request) {
+    std::vector<CameraShot> shots = readAny(path, request);
+    if (shots.empty()) refuse(path + ": has no cameras with pictures");
+    for (const CameraShot& shot : shots) requireUsable(shot, request.drops_distortion);
+    return shots;
+}
+
+} // namespace pointrt

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/scene/material_fields.h"
+#include "runtime/scene_io/read_parts.h"
+#include "shaders/shared/scene_layout.h"
+
+namespace pointrt {
+namespace {
+
+/// Any unit vector at right angles to normal, a unit vector too.
+Vec3 besides(Vec3 normal) {
+    const Vec3 axis = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    return normalize(axis - normal * dot(axis, normal));
+}
+
+void readPlane(const SceneValue& table, ShapeDescription& shape) {
+    forbid(table, {"center"}, "says nothing without \"axes\"; a plane has a \"point\"");
+    shape.center = vectorOf(require(table, "point"));
+    layFlat(shape, directionOf(require(table, "normal")), 1);
+}
+
+void readDisc(const SceneValue& table, ShapeDescription& shape) {
+    shape.center = vectorOf(require(table, "center"));
+    layFlat(shape, directionOf(require(table, "normal")), numberOf(require(table, "radius"), kLengths));
+}
+
+void readQuad(const SceneValue& table, ShapeDescription& shape) {
+    shape.center = vectorOf(require(table, "center"));
+    const HalfEdges edges = halfEdgesOf(table);
+    shape.u = edges.u;
+    shape.v = edges.v;
+    shape.w = cross(normalize(edges.u), normalize(edges.v));
+}
+
+/// Half of each side.
+Vec3 halfSizeOf(const SceneValue& table, ShapeDescription& shape) {
+    if (find(table, "center")) {
+        forbid(table, {"min", "max"}, "excludes \"center\"");
+        shape.center = vectorOf(require(table, "center"));
+        return vectorOf(require(table, "size"), kLengths) * 0.5;
+    }
+    forbid(table, {"size"}, "says nothing without \"center\"");
+    const Vec3 low = vectorOf(require(table, "min"));
+    const Vec3 high = vectorOf(require(table, "max")), half = (high - low) * 0.5;
+    if (std::min({half.x, half.y, half.z}) < kSmallest / 2)
+        refuse(*find(table, "max"), "must be above \"min\" in x, y and z");
+    shape.center = low + half;
+    return half;
+}
+
+void readBox(const SceneValue& table, ShapeDescription& shape) {
+    const Vec3 half = halfSizeOf(table, shape);
+    std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    if (const auto rotate = find(table, "rotate")) rows = rotationOf(*rotate);
+    shape.u = Vec3{rows[0].x, rows[1].x, rows[2].x} * half.x;
+    shape.v = Vec3{rows[0].y, rows[1].y, rows[2].y} * half.y;
+    shape.w = Vec3{rows[0].z, rows[1].z, rows[2].z} * half.z;
+}
+
+void readSphere(const SceneValue& table, ShapeDescription& shape) {
+    shape.center = vectorOf(require(table, "center"));
+    const double radius = numberOf(require(table, "radius"), kLengths);
+    shape.u = Vec3{radius, 0, 0};
+    shape.v = Vec3{0, radius, 0};
+    shape.w = Vec3{0, 0, radius};
+}
+
+bool areAlike(double a, double b) { return std::abs(a - b) <= kAxesError * std::max(a, b); }
+
+/// u, v and w as they are, where they suit the shape (scene_description.h): at right angles and right-handed, of plane,
+/// disc and quad w one long, of plane and disc u and v alike, of spheres all three.
+void readAxes(const SceneValue& table, const SceneValue& axes, ShapeDescription& shape) {
+    forbid(table, {"point", "normal", "radius", "u", "v", "min", "max", "size", "rotate"}, "excludes \"axes\"");
+    shape.center = vectorOf(require(table, "center"));
+    const std::array<Vec3, 3> rows = rowsOf(axes);
+    shape.u = rows[0];
+    shape.v = rows[1];
+    shape.w = rows[2];
+    const double u = length(shape.u), v = length(shape.v), w = length(shape.w);
+    if (std::min({u, v, w}) < kSmallest) refuse(axes, "an axis of length zero has no direction");
+    const bool flat = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kSphere;
+    const bool round = shape.kind != ShapeKind::kBox && shape.kind != ShapeKind::kQuad;
+    if (!areRightAngled({shape.u * (1 / u), shape.v * (1 / v), shape.w * (1 / w)}))
+        refuse(axes, "must be at right angles, right-handed");
+    if (flat && !areAlike(w, 1)) refuse(axes, "the third is the normal, and must be 1 long");
+    if (round && !areAlike(u, v)) refuse(axes, "the first two must have the same length");
+    if (shape.kind == ShapeKind::kSphere && !areAlike(u, w)) refuse(axes, "must have the same length, the radius");
+}
+
+struct Kind {
+    ShapeKind kind;
+    std::string_view name;
+    std::vector<std::string_view> keys;
+    void (*read)(const SceneValue&, ShapeDescription&);
+};
+
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = {
+        {ShapeKind::kPlane, "plane", {"point", "normal"}, readPlane},
+        {ShapeKind::kDisc, "disc", {"normal", "radius"}, readDisc},
+        {ShapeKind::kQuad, "quad", {"u", "v"}, readQuad},
+        {ShapeKind::kBox, "box", {"min", "max", "size", "rotate"}, readBox},
+        {ShapeKind::kSphere, "sphere", {"radius"}, readSphere},
+    };
+    return all;
+}
+
+/// Number of a material for shapes that name none: the default one, made when it is first wanted.
+std::uint32_t plainMaterial(const SceneValue& table, SceneReading& reading) {
+    auto& materials = reading.scene.materials;
+    const auto [found, is_new] = reading.material_of_name.try_emplace("", static_cast<std::uint32_t>(materials.size()));
+    if (is_new && materials.size() == kMaxMaterials)
+        refuse(table, "\"material\" is missing, and there are 256 already");
+    if (is_new) materials.emplace_back();
+    return found->second;
+}
+
+std::uint32_t shapeMaterial(const SceneValue& table, SceneReading& reading) {
+    const auto value = find(table, "material");
+    if (!value) return plainMaterial(table, reading);
+    const std::uint32_t material = materialOf(*value, reading);
+    if (reading.uncolored_materials.count(material))
+        refuse(*value, "needs a \"color\" there: it takes those of splats, and a shape has none");
+    return material;
+}
+
+ShapeDescription shapeOf(const SceneValue& table, SceneReading& reading) {
+    std::vector<std::string_view> names;
+    for (const Kind& each : kinds()) names.push_back(each.name);
+    const Kind& kind = kinds()[choiceOf(require(table, "type"), names)];
+    std::vector<std::string_view> keys = {"type", "material", "seen_by_camera", "backdrop", "center", "axes"};
+    keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    requireKnownKeys(table, "a " + std::string(kind.name), keys);
+
+    ShapeDescription shape;
+    shape.kind = kind.kind;
+    if (const auto axes = find(table, "axes"))
+        readAxes(table, *axes, shape);
+    else
+        kind.read(table, shape);
+    shape.material = shapeMaterial(table, reading);
+    takeFlag(table, "seen_by_camera", shape.seen_by_camera);
+    takeFlag(table, "backdrop", shape.backdrop);
+    return shape;
+}
+
+/// "sphere and quad lights": those with a surface.
+std::string lampsInWords() {
+    std::vector<std::string_view> types;
+    for (std::size_t kind = 0; kind < kLightKinds; ++kind)
+        if (hasSurface(kind)) types.push_back(namesOf(kind).type);
+    const std::string last(types.back());
+    types.pop_back();
+    return joined(types) + " and " + last + " lights";
+}
+
+} // namespace
+
+void layFlat(ShapeDescription& shape, Vec3 normal, double half) {
+    shape.w = normal;
+    shape.u = besides(normal) * half;
+    shape.v = cross(normal, shape.u);
+}
+
+HalfEdges halfEdgesOf(const SceneValue& table) {
+    const SceneValue u_value = require(table, "u"), v_value = require(table, "v");
+    const Vec3 along_u = directionOf(u_value), along_v = directionOf(v_value);
+    // Three written digits are enough for a right angle, and the rest is made exact.
+    constexpr double most_cosine = 1e-3;
+    const double cosine = dot(along_u, along_v);
+    if (std::abs(cosine) > most_cosine) refuse(v_value, "must be at right angles to \"u\"");
+    const Vec3 u = vectorOf(u_value), v = vectorOf(v_value);
+    return {u, isNear(cosine, 0) ? v : normalize(along_v - along_u * cosine) * length(v)};
+}
+
+void requireRoomForShape(const SceneValue& value, const SceneReading& reading) {
+    const std::size_t shapes = reading.scene.shapes.size() + countSurfaces(reading.scene.lights);
+    if (shapes >= MAX_SHAPES) refuse(value, "there are at most 64 shapes, " + lampsInWords() + " counted");
+}
+
+void readShapes(const SceneValue& file, SceneReading& reading) {
+    for (const SceneValue& table : findTables(file, "shape")) {
+        requireRoomForShape(table, reading);
+        reading.scene.shapes.push_back(shapeOf(table, reading));
+    }
+}
+
+} // namespace pointrt

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/scene_io/scene_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "format/base/error.h"
+#include "format/base/printable.h"
+#include "format/set/tile_set.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/upright.h"
+#include "runtime/scene_io/read_parts.h"
+
+namespace pointrt {
+namespace {
+
+std::string readText(const std::string& path) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
+    std::string text(kMaxSceneBytes + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+    if (std::ferror(file.get())) throw Error{ExitCode::kBadInput, path + ": " + std::strerror(errno)};
+    if (text.size() > kMaxSceneBytes) throw Error{ExitCode::kBadInput, path + ": a scene file has at most 1 MiB"};
+    return text;
+}
+
+/// A height, or "fit": all of the scene.
+void takeOrtho(const SceneValue& table, const SceneValue& ortho, CameraRequest& camera) {
+    if (find(table, "fov")) refuse(ortho, "excludes \"fov\": a parallel projection has no field of view");
+    camera.ortho = true;
+    if (ortho.node->is_number())
+        camera.ortho_height = numberOf(ortho, kLengths);
+    else if (!ortho.node->is_string() || textOf(ortho) != "fit")
+        refuse(ortho, "must be a height or \"fit\"");
+}
+
+/// [camera] or a [[view]]. Without an up of its own it stands as the scene does.
+CameraRequest cameraOf(const SceneValue& table, const SceneDescription& scene) {
+    CameraRequest camera;
+    camera.up = scene.up;
+    camera.side = scene.camera.side;
+    if (const auto eye = find(table, "eye")) camera.eye = vectorOf(*eye);
+    if (const auto target = find(table, "target")) camera.target = vectorOf(*target);
+    if (const auto up = find(table, "up")) camera.up = directionOf(*up);
+    // as wide as frameCamera takes it
+    takeNumber(table, "fov", {0.001, 179.999}, camera.fov_deg);
+    if (const auto ortho = find(table, "ortho")) takeOrtho(table, *ortho, camera);
+    if (camera.eye && camera.target && !(length(*camera.target - *camera.eye) > 0))
+        refuse(*find(table, "target"), "must be another point than \"eye\"");
+    return camera;
+}
+
+void readCamera(const SceneValue& file, SceneDescription& scene) {
+    scene.camera.up = scene.up;
+    const auto table = findTable(file, "camera");
+    if (!table) return;
+    requireKnownKeys(*table, "a camera", {"eye", "target", "up", "fov", "ortho"});
+    scene.camera = cameraOf(*table, scene);
+}
+
+void readViews(const SceneValue& file, SceneDescription& scene) {
+    std::set<std::string> names;
+    for (const SceneValue& table : findTables(file, "view")) {
+        requireKnownKeys(table, "a view", {"name", "eye", "target", "up", "fov", "ortho"});
+        const SceneValue name = require(table, "name");
+        if (!names.insert(textOf(name)).second) refuse(name, "is the name of another view already");
+        scene.views.push_back({textOf(name), cameraOf(table, scene)});
+    }
+}
+
+/// A direction; or an axis, whose front cameras look at; or "auto": as the scans say.
+void readUp(const SceneValue& value, SceneDescription& scene) {
+    if (!value.node->is_string()) {
+        scene.up = directionOf(value);
+        return;
+    }
+    const std::string word = textOf(value);
+    const auto axis = axisNamed(word);
+    if (!axis && word != "auto")
+        refuse(value,
+               "\"" + printable(word) + "\" is no direction such as [0, 0, 1], and none of auto, x, y, z, -x, -y, -z");
+    scene.up = axis;
+    if (axis) scene.camera.side = frontSide(*axis);
+}
+
+void readWhole(const SceneValue& file, SceneDescription& scene) {
+    std::vector<std::string_view> keys = settingKeys(FileTable::kScene);
+    keys.insert(keys.begin(), "up");
+    keys.insert(keys.end(),
+                {"staged_for", "camera", "view", "render", "instance", "material", "shape", "light", "sky"});
+    requireKnownKeys(file, "a scene", keys);
+    readSettings(file, FileTable::kScene, scene.render);
+    if (const auto up = find(file, "up")) readUp(*up, scene);
+    if (const auto eye = find(file, "staged_for")) scene.staged_for = vectorOf(*eye);
+    readCamera(file, scene);
+    readViews(file, scene);
+    readRender(file, scene);
+}
+
+} // namespace
+
+bool isSceneFile(const std::string& path) { return path.ends_with(".toml"); }
+
+SceneDescription parseScene(std::string_view text, const std::string& path) {
+    const toml::table table = parseToml(text, path);
+    const SceneValue file{&path, &table, ""};
+    SceneReading reading;
+    reading.scene.path = path;
+    readWhole(file, reading.scene);
+    readMaterials(file, reading);
+    readInstances(file, reading);
+    readShapes(file, reading);
+    readLights(file, reading);
+    readSky(file, reading);
+    if (reading.scene.instances.empty() && reading.scene.shapes.empty())
+        refuse(file, "there is no [[instance]] and no [[shape]] to see");
+    return reading.scene;
+}
+
+SceneDescription readSceneFile(const std::string& path) { return parseScene(readText(path), path); }
+
+std::string fileOf(const SceneValue& value, const SceneReading& reading) {
+    const std::string name = textOf(value);
+    const std::filesystem::path path = std::filesystem::path(reading.scene.path).parent_path() / name;
+    std::error_code error;
+    const bool is_folder = std::filesystem::is_directory(path, error) && !isTileSet(path.string());
+    if (!std::filesystem::exists(path, error) || is_folder)
+        refuse(value, "there is no file \"" + printable(path.string()) + "\"");
+    return path.string();
+}
+
+} // namespace pointrt

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+#include "format/base/error.h"
+
+extern char** environ;
+
+namespace pointrt {
+namespace {
+
+/// posix_spawn's two kinds of parameters, freed in any case.
+struct SpawnPlan {
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t attributes;
+
+    explicit SpawnPlan(int output) {
+        posix_spawn_file_actions_init(&files);
+        posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&files, output, STDERR_FILENO);
+        // this thread may hold signals back, which the program must not inherit
+        sigset_t none;
+        sigemptyset(&none);
+        posix_spawnattr_init(&attributes);
+        posix_spawnattr_setsigmask(&attributes, &none);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    }
+    ~SpawnPlan() {
+        posix_spawn_file_actions_destroy(&files);
+        posix_spawnattr_destroy(&attributes);
+    }
+    SpawnPlan(const SpawnPlan&) = delete;
+    SpawnPlan& operator=(const SpawnPlan&) = delete;
+};
+
+int spawn(pid_t& id, const std::vector<std::string>& arguments, int output) {
+    std::vector<char*> words;
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    const SpawnPlan plan(output);
+    return posix_spawn(&id, words[0], &plan.files, &plan.attributes, words.data(), environ);
+}
+
+} // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments) {
+    std::array<int, 2> ends{};
+    const auto fail = [&](int error) {
+        throw Error{ExitCode::kCannotRun, arguments.front() + ": cannot be started: " + std::strerror(error)};
+    };
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno);
+    const int error = spawn(id_, arguments, ends[1]);
+    close(ends[1]);
+    if (error != 0) {
+        close(ends[0]);
+        fail(error);
+    }
+    output_ = ends[0];
+    // what it leaves running may keep the pipe open after it has ended
+    fcntl(output_, F_SETFL, O_NONBLOCK);
+}
+
+ChildProcess::~ChildProcess() {
+    if (!waitStatus()) {
+        signal(SIGKILL);
+        while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+    if (output_ >= 0) close(output_);
+}
+
+std::string ChildProcess::read(std::chrono::milliseconds patience) {
+    if (output_ < 0) {
+        std::this_thread::sleep_for(patience);
+        return {};
+    }
+    pollfd wait{output_, POLLIN, 0};
+    if (poll(&wait, 1, static_cast<int>(patience.count())) <= 0) return {};
+    std::array<char, 4096> bytes;
+    const ssize_t count = ::read(output_, bytes.data(), bytes.size());
+    if (count > 0) return {bytes.data(), static_cast<std::size_t>(count)};
+    if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+        close(output_);
+        output_ = -1;
+    }
+    return {};
+}
+
+std::optional<int> ChildProcess::waitStatus() {
+    int status = 0;
+    if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = status;
+    return status_;
+}
+
+void ChildProcess::signal(int number) {
+    if (!waitStatus()) kill(id_, number);
+}
+
+std::string describeEnd(int wait_status) {
+    if (WIFEXITED(wait_status)) return "ended with status " + std::to_string(WEXITSTATUS(wait_status));
+    const int number = WTERMSIG(wait_status);
+    return "was ended by signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+}
+
+} // namespace pointrt

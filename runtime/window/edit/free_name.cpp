@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/free_name.h"
+
+#include <filesystem>
+
+#include "format/base/error.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxNumber = 9999;
+
+std::string stemOf(const std::string& path) {
+    const std::string stem = fs::path(path).stem().string();
+    return stem.empty() ? "picture" : stem;
+}
+
+} // namespace
+
+std::string freeName(const std::string& path, const std::vector<std::string>& endings) {
+    const std::string stem = stemOf(path);
+    for (int number = 1; number <= kMaxNumber; ++number) {
+        const std::string name = stem + "-" + std::to_string(number);
+        bool taken = false;
+        std::error_code ignored; // what cannot even be looked for will not be written, which says why
+        for (const std::string& ending : endings) taken |= fs::exists(name + ending, ignored);
+        if (!taken) return name;
+    }
+    throw Error{ExitCode::kCannotWrite, stem + "-1 to " + stem + "-" + std::to_string(kMaxNumber) + " are all taken"};
+}
+
+} // namespace pointrt

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/job.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace pointrt {
+namespace {
+
+// Before that starting up is most of what was seen of the work.
+constexpr double kMinSeconds = 0.5, kMinShare = 0.02;
+
+double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+} // namespace
+
+void JobControl::say(const std::string& detail) {
+    const std::lock_guard lock(mutex_);
+    detail_ = detail;
+}
+
+void JobControl::setShare(double done) {
+    const std::lock_guard lock(mutex_);
+    if (!(done > share_.value_or(-1))) return;
+    share_ = std::clamp(done, 0.0, 1.0);
+    share_said_ = Clock::now();
+}
+
+void JobControl::leaveIfCancelled() const {
+    if (cancelled()) throw JobCancelled{};
+}
+
+Job::Job(std::string what, Work work, bool can_cancel) : what_(std::move(what)), can_cancel_(can_cancel) {
+    // the thread waits until stop_ is set, by which it is told to end
+    const std::lock_guard lock(control_.mutex_);
+    thread_ = std::jthread([this, body = std::move(work)] { run(body); });
+    control_.stop_ = thread_.get_stop_token();
+}
+
+void Job::run(const Work& work) {
+    { const std::lock_guard wait(control_.mutex_); }
+    try {
+        work(control_);
+        end(JobState::kDone);
+    } catch (const JobCancelled&) {
+        end(JobState::kCancelled);
+    } catch (const Error& error) {
+        end(JobState::kFailed, error.what(), error.code);
+    } catch (const std::bad_alloc&) {
+        end(JobState::kFailed, "out of memory");
+    } catch (const std::exception& error) {
+        end(JobState::kFailed, error.what());
+    } catch (...) {
+        end(JobState::kFailed, "something unknown went wrong");
+    }
+}
+
+void Job::end(JobState state, const std::string& error, ExitCode code) {
+    const std::lock_guard lock(control_.mutex_);
+    control_.error_ = error;
+    control_.code_ = code;
+    control_.state_ = state;
+}
+
+JobState Job::state() const {
+    const std::lock_guard lock(control_.mutex_);
+    return control_.state_;
+}
+
+std::string Job::error() const {
+    const std::lock_guard lock(control_.mutex_);
+    return control_.error_;
+}
+
+ExitCode Job::errorCode() const {
+    const std::lock_guard lock(control_.mutex_);
+    return control_.code_;
+}
+
+JobFigures Job::figures() const {
+    const std::lock_guard lock(control_.mutex_);
+    JobFigures figures;
+    figures.what = what_;
+    figures.detail = control_.stop_.stop_requested() ? "cancelling" : control_.detail_;
+    figures.share = control_.share_;
+    figures.can_cancel = can_cancel_ && !control_.stop_.stop_requested();
+    if (control_.share_)
+        figures.seconds_left = secondsLeft(*control_.share_, seconds(control_.share_said_ - control_.start_),
+                                           seconds(JobControl::Clock::now() - control_.start_));
+    return figures;
+}
+
+void throwIfFailed(const Job& job) {
+    if (job.state() == JobState::kFailed) throw Error{job.errorCode(), job.error()};
+}
+
+std::optional<double> secondsLeft(double share, double said_s, double now_s) {
+    if (now_s < kMinSeconds || share < kMinShare || !(said_s > 0)) return std::nullopt;
+    return std::max(0.0, said_s * (1 - share) / share - (now_s - said_s));
+}
+
+} // namespace pointrt

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/job_queue.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pointrt {
+
+JobQueue::~JobQueue() {
+    for (Slot& each : slots_)
+        if (each.running) each.running->job->cancel(); // all at once, then their threads are waited for
+}
+
+bool JobQueue::start(JobKind kind, const JobStart& start) {
+    for (std::size_t other = 0; other < kJobKinds; ++other)
+        if (kMeetings[static_cast<std::size_t>(kind)][other] != Meeting::kBeside && has(static_cast<JobKind>(other)))
+            return false;
+    slot(kind).running = start();
+    return true;
+}
+
+void JobQueue::startLater(JobKind kind, JobStart start) {
+    slot(kind).waiting = std::move(start);
+    for (std::size_t other = 0; other < kJobKinds; ++other)
+        if (kMeetings[static_cast<std::size_t>(kind)][other] == Meeting::kReplaces && slots_[other].running)
+            slots_[other].running->job->cancel();
+}
+
+void JobQueue::end(Slot& slot) {
+    const StartedJob over = *std::exchange(slot.running, std::nullopt);
+    if (over.ended) over.ended(*over.job);
+    if (over.job->state() == JobState::kDone) over.done();
+    if (over.job->state() == JobState::kFailed) tell_(over.job->error(), true);
+    if (over.job->state() == JobState::kCancelled) tell_(over.job->figures().what + ": cancelled", false);
+}
+
+bool JobQueue::mayBegin(std::size_t kind) const {
+    for (std::size_t other = 0; other < kJobKinds; ++other)
+        if (kMeetings[kind][other] != Meeting::kBeside && slots_[other].running) return false;
+    return true;
+}
+
+void JobQueue::poll() {
+    for (auto each = slots_.rbegin(); each != slots_.rend(); ++each) // a bake's end asks for a load
+        if (each->running && each->running->job->ended()) end(*each);
+    for (std::size_t kind = 0; kind < kJobKinds; ++kind)
+        if (slots_[kind].waiting && mayBegin(kind)) slots_[kind].running = std::exchange(slots_[kind].waiting, {})();
+}
+
+bool JobQueue::has(JobKind kind) const { return slot(kind).running || slot(kind).waiting; }
+
+bool JobQueue::any() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& each) { return each.running || each.waiting; });
+}
+
+std::optional<JobFigures> JobQueue::figures(JobKind kind) const {
+    if (!slot(kind).running) return std::nullopt;
+    return slot(kind).running->job->figures();
+}
+
+const JobQueue::Slot* JobQueue::shown() const {
+    for (std::size_t kind = 0; kind < static_cast<std::size_t>(JobKind::kTiles); ++kind)
+        if (slots_[kind].running) return &slots_[kind];
+    return nullptr;
+}
+
+std::optional<JobFigures> JobQueue::figures() const {
+    const Slot* slot = shown();
+    return slot ? std::optional(slot->running->job->figures()) : std::nullopt;
+}
+
+void JobQueue::cancel() {
+    const Slot* slot = shown();
+    if (slot && slot->running->job->figures().can_cancel) slot->running->job->cancel();
+}
+
+} // namespace pointrt

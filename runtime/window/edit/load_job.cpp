@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/load_job.h"
+
+#include <filesystem>
+
+#include "runtime/session/load_request.h"
+#include "runtime/session/settings.h"
+#include "runtime/window/live/viewport_renderer.h"
+
+namespace pointrt {
+namespace {
+
+std::unique_ptr<LoadedScene> load(Device& owner, Device& worker, const Options& options, double free_share,
+                                  JobControl& control) {
+    const LoadStage stage = [&](const char* what, double share) {
+        control.leaveIfCancelled();
+        control.say(what);
+        control.setShare(share);
+    };
+    stage("reading", 0);
+    LoadRequest request = loadRequest(options, describeScene(options));
+    request.free_share = free_share;
+    request.roots_alone = true;
+    request.size = TracerSize{kSliceLanes, 1}; // films as large as the window come with its first picture
+    std::unique_ptr<LoadedScene> loaded = loadScene(owner, worker, request, stage);
+    control.leaveIfCancelled();
+    return loaded;
+}
+
+} // namespace
+
+LoadJob::LoadJob(Device& device, const Options& options, double free_share)
+    : worker_(device), job_("Loading " + std::filesystem::path(options.scene).filename().string(),
+                            [this, &device, options, free_share](JobControl& control) {
+                                loaded_ = load(device, worker_.get(), options, free_share, control);
+                            }) {}
+
+std::unique_ptr<LoadedScene> LoadJob::take() { return job_.state() == JobState::kDone ? std::move(loaded_) : nullptr; }
+
+RefurnishJob::RefurnishJob(Device& device, LoadedScene& loaded, const SceneDescription& description,
+                           const RenderSettings& settings)
+    : worker_(device), job_("Relighting", [this, &loaded, description, settings](JobControl& control) {
+          refurnish(worker_.get(), loaded, description, settings, control);
+      }) {}
+
+} // namespace pointrt

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/save_job.h"
+
+#include <utility>
+
+#include "runtime/image/image_png.h"
+#include "runtime/image/tonemap.h"
+#include "runtime/render/picture_filter.h"
+#include "runtime/scene/legend_picture.h"
+
+namespace pointrt {
+namespace {
+
+/// Of the time that it takes, packing the EXR is the most.
+constexpr double kExrShare = 0.7;
+
+Image8 withLegend(Image8 picture, const std::optional<Legend>& legend) {
+    if (legend) layOn(drawLegend(*legend, {picture.width, picture.height}), {picture.pixels, picture.width, 0});
+    return picture;
+}
+
+void save(Device& device, const std::string& name, SavedFilm& saved, const SaveLook& look, JobControl& control) {
+    control.say(name + ".exr");
+    writeSavedFilm(name + ".exr", saved);
+    control.setShare(kExrShare);
+    control.say(name + ".png");
+    if (look.denoise) denoisePicture(device, saved.film);
+    writePng(name + ".png", withLegend(tonemapFilm(saved.film, look.exposure), look.legend));
+}
+
+} // namespace
+
+SaveJob::SaveJob(Device& device, const std::string& name, SavedFilm saved, SaveLook look)
+    : done_("saved " + name + ".png and " + name + ".exr, " + std::to_string(saved.samples) + " samples"),
+      worker_(device), job_(
+                           "Saving the picture",
+                           [this, name, look, film = std::make_shared<SavedFilm>(std::move(saved))](
+                               JobControl& control) { save(worker_.get(), name, *film, look, control); },
+                           false) {}
+
+} // namespace pointrt

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/tool_run.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <optional>
+
+#include "runtime/window/edit/child_process.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How soon a cancelled tool is asked to end, and how long it may take over it.
+constexpr std::chrono::milliseconds kPoll{50};
+constexpr std::chrono::seconds kGrace{3};
+/// More than any line that is worth showing.
+constexpr std::size_t kLongestLine = 4096;
+
+/// The lines that a program has written: progress is passed on, the last of the others is kept.
+class Listener {
+public:
+    explicit Listener(const std::function<bool(const std::string&)>& tell) : tell_(tell) {}
+
+    void hear(const std::string& bytes) {
+        for (const char c : bytes) {
+            if (c != '\n') {
+                if (line_.size() < kLongestLine) line_ += c;
+                continue;
+            }
+            if (!line_.empty() && !tell_(line_)) last_ = line_;
+            line_.clear();
+        }
+    }
+
+    /// Without the tool's name; the last word counts even without an end of line.
+    std::string lastLine(const std::string& name) const {
+        const std::string prefix = name + ": error: ", line = line_.empty() ? last_ : line_;
+        return line.starts_with(prefix) ? line.substr(prefix.size()) : line;
+    }
+
+private:
+    const std::function<bool(const std::string&)>& tell_;
+    std::string line_, last_;
+};
+
+/// Until it has ended. Asks it to when the control says so.
+int attend(ChildProcess& child, Listener& listener, const JobControl& control) {
+    std::optional<Clock::time_point> asked;
+    std::optional<int> status;
+    while (!(status = child.waitStatus())) {
+        listener.hear(child.read(kPoll));
+        if (!control.cancelled()) continue;
+        if (!asked) {
+            child.signal(SIGTERM);
+            asked = Clock::now();
+        } else if (Clock::now() - *asked > kGrace) {
+            child.signal(SIGKILL);
+        }
+    }
+    for (std::string rest; !(rest = child.read({})).empty();) listener.hear(rest);
+    return *status;
+}
+
+} // namespace
+
+ToolEnd attendTool(const std::vector<std::string>& arguments, const std::string& name, const JobControl& control,
+                   const std::function<bool(const std::string& line)>& tell) {
+    Listener listener(tell);
+    ChildProcess child(arguments);
+    const int status = attend(child, listener, control);
+    return {status, child.id(), listener.lastLine(name)};
+}
+
+std::string describeFailure(const ToolEnd& end, const std::string& name) {
+    const bool said_why = WIFEXITED(end.wait_status) && !end.last_line.empty();
+    return said_why ? end.last_line : name + " " + describeEnd(end.wait_status);
+}
+
+ExitCode exitCodeOf(const ToolEnd& end) {
+    const int status = WIFEXITED(end.wait_status) ? WEXITSTATUS(end.wait_status) : 0;
+    const bool ours = status > 0 && status <= static_cast<int>(ExitCode::kCannotWrite);
+    return ours ? static_cast<ExitCode>(status) : ExitCode::kCannotRun;
+}
+
+std::string asArgument(const std::string& path) { return path.starts_with('/') ? path : "./" + path; }
+
+} // namespace pointrt

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/edit/turntable_job.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include "format/base/error.h"
+#include "runtime/scene/turntable.h"
+#include "runtime/scene_io/scene_write.h"
+#include "runtime/window/edit/tool_run.h"
+
+namespace pointrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene file for as long as this lives.
+class SceneOnLoan {
+public:
+    explicit SceneOnLoan(const SceneDescription& scene) {
+        std::string folder = (fs::temp_directory_path() / "pointrt-XXXXXX").string();
+        if (!mkdtemp(folder.data())) throw Error{ExitCode::kCannotWrite, folder + ": cannot make a folder"};
+        folder_ = folder;
+        writeSceneFile(path(), scene);
+    }
+    ~SceneOnLoan() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    SceneOnLoan(const SceneOnLoan&) = delete;
+    SceneOnLoan& operator=(const SceneOnLoan&) = delete;
+    std::string path() const { return (folder_ / "turntable.toml").string(); }
+
+private:
+    fs::path folder_;
+};
+
+/// "progress SHARE DETAIL" of pointrt-view --progress lines.
+bool tellProgress(const std::string& line, JobControl& control) {
+    double share = 0;
+    int detail = 0;
+    if (std::sscanf(line.c_str(), "progress %lf %n", &share, &detail) != 1 || detail == 0) return false;
+    control.setShare(share);
+    control.say(line.substr(static_cast<std::size_t>(detail)));
+    return true;
+}
+
+void render(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
+            const std::string& device, JobControl& control) {
+    const SceneOnLoan file(scene);
+    std::vector<std::string> arguments{fs::read_symlink("/proc/self/exe").string(),
+                                       file.path(),
+                                       "--turntable",
+                                       std::to_string(pictures),
+                                       "--progress",
+                                       "lines",
+                                       "-o",
+                                       asArgument(pattern)};
+    if (!device.empty()) arguments.insert(arguments.end(), {"--device", device});
+    const ToolEnd end = attendTool(arguments, "pointrt-view", control,
+                                   [&](const std::string& line) { return tellProgress(line, control); });
+    if (control.cancelled()) throw JobCancelled{};
+    if (end.wait_status != 0) throw Error{ExitCode::kCannotRun, describeFailure(end, "pointrt-view")};
+}
+
+std::string makeFolder(const std::string& pattern) {
+    requireFrameNames(pattern, true);
+    const fs::path folder = fs::path(pattern).parent_path();
+    std::error_code error;
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) throw Error{ExitCode::kCannotWrite, folder.string() + ": " + error.message()};
+    return pattern;
+}
+
+} // namespace
+
+TurntableJob::TurntableJob(const SceneDescription& scene, const std::string& pattern, std::uint32_t pictures,
+                           const std::string& device)
+    : job_("Turntable of " + std::to_string(pictures) + " pictures",
+           [=, path = makeFolder(pattern)](JobControl& control) { render(scene, path, pictures, device, control); }) {}
+
+} // namespace pointrt

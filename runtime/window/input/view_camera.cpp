@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/input/view_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/scene/camera.h"
+#include "runtime/window/input/turntable_turn.h"
+
+namespace pointrt {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180;
+/// Nearer to straight up or down, level is lost in the rounding of eye and pivot; nobody sees the rest.
+constexpr double kSteepest = (90 - 0.1) * kRadian;
+/// Below half the angle that orbits keep from the poles only standard views and cameras from elsewhere are.
+const double kPoleSine = std::cos(kSteepest) / 2;
+/// Far above rounding, far below what is visible.
+constexpr double kTiltSine = 1e-6;
+
+constexpr double kMinRadii = 1e-4, kMaxRadii = 1e3; // distance from the pivot
+/// From the scene's centre. An orthographic eye is a radius more than as far again, within frameCamera's 1e4.
+constexpr double kReachRadii = 4e3;
+/// In coordinates this many times as large, a hundred thousand doubles lie between eye and pivot: an angle of 1e-5.
+constexpr double kMinOfCoordinate = 2e-11;
+
+constexpr double kStepsToHalve = 4;
+constexpr double kRadiiPerSecond = 0.5;
+/// Near things are passed slowly: a street in a city of 10 km cannot be flown through at 2.5 km a second.
+constexpr double kPivotsPerSecond = 1;
+constexpr double kFlyStepsPerSecond = 4; // orthographic
+constexpr double kStandingShare = 1e-9;  // more than rounding: a view that does not move stays as it is, to the bit
+
+double leastDistance(const ViewCamera& view) {
+    return std::max(kMinRadii * view.scene_radius, kMinOfCoordinate * length(view.scene_centre));
+}
+
+double tangent(const ViewCamera& view) { return std::tan(verticalHalfAngle(view.fov_deg)); }
+
+/// From the pivot; orthographic views stand where perspective ones would show the same height.
+double perspectiveDistance(const ViewCamera& view) { return heightAtPivot(view) / (2 * tangent(view)); }
+
+bool isNearPole(Vec3 forward, Vec3 up) { return length(cross(forward, up)) < kPoleSine * length(up); }
+
+double extent(const ViewCamera& view) {
+    return std::max(length(view.eye - view.scene_centre), length(view.pivot - view.scene_centre));
+}
+
+/// after, unless it left what frameCamera takes (NaN too). Who comes from farther may stay there.
+ViewCamera withinReach(const ViewCamera& before, const ViewCamera& after) {
+    const double limit = std::max(extent(before), kReachRadii * before.scene_radius);
+    const bool eye_within = length(after.eye - after.scene_centre) <= limit;
+    return eye_within && length(after.pivot - after.scene_centre) <= limit ? after : before;
+}
+
+/// Orthographic rays begin at the eye: from here, none begins within the scene, however it is turned, and no farther
+/// away: walls of a room stand there.
+ViewCamera standingOutside(ViewCamera view) {
+    const double least = length(view.pivot - view.scene_centre) + view.scene_radius;
+    const bool stands_right = std::abs(distanceToPivot(view) - least) <= kStandingShare * least;
+    if (view.ortho_height > 0 && !stands_right) view.eye = view.pivot - axesOf(view).forward * least;
+    return view;
+}
+
+ViewCamera moved(const ViewCamera& view, Vec3 by) {
+    ViewCamera after = view;
+    after.eye = view.eye + by;
+    after.pivot = view.pivot + by;
+    return withinReach(view, standingOutside(after));
+}
+
+/// attitude as the cursor turns it by these angles.
+Attitude steered(const Attitude& attitude, Vec3 axis, double right_angle, double up_angle) {
+    return {turned(attitude.right, axis, -right_angle),
+            std::clamp(attitude.elevation + up_angle, -kSteepest, kSteepest)};
+}
+
+/// Level, as frameCamera's view is when nothing says where to look along the axis.
+Vec3 frontOf(Vec3 axis) {
+    const Vec3 minus_z{0, 0, -1}, plus_y{0, 1, 0};
+    const Vec3 wanted = length(cross(minus_z, axis)) < kTiltSine ? plus_y : minus_z;
+    return normalize(wanted - axis * dot(wanted, axis));
+}
+
+/// Where the eye truly stands, and looks.
+ViewCamera trueView(ViewCamera view) {
+    if (view.aside == 0) return view; // to the bit
+    const Vec3 right = axesOf(view).right * (view.aside * heightAtPivot(view));
+    view.eye = view.eye + right;
+    view.pivot = view.pivot + right;
+    view.aside = 0;
+    return view;
+}
+
+ViewCamera turnedTo(const ViewCamera& view, const Attitude& attitude) {
+    return withinReach(view, standingOutside(placed(view, view.pivot, distanceToPivot(view), attitude)));
+}
+
+} // namespace
+
+ViewCamera viewOf(const Camera& camera, Vec3 target, Vec3 bounds_min, Vec3 bounds_max, Vec3 up) {
+    ViewCamera view;
+    view.scene_centre = bounds_min + (bounds_max - bounds_min) * 0.5;
+    const double half_diagonal = length(bounds_max - bounds_min) / 2;
+    view.scene_radius = half_diagonal > 0 ? half_diagonal : 1; // as in frameCamera
+    view.eye = camera.eye;
+    const Vec3 to_target = target - camera.eye;
+    const double ahead = dot(to_target, camera.forward);
+    const bool on_line = length(to_target - camera.forward * ahead) <= 1e-9 * ahead; // but for rounding
+    const double reach = ahead > leastDistance(view) ? ahead : view.scene_radius;
+    view.pivot = on_line && ahead == reach ? target : camera.eye + camera.forward * reach;
+    const Vec3 axis = usableAxis(up);
+    view.up = std::abs(dot(camera.right, axis)) <= kTiltSine * length(axis) ? axis : camera.up;
+    view.heading = camera.up;
+    view.fov_deg = camera.fov_deg;
+    view.ortho_height = camera.ortho_height;
+    return view;
+}
+
+ViewCamera framedView(const CameraRequest& request, Vec3 bounds_min, Vec3 bounds_max, Vec3 scene_up, double aspect) {
+    CameraRequest complete = request;
+    if (!complete.up) complete.up = scene_up;
+    const Vec3 target = request.target.value_or(bounds_min + (bounds_max - bounds_min) * 0.5);
+    return viewOf(frameCamera(complete, bounds_min, bounds_max, aspect), target, bounds_min, bounds_max, *complete.up);
+}
+
+ViewCamera puttingAside(const ViewCamera& view, double aside) {
+    ViewCamera after = trueView(view);
+    const Vec3 left = axesOf(after).right * (-aside * heightAtPivot(after));
+    after.eye = after.eye + left;
+    after.pivot = after.pivot + left;
+    after.aside = aside;
+    return after;
+}
+
+Camera cameraOf(const ViewCamera& shown) {
+    const ViewCamera view = trueView(shown);
+    const ViewAxes axes = axesOf(view);
+    Camera camera;
+    camera.eye = view.eye;
+    camera.right = axes.right;
+    camera.up = axes.up;
+    camera.forward = axes.forward;
+    camera.fov_deg = view.fov_deg;
+    camera.ortho_height = view.ortho_height;
+    return camera;
+}
+
+CameraRequest requestOf(const ViewCamera& shown) {
+    const ViewCamera view = trueView(shown);
+    CameraRequest request;
+    request.eye = view.eye;
+    request.target = view.pivot;
+    request.up = isNearPole(axesOf(view).forward, view.up) ? view.heading : view.up;
+    request.fov_deg = view.fov_deg;
+    request.ortho = view.ortho_height > 0;
+    if (request.ortho) request.ortho_height = view.ortho_height;
+    return request;
+}
+
+ViewAxes axesOf(const ViewCamera& view) {
+    const Vec3 forward = normalize(view.pivot - view.eye);
+    const Vec3 right = normalize(cross(forward, isNearPole(forward, view.up) ? view.heading : view.up));
+    return {right, cross(right, forward), forward};
+}
+
+double distanceToPivot(const ViewCamera& view) { return length(view.pivot - view.eye); }
+
+double heightAtPivot(const ViewCamera& view) {
+    return view.ortho_height > 0 ? view.ortho_height : 2 * distanceToPivot(view) * tangent(view);
+}
+
+Vec3 pointAtPivotDepth(const ViewCamera& view, ViewSize size, double x, double y) {
+    const ViewAxes axes = axesOf(view);
+    const double unit = heightAtPivot(view) / size.height;
+    return view.pivot + axes.right * ((x - size.width / 2 + view.aside * size.height) * unit) +
+           axes.up * ((size.height / 2 - y) * unit);
+}
+
+std::optional<ViewPoint> projected(const ViewCamera& shown, ViewSize size, Vec3 point) {
+    const ViewCamera view = trueView(shown);
+    const ViewAxes axes = axesOf(view);
+    const Vec3 to = point - view.eye;
+    const double depth = dot(to, axes.forward);
+    if (!(depth > 0)) return {};
+    const double height = view.ortho_height > 0 ? view.ortho_height : 2 * depth * tangent(view);
+    const double units = size.height / height;
+    return ViewPoint{size.width / 2 + dot(to, axes.right) * units, size.height / 2 - dot(to, axes.up) * units, depth};
+}
+
+ViewCamera orbited(const ViewCamera& view, ViewSize size, double dx, double dy) {
+    const double angle = std::numbers::pi / size.height;
+    return turnedTo(view, steered(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle));
+}
+
+ViewCamera panned(const ViewCamera& view, ViewSize size, double dx, double dy) {
+    const ViewAxes axes = axesOf(view);
+    const double unit = heightAtPivot(view) / size.height;
+    return moved(view, axes.right * (-dx * unit) + axes.up * (dy * unit));
+}
+
+ViewCamera zoomed(const ViewCamera& view, ViewSize size, double steps, double x, double y) {
+    if (!std::isfinite(steps)) return view;
+    const double distance = perspectiveDistance(view);
+    // Who comes from outside of the limits stays there, but goes no farther.
+    const double least = std::min(distance, leastDistance(view));
+    const double most = std::max(distance, kMaxRadii * view.scene_radius);
+    const double scale = std::clamp(distance * std::exp2(-steps / kStepsToHalve), least, most) / distance;
+    const Vec3 fixed = pointAtPivotDepth(view, size, x, y);
+    ViewCamera after = view;
+    after.pivot = fixed + (view.pivot - fixed) * scale;
+    after.eye = view.ortho_height > 0 ? view.eye + (after.pivot - view.pivot) : fixed + (view.eye - fixed) * scale;
+    after.ortho_height = view.ortho_height * scale;
+    return withinReach(view, standingOutside(after));
+}
+
+ViewCamera flown(const ViewCamera& view, Vec3 direction, double seconds) {
+    const ViewAxes axes = axesOf(view);
+    const double step =
+        std::min(kRadiiPerSecond * view.scene_radius, kPivotsPerSecond * distanceToPivot(view)) * seconds;
+    const Vec3 level = axes.right * (direction.x * step) + normalize(view.up) * (direction.y * step);
+    if (view.ortho_height > 0)
+        return zoomed(moved(view, level), {}, kFlyStepsPerSecond * direction.z * seconds, 0.5, 0.5);
+    return moved(view, level + axes.forward * (direction.z * step));
+}
+
+ViewCamera looked(const ViewCamera& view, ViewSize size, double dx, double dy) {
+    if (view.ortho_height > 0) return orbited(view, size, dx, dy);
+    const double angle = std::numbers::pi / 2 / size.height, distance = distanceToPivot(view);
+    const Attitude attitude = steered(attitudeOf(view), normalize(view.up), dx * angle, -dy * angle);
+    const Vec3 forward = forwardOf(attitude, normalize(view.up));
+    ViewCamera after = placed(view, view.eye + forward * distance, distance, attitude);
+    after.eye = view.eye;
+    return withinReach(view, after);
+}
+
+ViewCamera centredOn(const ViewCamera& view, Vec3 point) {
+    const Vec3 forward = axesOf(view).forward;
+    const double depth = dot(point - view.eye, forward);
+    const bool at_depth = view.ortho_height == 0 && depth >= leastDistance(view);
+    ViewCamera after = view;
+    after.pivot = point;
+    after.eye = point - forward * (at_depth ? depth : distanceToPivot(view));
+    return withinReach(view, standingOutside(after));
+}
+
+ViewCamera standardView(const ViewCamera& view, StandardView which) {
+    const Vec3 axis = normalize(view.up), front = frontOf(axis), right = cross(front, axis);
+    switch (which) {
+    case StandardView::kFront:
+        return turnedTo(view, {right, 0});
+    case StandardView::kBack:
+        return turnedTo(view, {right * -1, 0});
+    case StandardView::kRight:
+        return turnedTo(view, {front, 0});
+    case StandardView::kLeft:
+        return turnedTo(view, {front * -1, 0});
+    case StandardView::kTop:
+        return turnedTo(view, {right, -90 * kRadian});
+    case StandardView::kBottom:
+        return turnedTo(view, {right, 90 * kRadian});
+    case StandardView::kIso: // as far up as to both sides
+        return turnedTo(view, {normalize(right + front), -std::atan(std::sqrt(0.5))});
+    case StandardView::kSensor:
+        break;
+    }
+    return view;
+}
+
+ViewCamera oppositeView(const ViewCamera& view) {
+    const Attitude attitude = attitudeOf(view);
+    return turnedTo(view, {attitude.right * -1, -attitude.elevation});
+}
+
+ViewCamera orthoToggled(const ViewCamera& view) {
+    ViewCamera after = view;
+    after.ortho_height = view.ortho_height > 0 ? 0 : heightAtPivot(view);
+    if (view.ortho_height > 0) after.eye = view.pivot - axesOf(view).forward * perspectiveDistance(view);
+    return withinReach(view, standingOutside(after));
+}
+
+ViewCamera withFov(const ViewCamera& view, double fov_deg, bool keep_size) {
+    if (!std::isfinite(fov_deg)) return view;
+    ViewCamera after = view;
+    after.fov_deg = std::clamp(fov_deg, 1.0, 170.0);
+    if (keep_size && view.ortho_height == 0)
+        after.eye = view.pivot - axesOf(view).forward * (heightAtPivot(view) / (2 * tangent(after)));
+    return withinReach(view, after);
+}
+
+} // namespace pointrt

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pixels show in which no point lies.
+#pragma once
+
+#include "runtime/window/live/carried_picture.h"
+
+namespace pointrt {
+
+/// A hole shows the mean of the farthest points beside it, for that is what comes to light behind edges; between points
+/// of one surface that is the surface. Far from all points it shows the means of the tiles around. It stays a hole.
+/// Returns how many lie between points of one surface.
+std::uint32_t fillHoles(CarriedPicture& picture);
+
+/// Makes the picture's points one a pixel again, in its middle, where too many of its pixels lie between them: holes on
+/// a surface get points of it, by guess.
+void rebuildPoints(CarriedPicture& picture, const CarryView& view);
+
+} // namespace pointrt

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <stdexcept>
+
+#include "runtime/gpu/program.h"
+#include "runtime/window/platform/enlarge.h"
+#include "runtime/window/platform/frame_commands.h"
+#include "runtime/window/platform/presenter.h"
+
+namespace pointrt {
+namespace {
+
+void requireEnlargement(VkExtent2D canvas, std::uint32_t width, std::uint32_t height) {
+    if (width == 0 || height == 0 || width > canvas.width || height > canvas.height)
+        throw std::logic_error("a picture to be enlarged is empty or larger than the canvas");
+}
+
+/// Enlarges pixels, which the host reads, and records the copy.
+void enlargeOnHost(Device& device, Presenter& presenter, VkCommandBuffer commands, const Buffer& pixels,
+                   PixelGrid size) {
+    const VkExtent2D canvas = presenter.canvas.extent;
+    const std::uint64_t bytes = std::uint64_t(canvas.width) * canvas.height * 4;
+    if (presenter.enlarged.bytes != bytes) {
+        destroyBuffer(device, presenter.enlarged);
+        presenter.enlarged = createBuffer(device, "enlarged picture", bytes, 0, MemoryHome::kHost);
+    }
+    enlarge(static_cast<const std::uint32_t*>(pixels.mapped), size,
+            static_cast<std::uint32_t*>(presenter.enlarged.mapped), {canvas.width, canvas.height});
+    recordUploadRows(commands, presenter, presenter.enlarged, 0, canvas.height);
+}
+
+} // namespace
+
+void recordUploadRows(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels,
+                      std::uint32_t first_row, std::uint32_t rows) {
+    const VkExtent2D extent = presenter.canvas.extent;
+    if (first_row > extent.height || rows > extent.height - first_row) throw std::logic_error("rows below the canvas");
+    if (rows == 0) return;
+    recordBarrier(commands);
+    const VkOffset2D start{0, static_cast<std::int32_t>(first_row)};
+    const VkBufferImageCopy region = rectangleCopy(start, extent.width, start, {extent.width, rows});
+    recordImageBarrier(commands, presenter.canvas.handle, kCopiedFrom, kCopiedTo);
+    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.canvas.handle, kCopiedTo.layout, 1, &region);
+    recordImageBarrier(commands, presenter.canvas.handle, kCopiedTo, kCopiedFrom);
+}
+
+void recordUploadScaled(VkCommandBuffer commands, const Presenter& presenter, const Buffer& pixels, std::uint32_t width,
+                        std::uint32_t height) {
+    const VkExtent2D canvas = presenter.canvas.extent;
+    requireEnlargement(canvas, width, height);
+    // The last column and row once more: interpolation at the edge reads one pixel beyond it.
+    const auto w = static_cast<std::int32_t>(width), h = static_cast<std::int32_t>(height);
+    const VkBufferImageCopy regions[] = {
+        rectangleCopy({}, width, {}, {width, height}), rectangleCopy({w - 1, 0}, width, {w, 0}, {1, height}),
+        rectangleCopy({0, h - 1}, width, {0, h}, {width, 1}), rectangleCopy({w - 1, h - 1}, width, {w, h}, {1, 1})};
+    recordBarrier(commands);
+    recordImageBarrier(commands, presenter.coarse.handle, discarded(kCopiedFrom), kCopiedTo);
+    vkCmdCopyBufferToImage(commands, pixels.handle, presenter.coarse.handle, kCopiedTo.layout, 4, regions);
+    recordImageBarrier(commands, presenter.coarse.handle, kCopiedTo, kCopiedFrom);
+    recordImageBarrier(commands, presenter.canvas.handle, discarded(kCopiedFrom), kCopiedTo);
+    recordStretch(commands, presenter.coarse, {width, height}, presenter.canvas.handle, canvas);
+    recordImageBarrier(commands, presenter.canvas.handle, kCopiedTo, kCopiedFrom);
+}
+
+void uploadScaled(Device& device, Presenter& presenter, const Buffer& pixels, std::uint32_t width,
+                  std::uint32_t height) {
+    requireEnlargement(presenter.canvas.extent, width, height);
+    const VkCommandBuffer commands = beginCommands(device);
+    if (device.type == VK_PHYSICAL_DEVICE_TYPE_CPU && pixels.mapped)
+        enlargeOnHost(device, presenter, commands, pixels, {width, height});
+    else
+        recordUploadScaled(commands, presenter, pixels, width, height);
+    submitAndWait(device, commands);
+}
+
+} // namespace pointrt

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/window/ui/panel_edit.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace pointrt {
+namespace {
+
+/// Of ImGui's fallback window, which every context has, whatever is shown.
+ImGuiStorage& storage() { return ImGui::FindWindowByName("Debug##Default")->StateStorage; }
+
+/// The edits that were under way at the end of the last frame.
+int& underWay() { return keptInt("edits under way", 0); }
+
+bool& flagOf(Requests& requests, Edit edit) {
+    if (edit == Edit::kScene) return requests.scene_changed;
+    return edit == Edit::kSettings ? requests.settings_changed : requests.look_changed;
+}
+
+} // namespace
+
+bool noteEdit(Requests& requests, Edit edit, bool changed) {
+    const int bit = static_cast<int>(edit);
+    const bool held = ImGui::IsItemActive();
+    if (changed) flagOf(requests, edit) = true;
+    if (held && (changed || (underWay() & bit) != 0)) {
+        requests.dragging = true;
+        underWay() |= bit;
+    }
+    return changed;
+}
+
+void endEdits(Requests& requests) {
+    if (requests.dragging || underWay() == 0) return;
+    for (const Edit edit : {Edit::kScene, Edit::kSettings, Edit::kLook})
+        if ((underWay() & static_cast<int>(edit)) != 0) flagOf(requests, edit) = true;
+    underWay() = 0;
+}
+
+int& keptInt(const char* name, int fallback) { return *storage().GetIntRef(ImHashStr(name), fallback); }
+
+float& keptFloat(const char* name, float fallback) { return *storage().GetFloatRef(ImHashStr(name), fallback); }
+
+} // namespace pointrt

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// From linear light to the 8 bits of a screen, as runtime/image/tonemap.cpp does for files.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/shared/display_layout.h"
+#include "shaders/shared/tone_curve.h"
+#include "shaders/lib/math.glsl"
+#include "shaders/shared/bindings.h"
+
+layout(local_size_x = DISPLAY_GROUP) in;
+layout(push_constant) uniform Push { TonemapParams push; };
+
+layout(binding = BINDING_TONEMAP_COLORS) uniform samplerBuffer colors;
+// 0xAARRGGBB, as windows take them
+layout(std430, binding = BINDING_TONEMAP_PIXELS) writeonly buffer PixelBuffer { uint pixels[]; };
+
+vec3 toneMap(vec3 linear) {
+    float peak = largest(linear), new_peak = compressedPeak(peak);
+    vec3 compressed = compressHighlight(linear, peak, new_peak, peakWhiteness(peak, new_peak));
+    return peak < TONE_COMPRESSION_START ? linear : compressed;
+}
+
+vec3 encodeSrgb(vec3 linear) {
+    vec3 x = clamp(linear, 0.0, 1.0);
+    return mix(srgbCurve(x), srgbLine(x), lessThanEqual(x, vec3(SRGB_LINEAR_END)));
+}
+
+void main() {
+    if (gl_GlobalInvocationID.x >= push.count) return;
+    uint pixel = push.first + gl_GlobalInvocationID.x;
+    vec3 color = texelFetch(colors, int(pixel)).rgb * push.gain;
+    color = vec3(cleanChannel(color.r), cleanChannel(color.g), cleanChannel(color.b));
+    vec3 encoded = push.is_light != 0u ? encodeSrgb(toneMap(color)) : clamp(color, 0.0, 1.0);
+    uvec3 bytes = uvec3(encoded * 255.0 + 0.5);
+    pixels[pixel] = bytes.b | bytes.g << 8 | bytes.r << 16 | 0xFF000000u;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// One instance's buffers. What is looked up at random is read through texel buffers: on lavapipe those are hardware
+// gathers, three times as fast as storage buffers, and they may hold 2 GiB where storage buffers end at 128 MiB. More
+// than that, of an instance's, is in further pages in a set of their own, for programs built with PAGED (pages.glsl).
+// What the loops of traversal and blending read are images of buffers: lavapipe makes those loads part of a program,
+// where fetches of texels are calls, for which all that is alive goes through memory.
+#ifndef POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
+#define POINTRT_SHADERS_INSTANCE_BINDINGS_GLSL
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/params.h"
+#include "pointrt/pro_index_layout.h"
+#include "pointrt/pro_layout.h"
+
+layout(binding = BINDING_BRICK_WORDS, r32ui) uniform readonly uimageBuffer brick_words;
+layout(binding = BINDING_LISTED) uniform usamplerBuffer listed_words;
+layout(binding = BINDING_SPLATS, rgba32ui) uniform readonly uimageBuffer splat_words;
+layout(binding = BINDING_GRID_WORDS, r32ui) uniform readonly uimageBuffer grid_words;
+layout(binding = BINDING_CELLS) uniform usamplerBuffer cell_words;
+layout(binding = BINDING_NEAR, rgba32ui) uniform readonly uimageBuffer near_words;
+layout(binding = BINDING_BLENDING, r32ui) uniform readonly uimageBuffer blending_words;
+layout(binding = BINDING_SLABS, r32ui) uniform readonly uimageBuffer slab_words;
+layout(binding = BINDING_NOISE) uniform usamplerBuffer noise_words; // bytes, 16 to a texel: one page holds 2^31
+layout(std140, binding = BINDING_INSTANCE) uniform InstanceBuffer { InstanceParams instance; };
+
+#ifdef PAGED // the same loads
+#include "shaders/lib/pages.glsl"
+#else
+#define loadBrickWord(i) imageLoad(brick_words, int(i)).x
+#define loadCell(i) texelFetch(cell_words, int(i))
+#define loadSlab(i) imageLoad(slab_words, int(i)).x
+#define loadNearPair(i) imageLoad(near_words, int(i))
+#define loadBlending(i) imageLoad(blending_words, int(i)).x
+#define loadListedPair(i) texelFetch(listed_words, int(i)).xy
+#define loadListed(i) loadListedPair((i) >> 1)[(i) & 1u]
+#define loadSplat(i) imageLoad(splat_words, int(i))
+#endif
+#define loadNoise(i) (texelFetch(noise_words, int((i) >> 4))[(i) >> 2 & 3u] >> (8u * ((i) & 3u)) & 0xFFu)
+#define loadGrid(i) imageLoad(grid_words, int(i)).x
+
+// A number below 2^31 from a uniform block, where a loop's end or an if hangs on it. Else lavapipe takes it for a
+// constant and makes the program anew, for milliseconds, at each dispatch.
+uint ofLane(uint number) { return min(number, 0x80000000u | gl_LocalInvocationID.x); }
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path that a lane works on: a camera ray in the first pass, a queued one in later passes.
+#ifndef POINTRT_SHADERS_PATH_GLSL
+#define POINTRT_SHADERS_PATH_GLSL
+#include "shaders/lib/bindings.glsl"
+#include "shaders/lib/features.glsl"
+#include "shaders/lib/queue.glsl"
+#include "shaders/lib/camera_ray.glsl"
+
+const uvec4 kNoHit = uvec4(0x7149F2CAu, NO_INDEX, NO_INDEX, 0u); // t is 1e30
+
+// Paths are numbered as lanes, by tiles of pixels: what is near each other then lies near each other in memory.
+uvec2 pathPixel(uint path) { return tilePixel(path / TILE_PIXELS, path % TILE_PIXELS); }
+
+PathState cameraPath(uint index) {
+    CameraRay ray = cameraRay(pathPixel(index));
+    return PathState(ray.origin, 0.0, ray.direction, 0.0, vec3(1.0), 0u, vec3(0.0), NO_OWNER << PATH_OWNER_SHIFT);
+}
+
+PathState storedPath(uint index) {
+    uvec4 origin = loadPathTexel(index, PATH_ORIGIN), direction = loadPathTexel(index, PATH_DIRECTION),
+          throughput = loadPathTexel(index, PATH_THROUGHPUT), left = loadPathTexel(index, PATH_LEFT_NORMAL);
+    return PathState(asVector(origin), asFloat(origin.w), asVector(direction), asFloat(direction.w), asVector(throughput),
+                     throughput.w, asVector(left), left.w);
+}
+
+PathState pathOf(uint index) {
+    if (kCameraPass) return cameraPath(index);
+    return storedPath(index);
+}
+
+// index: the path's number, NO_INDEX where this lane has none.
+PathState currentPath(out uint index) {
+    uint lane = balancedLane();
+    index = kCameraPass ? (isPixel(lane) ? lane : NO_INDEX) : queuedIndex(lane);
+    return pathOf(index != NO_INDEX ? index : 0u);
+}
+
+uint bounceOf(uint bits) { return bits & PATH_BOUNCE_MASK; }
+
+// The path's pixel in the band, and in the whole image.
+uint bandPixel(uint path) {
+    uvec2 pixel = pathPixel(path);
+    return pixel.y * params.width + pixel.x;
+}
+uint imagePixel(uint path) { return bandPixel(path) + params.first_row * params.width; }
+
+// Dimensions of the sample sequence, in pairs: a pixel's place, then these for each bounce.
+#define DIMENSIONS_A_BOUNCE 4u
+#define PAIR_DIRECTION 0u
+#define PAIR_CHOICES 1u // which lobe, whether to go on
+#define PAIR_LIGHT 2u
+#define PAIR_LIGHT_CHOICE 3u
+uint dimensionPair(uint bounce, uint use) { return 1u + bounce * DIMENSIONS_A_BOUNCE + use; }
+
+#endif

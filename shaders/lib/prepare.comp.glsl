@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// One lane between dispatches: turns queue lengths into the group counts of the next ones and
+// counts their rays.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/bindings.glsl"
+
+layout(local_size_x = 1) in;
+
+uvec3 groupsFor(uint lanes) { return uvec3((lanes + WORKGROUP_SIZE - 1u) / WORKGROUP_SIZE, 1u, 1u); }
+
+void setList(uint list, uint start, uint count) {
+    control.lists[list].groups = groupsFor(count);
+    control.lists[list].count = count;
+    control.lists[list].start = start;
+    control.lists[list].appended = 0u;
+    control.lists[list].placed = 0u;
+}
+
+void reset() {
+    control.queued[0] = 0u;
+    control.queued[1] = 0u;
+    control.ray_groups = groupsFor(bandLanes());
+    control.tile_groups = groupsFor(0u);
+    control.tile_count = 0u;
+    control.hit_groups = groupsFor(0u);
+    control.hit_count = 0u;
+    control.hits_appended = 0u;
+    for (uint list = 0u; list < LISTS; list++) setList(list, 0u, 0u);
+    control.primary_rays = params.width * params.rows;
+    control.shadow_rays = 0u;
+    control.secondary_rays = 0u;
+}
+
+void takeList(uint list) { setList(list, listStart(list), control.lists[list].appended); }
+
+// The queue just shaded is empty again; the other holds the next rays.
+void takeNextQueue() {
+    bool second = hasStep(STEP_QUEUE_ONE);
+    uint next = control.queued[second ? 0 : 1];
+    control.secondary_rays += next;
+    control.queued[second ? 1 : 0] = 0u;
+    control.ray_groups = groupsFor(next);
+    takeList(LIST_LIT);
+}
+
+// A sieve's lists, one behind the other; a target whose entries do not fit is asked for all that were sifted.
+void takeSifted(uint sifted) {
+    uint start = siftedStart();
+    for (uint list = LIST_SIFTED; list < LISTS; list++) {
+        uint count = control.lists[list].appended;
+        bool fits = count <= siftedEnd() - start;
+        setList(list, fits ? start : control.lists[sifted].start, fits ? count : control.lists[sifted].count);
+        start += fits ? count : 0u;
+    }
+}
+
+void main() {
+    if (hasStep(STEP_RESET)) {
+        reset();
+    } else if (hasStep(STEP_LIST)) {
+        takeList(push.list);
+    } else if (hasStep(STEP_SIFTED)) {
+        takeSifted(push.list);
+    } else if (hasStep(STEP_HITS)) {
+        control.hit_groups = groupsFor(control.hits_appended);
+        control.hit_count = control.hits_appended;
+        control.hits_appended = 0u;
+    } else {
+        takeNextQueue();
+    }
+}

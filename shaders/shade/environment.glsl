@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Radiance of an environment image, and directions drawn in proportion to it (Pharr, Jakob and Humphreys, Physically
+// Based Rendering, "Piecewise-Constant 2D Distributions"). runtime/device_scene/environment.h makes the data; the program defines
+//   loadEnvironmentTexel(i)  rgb of texel i of the image, row by row
+//   loadEnvironmentCdf(i)    word i of the cumulative distributions: rows + 1 for the rows, then columns + 1 in each
+//   row
+#ifndef POINTRT_SHADERS_ENVIRONMENT_GLSL
+#define POINTRT_SHADERS_ENVIRONMENT_GLSL
+
+#include "shaders/shared/environment_layout.h"
+#include "shaders/lib/math.glsl"
+
+// Unit direction in the world to u, v in the image and the sine of the angle to the zenith.
+vec3 environmentPoint(EnvironmentFrame frame, vec3 direction) {
+    const vec3 d =
+        vec3(dot(frame.row_x.xyz, direction), dot(frame.row_y.xyz, direction), dot(frame.row_z.xyz, direction));
+    const float sine = length(d.xz);
+    const float turn = sine > 0.0 ? atan(d.x, -d.z) : 0.0; // of (0, 0) GLSL leaves it undefined
+    return vec3(0.5 + turn / (2.0 * kPi), atan(sine, d.y) / kPi, sine);
+}
+
+// Bilinear between the centres of texels, around the horizon and up to the poles.
+vec3 environmentLookup(EnvironmentFrame frame, vec2 uv) {
+    const ivec2 size = ivec2(frame.size.xy);
+    const vec2 at = uv * vec2(size) - 0.5;
+    const vec2 low = floor(at), share = at - low;
+    int x0 = int(low.x), y0 = int(low.y);
+    int x1 = x0 + 1, y1 = min(y0 + 1, size.y - 1);
+    x0 = x0 < 0 ? size.x - 1 : min(x0, size.x - 1);
+    x1 = x1 >= size.x ? 0 : x1;
+    y0 = clamp(y0, 0, size.y - 1) * size.x;
+    y1 = max(y1, 0) * size.x;
+    const vec3 top = mix(loadEnvironmentTexel(y0 + x0).rgb, loadEnvironmentTexel(y0 + x1).rgb, share.x);
+    const vec3 bottom = mix(loadEnvironmentTexel(y1 + x0).rgb, loadEnvironmentTexel(y1 + x1).rgb, share.x);
+    return mix(top, bottom, share.y) * frame.row_x.w;
+}
+
+// Radiance that comes from a unit direction.
+vec3 environmentRadiance(EnvironmentFrame frame, vec3 direction) {
+    return environmentLookup(frame, environmentPoint(frame, direction).xy);
+}
+
+// From shares of the row and of the column in it to a density over solid angle.
+float environmentDensity(EnvironmentFrame frame, float row_share, float column_share, float sine) {
+    const float cells = float(frame.size.z * frame.size.w);
+    return sine > 0.0 ? row_share * column_share * cells / (2.0 * kPi * kPi * sine) : 0.0;
+}
+
+// Density per solid angle with which sampleEnvironment draws a unit direction.
+float environmentPdf(EnvironmentFrame frame, vec3 direction) {
+    const vec3 point = environmentPoint(frame, direction);
+    const ivec2 grid = ivec2(frame.size.zw), cell = clamp(ivec2(point.xy * vec2(grid)), ivec2(0), grid - 1);
+    const int column = grid.y + 1 + cell.y * (grid.x + 1) + cell.x;
+    return environmentDensity(frame, loadEnvironmentCdf(cell.y + 1) - loadEnvironmentCdf(cell.y),
+                              loadEnvironmentCdf(column + 1) - loadEnvironmentCdf(column), point.z);
+}
+
+// Inverts the cumulative distribution in words first to first + count: x is the cell, from 0, with the share of it that
+// lies before u in [0, 1); y is the cell's own share. Cells without a share are never chosen. All lanes take the same
+// number of steps.
+vec2 invertEnvironmentCdf(int first, int count, float u) {
+    int cell = 0, left = count;
+    while (left > 1) {
+        const int half_left = left >> 1;
+        cell += loadEnvironmentCdf(first + cell + half_left) <= u ? half_left : 0;
+        left -= half_left;
+    }
+    const float before = loadEnvironmentCdf(first + cell), share = loadEnvironmentCdf(first + cell + 1) - before;
+    return vec2(float(cell) + (share > 0.0 ? min((u - before) / share, 1.0) : 0.5), share);
+}
+
+// Draws a unit direction in the world by u in [0, 1)^2; radiance from there. A density of 0: nothing drawn.
+vec3 sampleEnvironment(EnvironmentFrame frame, vec2 u, out vec3 direction, out float pdf_solid_angle) {
+    const ivec2 grid = ivec2(frame.size.zw);
+    const vec2 row = invertEnvironmentCdf(0, grid.y, u.y);
+    const int cell_y = min(int(row.x), grid.y - 1);
+    const vec2 column = invertEnvironmentCdf(grid.y + 1 + cell_y * (grid.x + 1), grid.x, u.x);
+    const vec2 uv = vec2(column.x, row.x) / vec2(grid);
+    const float theta = uv.y * kPi, phi = (uv.x - 0.5) * 2.0 * kPi, sine = sin(theta);
+    const vec3 d = vec3(sine * sin(phi), cos(theta), -sine * cos(phi));
+    direction = frame.row_x.xyz * d.x + frame.row_y.xyz * d.y + frame.row_z.xyz * d.z;
+    pdf_solid_angle = environmentDensity(frame, row.y, column.y, sine);
+    return environmentLookup(frame, uv);
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What rays have hit of one instance: the blended surface, its colour and its material, in render space.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/path.glsl"
+#include "shaders/trace/splat.glsl"
+#include "shaders/trace/blend.glsl"
+#include "shaders/trace/offset.glsl"
+#include "shaders/lib/color.glsl"
+
+bool between(vec3 v, uint low, uint high) {
+    // colours are stored in 256 steps, blends of them are not: half a step is granted
+    const float kHalfStep = 0.5 / 255.0;
+    return all(greaterThanEqual(v, unpackUnorm4x8(low).rgb - kHalfStep)) &&
+           all(lessThanEqual(v, unpackUnorm4x8(high).rgb + kHalfStep));
+}
+
+// The scene's number of a surface's material.
+uint materialOf(BlendedSurface surface) {
+    uint material = instance.materials.y + surface.material;
+    uint ranges = ofLane(instance.materials.z);
+    for (uint i = 0u; i < ranges; i++) {
+        uvec4 range = instance.color_range[i];
+        if (between(surface.color, range.x, range.y)) material = range.z;
+    }
+    return material;
+}
+
+void main() {
+    uint lane = balancedLane();
+    if (lane >= control.hit_count) return;
+    uint index = loadQueue(hitListStart() + lane);
+    PathState path = pathOf(index);
+    uvec4 hit = loadHit(index);
+    hit.x = floatBitsToUint(uintBitsToFloat(hit.x) * cubeScale());
+    BlendedSurface surface = surfaceAt(cubePoint(path.origin), cubeDirection(path.direction), path.own_t * cubeScale(), hit,
+                                       isSeen(path.bits));
+    float t = surface.t / cubeScale();
+    uint material = materialOf(surface);
+    Material row = loadMaterial(material);
+    vec3 albedo = row.base.rgb * (usesSplatColor(row) ? linearFromSrgb(surface.color) : vec3(1.0));
+    uint sides = (kOriented ? SURFACE_SIDED : 0u) | (surface.back ? SURFACE_BACK : 0u);
+    uint casts = instance.materials.w != 0u ? SURFACE_CASTS : 0u;
+    uint reach = 0u;
+    float radius = surface.radius * instance.core_high.w;
+    if (kNoisy) radius = ownRadius(radius, surface.noise, reach);
+    surfaces[index] = SurfaceInteraction(path.origin + t * path.direction, radius / cubeScale(),
+                                         renderDirection(surface.normal), material | sides | casts | reach, albedo, t,
+                                         hit.w, surface.splat, instance.grid_origin.w, 0u);
+}

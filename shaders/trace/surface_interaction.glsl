@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a path has met, whoever owns it.
+#ifndef POINTRT_SHADERS_SURFACE_INTERACTION_GLSL
+#define POINTRT_SHADERS_SURFACE_INTERACTION_GLSL
+#include "shaders/lib/path.glsl"
+#include "shaders/trace/shapes.glsl"
+
+uint materialOf(SurfaceInteraction point) { return point.bits & SURFACE_MATERIAL_MASK; }
+bool isBack(SurfaceInteraction point) { return (point.bits & SURFACE_BACK) != 0u; }
+
+// Where normals do not tell inside from outside, paths take turns: glass is left every second time.
+void settleSides(inout SurfaceInteraction point, PathState path) {
+    bool back = (point.bits & SURFACE_SIDED) != 0u ? isBack(point) : (path.bits & PATH_INSIDE) != 0u;
+    point.bits = point.bits & ~SURFACE_BACK | (back ? SURFACE_BACK : 0u);
+}
+
+SurfaceInteraction noInteraction() {
+    return SurfaceInteraction(vec3(0.0), 0.0, vec3(0.0), SURFACE_SIDED, vec3(0.0), -1.0, NO_OWNER, NO_INDEX, 0u, 0u);
+}
+
+SurfaceInteraction shapeInteraction(PathState path, uvec4 hit) {
+    Shape shape = loadShape(hit.z);
+    float t = uintBitsToFloat(hit.x);
+    vec3 position = path.origin + t * path.direction;
+    bool back;
+    vec3 normal = shapeNormal(shape, position, path.direction, back);
+    bool casts = (shape.kind.z & SHAPE_CASTS_CAUSTICS) != 0u;
+    uint bits = shape.kind.y | SURFACE_SIDED | (back ? SURFACE_BACK : 0u) | (casts ? SURFACE_CASTS : 0u);
+    return SurfaceInteraction(position, 0.0, normal, bits, loadMaterial(shape.kind.y).base.rgb, t, OWNER_SHAPES, hit.z,
+                              0u, 0u);
+}
+
+// What surface.comp.glsl has kept.
+SurfaceInteraction splatInteraction(uint index) {
+    uvec4 position = loadSurfaceTexel(index, 0), normal = loadSurfaceTexel(index, 1),
+          albedo = loadSurfaceTexel(index, 2), ids = loadSurfaceTexel(index, 3);
+    return SurfaceInteraction(asVector(position), asFloat(position.w), asVector(normal), normal.w, asVector(albedo),
+                              asFloat(albedo.w), ids.x, ids.y, ids.z, 0u);
+}
+
+SurfaceInteraction findInteraction(uint index, PathState path, uvec4 hit) {
+    if (hit.z == NO_INDEX) return noInteraction();
+    if (hit.w == OWNER_SHAPES) return shapeInteraction(path, hit);
+    return splatInteraction(index);
+}
+
+#endif

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made scenes whose up is known, as they are and tilted.
+#include "preprocess/surface/find_up.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace pointrt {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A surface that is put together of rectangles, some splats to each unit of area, with noise of a hundredth of a unit.
+class Scene {
+public:
+    explicit Scene(double density = 40) : density_(density) {}
+
+    /// corner + [0, 1] u + [0, 1] v
+    void addRectangle(Vec3d corner, Vec3d u, Vec3d v) {
+        const Vec3d normal = u.cross(v).normalized();
+        const auto count = std::size_t(density_ * u.cross(v).norm());
+        for (std::size_t i = 0; i < count; ++i)
+            addSplat(corner + share() * u + share() * v + 0.01 * (share() - 0.5) * normal, normal);
+    }
+    /// All six sides, or without what stands on the ground.
+    void addBox(Vec3d low, Vec3d size, bool bottom = false) {
+        const Vec3d x = size.x() * Vec3d::UnitX(), y = size.y() * Vec3d::UnitY(), z = size.z() * Vec3d::UnitZ();
+        addRectangle(low + z, x, y);
+        addRectangle(low, x, z);
+        addRectangle(low + y, x, z);
+        addRectangle(low, y, z);
+        addRectangle(low + x, y, z);
+        if (bottom) addRectangle(low, x, y);
+    }
+    void addSplat(const Vec3d& position, const Vec3d& normal) {
+        splats.positions.push_back(position.cast<float>());
+        splats.normals.push_back(normal.cast<float>());
+        splats.radii.push_back(0.1f);
+    }
+    double share() { return std::uniform_real_distribution<double>(0, 1)(random_); }
+
+    Splats splats;
+
+private:
+    double density_;
+    std::mt19937 random_{1};
+};
+
+Splats turned(Splats splats, const Eigen::Matrix3d& rotation) {
+    for (Vec3f& position : splats.positions) position = rotation.cast<float>() * position;
+    for (Vec3f& normal : splats.normals) normal = rotation.cast<float>() * normal;
+    return splats;
+}
+
+/// z goes up.
+Splats room() {
+    Scene scene;
+    scene.addBox(Vec3d::Zero(), {6, 5, 2.5}, true);
+    scene.addBox({1, 1, 0}, {1.6, 0.8, 0.75});
+    scene.addBox({4, 3, 0}, {1.2, 1.5, 0.45});
+    scene.addBox({0.1, 3.5, 0}, {0.5, 1.4, 1.1});
+    return scene.splats;
+}
+
+Splats groundWithBoxes() {
+    Scene scene;
+    scene.addRectangle({-10, -8, 0}, {20, 0, 0}, {0, 16, 0});
+    for (int i = 0; i < 6; ++i) scene.addBox({-8.0 + 3 * i, -6.0 + 2 * i, 0}, {1.5, 1, 1 + 0.5 * i});
+    return scene.splats;
+}
+
+Splats ball() {
+    Scene scene;
+    for (int i = 0; i < 20000; ++i) {
+        const double z = 2 * scene.share() - 1, angle = 2 * std::numbers::pi * scene.share();
+        const Vec3d p(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
+        scene.addSplat(p, p);
+    }
+    return scene.splats;
+}
+
+/// A ball cut off below, at height -0.6.
+Splats ballOnABase(bool closed) {
+    Splats whole = ball();
+    Scene scene;
+    for (std::size_t i = 0; i < whole.positions.size(); ++i)
+        if (whole.positions[i].z() > -0.6f)
+            scene.addSplat(whole.positions[i].cast<double>(), whole.normals[i].cast<double>());
+    for (int i = 0; i < 3000 && closed; ++i) {
+        const double r = 0.8 * std::sqrt(scene.share()), angle = 2 * std::numbers::pi * scene.share();
+        scene.addSplat({r * std::cos(angle), r * std::sin(angle), -0.6}, -Vec3d::UnitZ());
+    }
+    return scene.splats;
+}
+
+std::vector<Scan> scansFrom(const std::vector<Vec3d>& places) {
+    std::vector<Scan> scans;
+    for (const Vec3d& place : places) scans.push_back({"", place, 0});
+    return scans;
+}
+
+double degreesBetween(const Vec3d& a, const Vec3d& b) {
+    return std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) / kDegree;
+}
+
+const Eigen::Matrix3d kTilted(Eigen::AngleAxisd(25 * kDegree, Vec3d(1, -2, 0.5).normalized()));
+const Eigen::Matrix3d kHardlyTilted(Eigen::AngleAxisd(3 * kDegree, Vec3d(1, -2, 0.5).normalized()));
+const Eigen::Matrix3d kYUp(Eigen::AngleAxisd(-90 * kDegree, Vec3d::UnitX()));
+
+TEST(FindUp, RoomsStandOnTheirFloor) {
+    const FoundUp found = findUp(room(), {});
+    EXPECT_EQ(found.up, Vec3d::UnitZ()) << found.up.transpose();
+    EXPECT_EQ(found.reason, "floor and ceiling");
+    EXPECT_EQ(findUp(turned(room(), kYUp), {}).up, Vec3d::UnitY());
+    EXPECT_EQ(findUp(turned(room(), kYUp.transpose()), {}).up, -Vec3d::UnitY()) << "as cameras have it";
+}
+
+TEST(FindUp, TiltedScenesStandOnTheirGround) {
+    for (const Splats& scene : {room(), groundWithBoxes()}) {
+        const FoundUp found = findUp(turned(scene, kTilted), {});
+        EXPECT_LT(degreesBetween(found.up, kTilted * Vec3d::UnitZ()), 1) << found.up.transpose() << found.reason;
+        EXPECT_NEAR(found.up.norm(), 1, 1e-9);
+    }
+}
+
+TEST(FindUp, AnAxisIsTakenWhereItIsNear) {
+    EXPECT_EQ(findUp(turned(groundWithBoxes(), kHardlyTilted), {}).up, Vec3d::UnitZ());
+}
+
+TEST(FindUp, GroundLiesBelowWhatStandsOnIt) {
+    const FoundUp found = findUp(groundWithBoxes(), {});
+    EXPECT_EQ(found.up, Vec3d::UnitZ());
+    EXPECT_EQ(found.reason, "its ground");
+    EXPECT_EQ(findUp(turned(groundWithBoxes(), kYUp), {}).up, Vec3d::UnitY());
+    const Eigen::Matrix3d upside_down(Eigen::AngleAxisd(180 * kDegree, Vec3d::UnitX()));
+    EXPECT_EQ(findUp(turned(groundWithBoxes(), upside_down), {}).up, -Vec3d::UnitZ());
+}
+
+TEST(FindUp, WhatLooksTheSameFromAllSidesTellsNothing) {
+    EXPECT_TRUE(findUp(ball(), {}).up.isZero());
+    Scene cube, brick;
+    cube.addBox({-1, -1, -1}, {2, 2, 2}, true);
+    brick.addBox({-1, -1, -1}, {8, 5, 3}, true);
+    EXPECT_TRUE(findUp(cube.splats, {}).up.isZero());
+    EXPECT_TRUE(findUp(brick.splats, {}).up.isZero());
+    EXPECT_TRUE(findUp({}, {}).up.isZero());
+    EXPECT_EQ(findUp(ball(), {}).reason, "");
+}
+
+TEST(FindUp, StatuesStandOnTheirBase) {
+    for (const bool closed : {true, false}) {
+        const FoundUp found = findUp(turned(ballOnABase(closed), kYUp), {});
+        EXPECT_EQ(found.up, Vec3d::UnitY()) << closed;
+        EXPECT_EQ(found.reason, "what it stands on");
+        EXPECT_EQ(findUp(ballOnABase(closed), {}).up, Vec3d::UnitZ());
+    }
+}
+
+TEST(FindUp, CamerasLookAlongTheirOwnAxis) {
+    Scene wall(2000);
+    wall.addRectangle({-1, -0.7, 3}, {2, 0, 0.5}, {0, 1.4, 0});
+    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d::Zero()})).up, -Vec3d::UnitY());
+    EXPECT_EQ(findUp(wall.splats, {}).reason, "") << "nobody says where the camera stood";
+    EXPECT_EQ(findUp(wall.splats, scansFrom({Vec3d(2, 0, 0)})).reason, "") << "in another frame";
+    const Eigen::Matrix3d behind(Eigen::AngleAxisd(180 * kDegree, Vec3d::UnitX()));
+    EXPECT_EQ(findUp(turned(wall.splats, behind), scansFrom({Vec3d::Zero()})).up, Vec3d::UnitY());
+}
+
+TEST(FindUp, TurntablesTurnAboutIt) {
+    std::vector<Vec3d> around, row;
+    for (int i = 0; i < 6; ++i) {
+        around.emplace_back(10 * std::cos(i * 60 * kDegree), 1, 10 * std::sin(i * 60 * kDegree));
+        row.emplace_back(i, 2, 0.1 * (i % 2));
+    }
+    EXPECT_EQ(findUp(ball(), scansFrom(around)).up, Vec3d::UnitY());
+    EXPECT_TRUE(findUp(ball(), scansFrom(row)).up.isZero()) << "in a row they lie in many planes";
+}
+
+TEST(FindUp, MapsHaveZUp) {
+    Splats splats = ball();
+    splats.origin = {512'557, 5'403'493, 143};
+    EXPECT_EQ(findUp(splats, {}).up, Vec3d::UnitZ());
+    splats.origin = {0, 143, 5'403'493};
+    EXPECT_TRUE(findUp(splats, {}).up.isZero());
+}
+
+} // namespace
+} // namespace pointrt

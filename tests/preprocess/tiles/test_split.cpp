@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points in their buckets.
+#include "preprocess/tiles/split.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "preprocess/tiles/measure_reach.h"
+#include "set_fixture.h"
+
+namespace pointrt {
+namespace {
+
+/// Positions and intensities, sorted.
+using Rows = std::vector<std::array<double, 4>>;
+
+void addRows(const Cloud& cloud, Rows& rows) {
+    for (std::size_t i = 0; i < cloud.positions.size(); ++i) {
+        const Vec3d position = cloud.origin + cloud.positions[i].cast<double>();
+        std::uint16_t intensity = 0;
+        std::memcpy(&intensity, cloud.attributes[0].values.data() + 2 * i, 2);
+        // text has four digits, and floats of a tile hold more
+        rows.push_back({std::round(position.x() * 1e4), std::round(position.y() * 1e4), std::round(position.z() * 1e4),
+                        double(intensity)});
+    }
+}
+
+TEST_F(SetTest, EveryPointIsInTheBucketOfItsCore) {
+    const SetRequest request = requestOf({writeHill("a.csv", 6000), writeHill("b.csv", 2000, -50)});
+    const SetPlan plan = splitInto("A.proset", request);
+    Rows rows, expected;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
+        const Cloud cloud = readBucket(plan, tile);
+        ASSERT_EQ(cloud.positions.size(), plan.tiles[tile].points);
+        const PlanBox core = coreOf(plan, plan.tiles[tile]);
+        for (const Vec3f& position : cloud.positions) {
+            ASSERT_GE(position.minCoeff(), 0);
+            ASSERT_LT(double(position.maxCoeff()), core.sizes().x());
+        }
+        ASSERT_EQ(cloud.scans.size(), 2u);
+        const std::size_t second = std::min(cloud.scans[1].first_point, cloud.positions.size());
+        for (std::size_t i = 0; i < cloud.positions.size(); ++i)
+            ASSERT_EQ(cloud.attributes[1].values[i], i >= second); // the number of the scan
+        addRows(cloud, rows);
+    }
+    addRows(readInputs(request.inputs, {}), expected);
+    std::sort(rows.begin(), rows.end());
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(rows, expected);
+}
+
+TEST_F(SetTest, HalosHaveWhatLiesInTheBox) {
+    const SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 6000)}));
+    std::vector<Vec3d> all;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
+        const Cloud cloud = readBucket(plan, tile);
+        for (const Vec3f& position : cloud.positions) all.push_back(cloud.origin + position.cast<double>());
+    }
+    constexpr double kHalo = 4;
+    for (std::uint32_t tile = 0; tile < plan.tiles.size(); ++tile) {
+        const BoxPoints points = readPoints(plan, tile, kHalo);
+        PlanBox box = coreOf(plan, plan.tiles[tile]);
+        box = PlanBox(box.min() - Vec3d::Constant(kHalo), box.max() + Vec3d::Constant(kHalo));
+        const auto within = [&](const Vec3d& position) { return box.contains(position); };
+        EXPECT_EQ(points.cloud.positions.size(), std::size_t(std::count_if(all.begin(), all.end(), within)));
+        EXPECT_EQ(std::uint64_t(std::count(points.core.begin(), points.core.end(), 1)), plan.tiles[tile].points);
+        for (std::size_t i = 0; i < points.core.size(); ++i)
+            EXPECT_TRUE(within(points.cloud.origin + points.cloud.positions[i].cast<double>()));
+        EXPECT_EQ(points.side_normals.size(), points.side_positions.size());
+        EXPECT_GT(points.side_normals.size(), 0u);
+    }
+}
+
+TEST_F(SetTest, ThreadsDoNotMatter) {
+    const SetRequest request = requestOf({writeHill("a.csv", 9000), writeHill("b.csv", 3000, 30)});
+    const SetPlan one = splitInto("A.proset", request, 1), four = splitInto("B.proset", request, 4);
+    EXPECT_EQ(bucketsOf(one), bucketsOf(four));
+    EXPECT_EQ(bytesOf(one.work + "/sides.bin"), bytesOf(four.work + "/sides.bin"));
+}
+
+struct Killed {};
+
+TEST_F(SetTest, AKilledSplitGoesOnToTheSameBytes) {
+    std::vector<std::string> inputs;
+    for (int i = 0; i < 5; ++i) inputs.push_back(writeHill(fmt::format("{}.csv", i), 2000, 20 * i));
+    const SetRequest request = requestOf(inputs);
+    const auto undisturbed = bucketsOf(splitInto("A.proset", request));
+    SetRequest other = request;
+    other.output = folder.file("B.proset");
+    const SetPlan plan = makePlan(other);
+    std::filesystem::create_directories(plan.work);
+    SplitOptions options;
+    options.points_between_marks = 2000;
+    std::size_t first_file = 0;
+    for (int kill = 1; kill <= 4; ++kill) { // once in each file but the first
+        first_file = 100;
+        EXPECT_THROW(splitPoints(
+                         plan, other,
+                         [&](const ReadStatus& status) {
+                             first_file = std::min(first_file, status.file);
+                             if (status.file >= std::size_t(kill)) throw Killed();
+                         },
+                         options),
+                     Killed);
+        EXPECT_EQ(first_file, std::size_t(kill - 1)) << "it goes on where it was";
+        EXPECT_FALSE(isSplit(plan));
+    }
+    splitPoints(plan, other, {}, options);
+    EXPECT_TRUE(isSplit(plan));
+    EXPECT_EQ(bucketsOf(plan), undisturbed);
+}
+
+TEST_F(SetTest, WhatAnInterruptedEndLeavesIsTakenUp) {
+    const SetRequest request = requestOf({writeHill("a.csv", 4000)});
+    SetPlan plan = splitInto("A.proset", request);
+    const auto whole = bucketsOf(plan);
+    // as if killed while buckets got their names: one has it, one has its trailer, the mark of the end is not there
+    std::vector<std::uint64_t> bytes;
+    for (const PlanTile& tile : plan.tiles) bytes.push_back(std::filesystem::file_size(bucketFile(plan, tile)) - 32);
+    std::string list;
+    for (const std::uint64_t each : bytes) list += (list.empty() ? "" : ",") + std::to_string(each);
+    std::ofstream(plan.work + "/split.begun.json")
+        << R"({"file":1,"scan":1,"kept":4000,"seen":0,"bytes":[)" << list << "]}";
+    std::filesystem::remove(splitMark(plan));
+    const std::string second = bucketFile(plan, plan.tiles[1]);
+    std::filesystem::rename(second, second + ".part");
+    splitPoints(plan, request, [](const ReadStatus&) { FAIL() << "nothing is to be read"; });
+    EXPECT_EQ(bucketsOf(plan), whole);
+}
+
+TEST_F(SetTest, DamagedBucketsAreToldInALine) {
+    const SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 3000)}));
+    const std::string path = bucketFile(plan, plan.tiles[0]), whole = bytesOf(path);
+    const auto reason = [&] { return reasonOf([&] { readBucket(plan, 0); }, ExitCode::kBadInput); };
+    std::string bytes = whole;
+    bytes[100] = char(bytes[100] ^ 1);
+    std::ofstream(path, std::ios::binary) << bytes;
+    EXPECT_NE(reason().find("is damaged"), std::string::npos);
+    std::ofstream(path, std::ios::binary) << whole.substr(0, whole.size() - 1);
+    EXPECT_NE(reason().find("is not the bucket of"), std::string::npos);
+    std::ofstream(path, std::ios::binary) << whole.substr(0, 5);
+    EXPECT_NE(reason().find("cut short"), std::string::npos);
+    std::filesystem::remove(path);
+    EXPECT_NE(reason().find(path), std::string::npos);
+}
+
+/// Points of a plane a unit apart, off it by up to `off` to both sides, evenly spread.
+std::string noisyPlane(double corner, double off) {
+    std::string text;
+    for (std::uint64_t i = 0; i < 10'000; ++i)
+        text += fmt::format("{:.4f} {:.4f} {:.4f}\n", corner + double(i % 100) + 0.3 * unitShare(mixBits(3 * i)),
+                            double(i / 100) + 0.3 * unitShare(mixBits(3 * i + 1)),
+                            off * (2 * unitShare(mixBits(3 * i + 2)) - 1));
+    return text;
+}
+
+TEST_F(SetTest, NoiseIsMeasuredOfEachScan) {
+    const SetRequest request = requestOf(
+        {folder.write("clean.xyz", noisyPlane(0, 0.001)), folder.write("noisy.xyz", noisyPlane(100, 0.5))}, 20'000);
+    const SetPlan plan = readPlan(splitInto("A.proset", request).work);
+    ASSERT_EQ(plan.traits.noise.size(), 2u);
+    EXPECT_LT(plan.traits.noise[0], 0.01);
+    EXPECT_NEAR(plan.traits.noise[1], 0.5 / std::sqrt(3.0), 0.1); // the deviation of an even spread
+    SetRequest unclean = request;
+    unclean.bake.surface.clean = 0;
+    EXPECT_TRUE(readPlan(splitInto("B.proset", unclean).work).traits.noise.empty());
+}
+
+/// Of sets so large that not every tile is asked, however few their tiles are.
+TEST_F(SetTest, HowFarPointsReachIsToldByATileAtLeast) {
+    SetPlan plan = splitInto("A.proset", requestOf({writeHill("a.csv", 4000)}));
+    const std::optional<float> all = measureReach(plan);
+    ASSERT_TRUE(all);
+    plan.points = 3'200'000'000; // every hundredth
+    ASSERT_LT(plan.tiles.size(), 50u);
+    const std::optional<float> some = measureReach(plan);
+    ASSERT_TRUE(some);
+    EXPECT_NEAR(*some, *all, 0.2f * *all);
+}
+
+TEST_F(SetTest, InputsThatChangeBetweenReadingsAreToldInALine) {
+    const SetRequest request = requestOf({writeHill("a.csv", 3000)});
+    SetPlan plan = makePlan(request);
+    std::filesystem::create_directories(plan.work);
+    writeHill("a.csv", 2999);
+    const std::string reason = reasonOf([&] { splitPoints(plan, request); }, ExitCode::kBadInput);
+    EXPECT_NE(reason.find("had other points when the plan was made"), std::string::npos);
+}
+
+} // namespace
+} // namespace pointrt

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lists that are none: one line with file, place and reason.
+#include <gtest/gtest.h>
+
+#include "format/base/error.h"
+#include "runtime/scene_io/camera_list.h"
+#include "tests/runtime/api/camera_lists.h"
+
+namespace pointrt::test {
+namespace {
+
+class CameraListErrors : public testing::Test {
+protected:
+    void expectRefused(const std::string& name, const std::string& part, const CameraFileRequest& request = {}) const {
+        try {
+            readCameraList(folder.file(name), request);
+            FAIL() << "it was taken: " << part;
+        } catch (const Error& error) {
+            const std::string text = error.what();
+            EXPECT_EQ(error.code, ExitCode::kBadInput) << text;
+            EXPECT_NE(text.find(part), std::string::npos) << text;
+            EXPECT_EQ(text.rfind(folder.path.string(), 0), 0u) << text;
+            EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        }
+    }
+    void expectColmap(const std::string& cameras, const std::string& images, const std::string& part,
+                      const CameraFileRequest& request = {}) const {
+        folder.write("cameras.txt", cameras);
+        folder.write("images.txt", images);
+        expectRefused("images.txt", part, request);
+    }
+    void expectJson(const std::string& text, const std::string& part, const CameraFileRequest& request = {}) const {
+        folder.write("transforms.json", text);
+        expectRefused("transforms.json", part, request);
+    }
+    /// A frame among words of all of the file.
+    static std::string framed(const std::string& words, const std::string& in_frame = "") {
+        return "{" + words + ", \"frames\": [{\"file_path\": \"a.png\", \"transform_matrix\": " + kTransformPose +
+               in_frame + "}]}";
+    }
+    TemporaryFolder folder;
+};
+
+const std::string kLens = R"("w": 64, "h": 48, "fl_x": 50)";
+
+TEST_F(CameraListErrors, OfFiles) {
+    expectRefused("nothing.json", ": No such file or directory");
+    expectRefused("", "has neither transforms.json nor COLMAP's");
+    folder.write("list.csv", "1");
+    expectRefused("list.csv", "cameras are in a transforms.json, or in COLMAP's");
+    folder.write("images.txt", kColmapImages);
+    expectRefused("", "cameras.txt: No such file or directory; COLMAP's models have both");
+}
+
+TEST_F(CameraListErrors, OfColmapsText) {
+    const std::string good = "1 PINHOLE 640 480 500 510 320 240\n", image = "1 " + kColmapPose + " 1 a.png\n\n";
+    expectColmap("1 LENS 640 480 1\n", image, "cameras.txt:1: LENS is no camera model");
+    expectColmap("# x\n1 PINHOLE 640 480 500 510 320\n", image, "cameras.txt:2: parameter of the model is missing");
+    expectColmap("1 PINHOLE 640 wide 500 510 320 240\n", image, "cameras.txt:1: wide is no HEIGHT");
+    expectColmap(good + good, image, "cameras.txt:2: camera 1 is there twice");
+    expectColmap(good, "1 " + kColmapPose + " 2 a.png\n\n", "images.txt:1: there is no camera 2");
+    expectColmap(good, "1 " + kColmapPose + " 1\n\n", "images.txt:1: NAME is missing");
+    expectColmap(good, image + "2 0 0 0 0 1 2 3 1 b.png\n\n", "images.txt:3: its quaternion has no length");
+    expectColmap(good, "1 x 0 0 0 1 2 3 1 b.png\n\n", "images.txt:1: x is no part of the quaternion");
+    expectColmap(good, "# nothing\n", "images.txt: has no cameras with pictures");
+    expectColmap("1 OPENCV_FISHEYE 640 480 500 510 320 240 0 0 0 0\n", image,
+                 "images.txt:1: its camera is of the model OPENCV_FISHEYE, which is no pinhole's");
+    expectColmap("1 EQUIRECTANGULAR 640 480 640 480\n", image, "EQUIRECTANGULAR, which is no pinhole's");
+    expectColmap("1 DIVISION 640 480 500 510 320 240 0.1\n", image, "distortion (DIVISION 0.1)");
+    expectColmap("1 PINHOLE 640 480 0 510 320 240\n", image, "images.txt:1: the camera of a.png: its focal lengths");
+    expectColmap("1 PINHOLE 64000 480 500 510 320 240\n", image, "images.txt:1: a picture of 64000 x 480 pixels");
+    expectColmap("1 PINHOLE 640 480 500 510 nan 240\n", image, "its principal point is not finite");
+}
+
+TEST_F(CameraListErrors, DistortionIsNotDroppedInSilence) {
+    const std::string image = "1 " + kColmapPose + " 1 a.png\n\n", lens = "1 SIMPLE_RADIAL 640 480 500 320 240 0.01\n";
+    expectColmap(
+        lens, image,
+        "images.txt:1: the lens has distortion (SIMPLE_RADIAL 0.01), and pictures here have none; --distortion "
+        "drop");
+    EXPECT_EQ(readCameraList(folder.file("images.txt"), {{}, true}).at(0).lens, (PinholeLens{500, 500, 320, 240}));
+    expectJson(framed(kLens, ", \"k1\": -0.1, \"p2\": 0.002"), "frame 0: the lens has distortion (k1 -0.1, p2 0.002)");
+    EXPECT_EQ(readCameraList(folder.file("transforms.json"), {{}, true}).size(), 1u);
+    folder.write("cameras.txt", "1 OPENCV 640 480 500 510 320 240 0 0 0 0\n"); // none
+    EXPECT_EQ(readCameraList(folder.file("images.txt"), {}).size(), 1u);
+}
+
+TEST_F(CameraListErrors, OfTransforms) {
+    expectJson("{\"frames\": [", "byte ");
+    expectJson("[]", "has no list \"frames\"");
+    expectJson("{\"frames\": 1}", "has no list \"frames\"");
+    expectJson("{\"frames\": []}", "has no cameras with pictures");
+    expectJson("{\"frames\": [7]}", "frame 0: it is no object");
+    expectJson("{\"frames\": [{}]}", "frame 0: file_path is missing");
+    expectJson("{\"w\": 4, \"h\": 4, \"fl_x\": 4, \"frames\": [{\"file_path\": \"a\"}]}",
+               "frame 0: transform_matrix is missing");
+    expectJson(framed("\"w\": 64, \"h\": 48"), "frame 0: there is neither fl_x nor camera_angle_x");
+    expectJson(framed("\"fl_x\": 50"), "frame 0: there is no w and h; --size WxH");
+    expectJson(framed("\"w\": 64, \"h\": 48.5, \"fl_x\": 50"), "frame 0: h is no number of pixels");
+    expectJson(framed(kLens + ", \"cx\": \"middle\""), "frame 0: cx is not a number");
+    expectJson(framed(kLens + ", \"camera_model\": \"OPENCV_FISHEYE\""), "camera_model OPENCV_FISHEYE is no pinhole's");
+    expectJson(framed(kLens + ", \"is_fisheye\": true"), "is_fisheye says");
+    expectJson(framed(kLens + ", \"ftheta_p0\": 0.1"), "ftheta_p0 says");
+    expectJson(framed(kLens + ", \"applied_scale\": 0.5"), "applied_scale 0.5 is not 1");
+    expectJson(framed(kLens + ", \"applied_transform\": [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]"),
+               "applied_transform is more than a rotation");
+    const auto matrix = [](const std::string& rows) {
+        return "{" + kLens + ", \"frames\": [{\"file_path\": \"a\", \"transform_matrix\": " + rows + "}]}";
+    };
+    expectJson(matrix("[[1, 0, 0, 0], [0, 1, 0, 0]]"), "transform_matrix is not 3 or 4 rows");
+    expectJson(matrix("[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, \"1\", 0]]"), "transform_matrix is not 3 or 4 rows");
+    expectJson(matrix("[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 2]]"), "last row of transform_matrix");
+    expectJson(matrix("[[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0]]"), "frame 0: the camera of a: its axes are not");
+    expectJson(matrix("[[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]"), "mirror image");
+}
+
+TEST_F(CameraListErrors, EveryPrefixOfBinaryOnes) {
+    const std::string cameras = packedCameras(), images = packedImages();
+    folder.write("images.bin", images);
+    for (std::size_t size = 0; size < cameras.size(); ++size) {
+        folder.write("cameras.bin", cameras.substr(0, size));
+        expectRefused("images.bin", "cameras.bin: byte ");
+    }
+    folder.write("cameras.bin", cameras + "x");
+    expectRefused("images.bin", "cameras.bin: byte 64: there is more than it says");
+    folder.write("cameras.bin", cameras);
+    for (std::size_t size = 0; size < images.size(); ++size) {
+        folder.write("images.bin", images.substr(0, size));
+        expectRefused("images.bin", "images.bin: byte ");
+    }
+    for (const std::size_t at : {0u, 4u, 7u}) { // counts that nothing holds
+        std::string many = images;
+        many[at] = '\x7f';
+        folder.write("images.bin", many);
+        expectRefused("images.bin", "images.bin: byte ");
+    }
+}
+
+} // namespace
+} // namespace pointrt::test

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A window that closes while tiles are loaded.
+#include "runtime/window/edit/tile_job.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "tests/support/hand_cut_set.h"
+#include "tests/support/splat_scenes.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/validated_device.h"
+
+namespace pointrt::test {
+namespace {
+
+/// A sphere in eight tiles, of which the root alone is on a device.
+class TileJobTest : public DeviceFixture {
+protected:
+    TileJobTest() {
+        const std::string path = folder_.file("sphere.proset");
+        const Splats sphere = sphereSplats(4000, Vec3f(0, 0, 0), 1);
+        writeHandCutSet(path, {{-1.25, -1.25, -1.25}, 1.25, 2, 1, sphere.radii[0]}, sphere, sphere);
+        SceneDescription description;
+        description.instances.push_back({path, {}, {}, {}});
+        scene_ = openScene(device, description, false);
+        request_.cameras = {{{-3, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 0, 0}, 60, 0}};
+        request_.size = {64, 64};
+        request_.detail = 0;
+        standTiles(device, scene_, request_); // without memory
+        request_.memory = std::uint64_t{1} << 30;
+    }
+    ~TileJobTest() override { destroyDeviceScene(device, scene_); }
+
+    const TemporaryFolder folder_;
+    DeviceScene scene_;
+    TileRequest request_;
+};
+
+TEST_F(TileJobTest, WhatComesOfItAfterItWasDroppedLeavesTheDevice) {
+    { TileJob job(device, orderTiles(scene_, request_)); } // goes on with its step
+    // the validation layer tells of what is left behind
+}
+
+TEST_F(TileJobTest, WhatNobodyTookLeavesTheDevice) {
+    TileJob job(device, orderTiles(scene_, request_));
+    while (!job.job().ended()) std::this_thread::yield();
+    EXPECT_EQ(job.job().state(), JobState::kDone);
+    EXPECT_GT(job.wanted(), 1u);
+}
+
+} // namespace
+} // namespace pointrt::test

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films are gone on with years later: what their signatures say stays the same to the letter.
+#include "runtime/render/film_signature.h"
+
+#include <gtest/gtest.h>
+
+#include "runtime/scene/camera.h"
+#include "runtime/scene/render_setting_table.h"
+
+namespace pointrt {
+namespace {
+
+Camera testCamera() { return frameCamera({}, {-1, -1, -1}, {1, 1, 1}, 1); }
+
+/// What follows the renderer's version and the scene's hash.
+std::string settingsPart(const RenderSettings& settings, const Camera& camera) {
+    const std::string signature = filmSignature({}, settings, camera, PassForm::kQueued);
+    EXPECT_TRUE(signature.starts_with("renderer=")) << signature;
+    return signature.substr(signature.find("; size="));
+}
+
+TEST(FilmSignature, OfDefaultsIsTheTextThatItWas) {
+    Camera camera = testCamera();
+    camera.eye = {0.1, -2, 5};
+    EXPECT_EQ(settingsPart({}, camera),
+              "; size=512x512; camera=0.10000000000000001,-2,5 1,-0,0 0,1,0 0,0,-1 40; integrator=phong; bounces=4; "
+              "seed=0; pixel=area; room=default; lights=default; shadows=on; blend=on; caustics=on; "
+              "reflectivity=default");
+}
+
+TEST(FilmSignature, OfEverySettingIsTheTextThatItWas) {
+    RenderSettings settings;
+    settings.width = 30;
+    settings.height = 20;
+    settings.spp = 1;
+    settings.seed = 4294967295;
+    settings.integrator = Integrator::kDepth;
+    settings.bounces = 64;
+    settings.room = Room::kMatte;
+    settings.lights = 16;
+    settings.shadows = settings.caustics = settings.blend = false;
+    settings.reflectivity = 0.1f;
+    settings.denoise = DenoiseChoice::kOn;
+    settings.exposure = 2;
+    Camera camera = testCamera();
+    camera.eye = {0, 0, 5};
+    camera.ortho_height = 0.25;
+    EXPECT_EQ(settingsPart(settings, camera),
+              "; size=30x20; camera=0,0,5 1,-0,0 0,1,0 0,0,-1 ortho 0.25; integrator=depth; bounces=64; "
+              "seed=4294967295; pixel=centre; room=matte; lights=16; shadows=off; blend=off; caustics=off; "
+              "reflectivity=0.10000000149011612");
+}
+
+TEST(FilmSignature, TellsColoursAfterAllThatWasThereBefore) {
+    RenderSettings settings;
+    settings.color_by = "gps_time";
+    settings.color_map = ColorMap::kTurbo;
+    settings.color_range = {{0.1, 3e9}};
+    settings.legend = true;
+    const std::string before = settingsPart({}, testCamera());
+    EXPECT_EQ(settingsPart(settings, testCamera()),
+              before + "; color_by=gps_time; color_map=turbo; color_range=0.1,3e+09");
+}
+
+TEST(FilmSignature, TellsTheFormOfItsPassesLast) {
+    const std::string queued = filmSignature({}, {}, testCamera(), PassForm::kQueued);
+    const std::string fused = filmSignature({}, {}, testCamera(), PassForm::kFused);
+    EXPECT_EQ(fused, queued + "; passes=fused") << "films from before there were forms are queued";
+    EXPECT_EQ(formOf(queued), PassForm::kQueued);
+    EXPECT_EQ(formOf(fused), PassForm::kFused);
+    EXPECT_EQ(formOf(""), PassForm::kQueued);
+    EXPECT_EQ(signatureDifference(fused, queued), "passes was fused and is nothing");
+}
+
+std::uint32_t anotherValue(CountRange range, const std::optional<std::uint32_t>& value) {
+    return value == range.low ? range.high : range.low;
+}
+float anotherValue(RealRange range, const std::optional<float>& value) {
+    return static_cast<float>(value == static_cast<float>(range.low) ? range.high : range.low);
+}
+PixelSize anotherValue(SizeRange range, const std::optional<PixelSize>&) { return {1, range.longest}; }
+std::string anotherValue(AttributeWord, const std::optional<std::string>&) { return "height"; }
+ValueRange anotherValue(RangeOfValues, const std::optional<ValueRange>&) { return {2, 3}; }
+template <typename Named>
+Named anotherValue(OneOf<Named> choices, const std::optional<Named>& value) {
+    return value == choices.names[0].value ? choices.names[1].value : choices.names[0].value;
+}
+
+TEST(FilmSignature, TellsEverySettingThatTheTableSaysItTells) {
+    const RenderSettings before;
+    forEachRenderSetting([&](const auto& row) {
+        RenderChoices choices;
+        choices.*row.choice = anotherValue(row.limits, settingOf(before, row.member));
+        RenderSettings after = before;
+        applyChoices(choices, after);
+        const std::string difference = signatureDifference(filmSignature({}, before, testCamera(), PassForm::kQueued),
+                                                           filmSignature({}, after, testCamera(), PassForm::kQueued));
+        const std::string expected = row.film.place == 0 ? "" : std::string(row.film.name) + " was ";
+        EXPECT_EQ(difference.substr(0, expected.size()), expected) << row.command_line.option;
+        EXPECT_EQ(difference.empty(), row.film.place == 0) << row.command_line.option << ": " << difference;
+    });
+}
+
+} // namespace
+} // namespace pointrt

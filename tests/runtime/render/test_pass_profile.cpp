@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a profile says of frames whose rays are counted elsewhere as well.
+#include "runtime/render/pass_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include "runtime/render/loaded_scene.h"
+#include "runtime/render/progressive_renderer.h"
+#include "tests/support/ball_scene.h"
+#include "tests/support/validated_device.h"
+
+namespace pointrt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kSide = 40, kSamples = 2;
+
+const PassTally& passNamed(const PassProfile& profile, const std::string& name) {
+    for (const PassTally& each : profile.passes)
+        if (each.name == name) return each;
+    throw std::out_of_range(name);
+}
+
+class PassProfileTest : public DeviceFixture {
+protected:
+    void SetUp() override {
+        LoadRequest request;
+        request.scene = ballScene();
+        request.settings.width = request.settings.height = kSide;
+        request.settings.spp = kSamples;
+        request.settings.integrator = Integrator::kPath;
+        request.settings.first_hits = true;
+        request.form = PassForm::kQueued;
+        loaded = loadScene(device, device, request, {});
+        profile.clock = createDeviceClock(device);
+    }
+    void TearDown() override { destroyDeviceClock(device, profile.clock); }
+
+    /// With profile where it is asked for.
+    Film render(PassProfile* asked) {
+        loaded->tracer.profile = asked;
+        const Clock::time_point start = Clock::now();
+        ProgressiveRenderer renderer(device, loaded->tracer);
+        FrameJob job;
+        job.samples = kSamples;
+        renderer.begin({loaded->settings, loaded->camera, {kSide, kSide}}, job);
+        renderer.run();
+        rays = renderer.takeRays();
+        Film film = renderer.takeFilm();
+        profile.frames_ms += std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        return film;
+    }
+
+    std::unique_ptr<LoadedScene> loaded;
+    PassProfile profile;
+    RayCounts rays;
+};
+
+TEST_F(PassProfileTest, CountsTheRaysOfTheFrame) {
+    render(&profile);
+    ASSERT_GT(rays.secondary, 0u);
+    EXPECT_EQ(passNamed(profile, "shade (camera)").lanes_in, rays.primary);
+    EXPECT_EQ(rays.primary, kSamples * kSide * kSide);
+    EXPECT_EQ(passNamed(profile, "shade").lanes_in, rays.secondary);
+    EXPECT_EQ(passNamed(profile, "trace_shapes").lanes_in, rays.secondary);
+    EXPECT_EQ(passNamed(profile, "trace_shapes").lanes_out, 0u) << "no instances are to be asked";
+    EXPECT_EQ(passNamed(profile, "shadow_shapes").lanes_in, passNamed(profile, "light").lanes_in);
+    // rays and queries for light
+    EXPECT_EQ(passNamed(profile, "shade (camera)").lanes_out + passNamed(profile, "shade").lanes_out,
+              rays.secondary + passNamed(profile, "light").lanes_in);
+}
+
+TEST_F(PassProfileTest, AccountsForNoMoreThanThereIs) {
+    render(&profile);
+    double passes_ms = 0;
+    for (const PassTally& each : profile.passes) {
+        EXPECT_GT(each.runs, 0u);
+        EXPECT_GT(each.host_ms, 0) << each.name;
+        passes_ms += each.host_ms;
+        // two clocks, of which one may go by steps of some microseconds
+        EXPECT_LE(each.device_ms, 1.01 * each.host_ms + 0.01 * static_cast<double>(each.runs)) << each.name;
+        EXPECT_EQ(each.device_ms > 0, profile.clock.pool != VK_NULL_HANDLE) << each.name;
+    }
+    EXPECT_GE(unaccountedMilliseconds(profile), 0);
+    EXPECT_LT(unaccountedMilliseconds(profile) + passes_ms, profile.frames_ms) << "the film was read back";
+}
+
+TEST_F(PassProfileTest, LeavesThePictureAsItIs) {
+    const Film without = render(nullptr);
+    EXPECT_TRUE(profile.passes.empty() && profile.host.empty());
+    const Film with = render(&profile);
+    EXPECT_EQ(with.rgba, without.rgba);
+    EXPECT_EQ(with.depth, without.depth);
+}
+
+TEST(PassProfile, CountsBytesByLanesAndEntries) {
+    PassProfile profile;
+    PassRun run{"trace", PassLanes::kList, 4, {}, {}, 3, 6, 2, LIST_ASKED};
+    run.before.lists[LIST_ASKED].count = run.after.lists[LIST_ASKED].count = 100;
+    run.before.hits_appended = 5;
+    run.after.hits_appended = 15;
+    addRun(profile, run);
+    ASSERT_EQ(profile.passes.size(), 1u);
+    const PassTally& trace = profile.passes.front();
+    EXPECT_EQ(trace.lanes_in, 100u);
+    EXPECT_EQ(trace.lanes_out, 10u);
+    // a word of the list, a path of four vectors, and what was hit before; a word and a vector for each hit
+    EXPECT_EQ(trace.bytes, 100u * (4 + 64 + 16) + 10u * (4 + 16));
+    EXPECT_EQ(trace.host_ms, 3);
+    EXPECT_EQ(trace.cpu_ms, 6);
+    EXPECT_EQ(trace.device_ms, 2);
+    EXPECT_THROW(addRun(profile, {"unheard of", PassLanes::kOne, 0, {}, {}, 0, 0, {}}), std::logic_error);
+}
+
+TEST(PassProfile, CountsNothingWhereListsAreEmptied) {
+    PassProfile profile;
+    PassRun run{"prepare", PassLanes::kOne, 4, {}, {}, 1, 0, {}};
+    run.before.queued[0] = 12;
+    addRun(profile, run);
+    EXPECT_EQ(profile.passes.front().lanes_in, 1u);
+    EXPECT_EQ(profile.passes.front().lanes_out, 0u);
+}
+
+} // namespace
+} // namespace pointrt

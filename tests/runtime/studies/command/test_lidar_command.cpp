@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// pointrt-rays lidar as users run it: the sensors of docs/, each kind of file, and what is wrong.
+#include <cmath>
+#include <sstream>
+
+#include "tests/runtime/rays/cast_command.h"
+
+namespace pointrt::test {
+namespace {
+
+const std::string kSensors = POINTRT_DOCS "/sensors/";
+const std::string kMiddle = " --pose 500064,4500064,166 "; // 2 m over the plane
+
+/// pointrt-rays lidar in the folder of plane.pro.
+class LidarCommand : public CastCommand {
+protected:
+    Outcome lidar(const std::string& words) const { return run(POINTRT_RAYS " lidar plane.pro " + words); }
+
+    /// Rows of a text file by the names of its first line.
+    struct Rows {
+        std::vector<std::string> names;
+        std::vector<std::vector<double>> rows;
+
+        std::vector<double> column(const std::string& name) const {
+            const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+            std::vector<double> numbers;
+            for (const std::vector<double>& row : rows) numbers.push_back(row.at(at));
+            return numbers;
+        }
+    };
+    Rows rows(const std::string& name) const {
+        std::istringstream lines(text(name));
+        Rows read;
+        std::string line, word;
+        std::getline(lines, line);
+        std::istringstream first(line);
+        while (std::getline(first, word, ',')) read.names.push_back(word);
+        while (std::getline(lines, line)) {
+            std::istringstream words(line);
+            read.rows.emplace_back();
+            while (std::getline(words, word, ',')) read.rows.back().push_back(std::stod(word));
+        }
+        return read;
+    }
+};
+
+TEST_F(LidarCommand, TheSensorsOfTheDocsRun) {
+    const Outcome street = lidar("--sensor " + kSensors + "street.toml" + kMiddle + "-o street.csv -v");
+    ASSERT_EQ(street.code, 0) << street.err;
+    EXPECT_NE(street.err.find("57600 pulses, "), std::string::npos) << street.err;
+    const Rows points = rows("street.csv");
+    EXPECT_EQ(points.names, (std::vector<std::string>{"x", "y", "z", "intensity", "return_number", "number_of_returns",
+                                                      "gps_time", "ring", "range", "power", "incidence_deg", "pulse",
+                                                      "splat_id", "instance_id"}));
+    // of 32 beams, 22 look down by enough to meet the plane within its 51 m: 1% of their 39600 pulses is dropped
+    EXPECT_NEAR(static_cast<double>(points.rows.size()), 0.99 * 22 * 1800, 2500);
+    for (const double z : points.column("z")) ASSERT_NEAR(z, 164, 0.1);
+    for (const double range : points.column("range")) ASSERT_GT(range, 3.5);
+
+    const std::string over = " --trajectory flight.csv ";
+    folder.write("flight.csv", "t,x,y,z,yaw,pitch,roll\n0,500030,4500064,250,0,0,0\n1,500090,4500064,250,0,0,2\n");
+    ASSERT_EQ(lidar("--sensor " + kSensors + "flight.toml" + over + "--duration 0.2 -o flight.csv.csv").code, 0);
+    EXPECT_EQ(rows("flight.csv.csv").names.back(), "scan_angle_deg");
+    EXPECT_EQ(rows("flight.csv.csv").rows.size(), 12000u);
+    ASSERT_EQ(lidar("--sensor " + kSensors + "flash.toml" + kMiddle + "-o flash.csv").code, 0);
+    EXPECT_EQ(rows("flash.csv").column("ring").back(), 47);
+    ASSERT_EQ(lidar("--sensor " + kSensors + "table.toml" + kMiddle + "-o table.csv").code, 0);
+    EXPECT_EQ(rows("table.csv").rows.size(), 48u); // all of them look down
+}
+
+TEST_F(LidarCommand, EachKindOfFileHoldsThePoints) {
+    const std::string words = "--sensor " + kSensors + "flash.toml" + kMiddle + "--seed 3 -q -o ";
+    ASSERT_EQ(lidar(words + "scan.csv").code, 0);
+    const std::size_t count = rows("scan.csv").rows.size();
+    ASSERT_GT(count, 1000u); // of 3072, those that look down
+    ASSERT_EQ(lidar(words + "scan.ply --stats stats.json").code, 0);
+    const std::string ply = text("scan.ply");
+    EXPECT_NE(ply.find("element vertex " + std::to_string(count) + "\n"), std::string::npos);
+    EXPECT_NE(ply.find("property ushort intensity\n"), std::string::npos);
+    EXPECT_NE(text("stats.json").find("\"points\": " + std::to_string(count)), std::string::npos);
+    EXPECT_NE(text("stats.json").find("\"pulses\": 3072"), std::string::npos);
+    ASSERT_EQ(lidar(words + "scan.las").code, 0);
+    const std::string las = text("scan.las");
+    EXPECT_EQ(las.substr(0, 4), "LASF");
+    EXPECT_EQ(wordAt<std::uint32_t>(las, 107), count); // LAS 1.2: number of points
+    EXPECT_EQ(wordAt<std::uint32_t>(las, 111), count); // of first returns
+    ASSERT_EQ(lidar(words + "again.ply").code, 0);
+    EXPECT_EQ(text("again.ply"), ply);
+}
+
+TEST_F(LidarCommand, WhatIsWrongIsOneLine) {
+    folder.write("good.toml", "[flash]\npixels = [4, 3]\nfield_of_view_deg = [40, 30]\nframe_hz = 5\n"
+                              "[range]\nmax_m = 10\n");
+    folder.write("bad.toml", "[flash]\npixels = [4, 3]\nfield_of_view_deg = [40, 30]\nframe_hz = -5\n"
+                             "[range]\nmax_m = 10\n");
+    folder.write("bad.csv", "t,x,y,z,qx,qy,qz,qw\n0,1,2,3,0,0,0,0\n");
+    const auto refused = [&](int code, const std::string& reason, const std::string& words) {
+        expectRefused(code, reason + (code == 2 ? " (see --help)" : ""), POINTRT_RAYS " lidar " + words);
+    };
+    const std::string good = "plane.pro --sensor good.toml ", out = " -o out.ply";
+    refused(1, "bad.toml:4: key \"flash.frame_hz\": is -5, must be from 1e-06 to 1000000000",
+            "plane.pro --sensor bad.toml" + kMiddle + out);
+    refused(1, "missing.toml: No such file or directory", "plane.pro --sensor missing.toml" + kMiddle + out);
+    refused(1, "bad.csv:2: its quaternion is 0, which is no rotation", good + "--trajectory bad.csv" + out);
+    refused(1, "missing.pro: No such file or directory", "missing.pro --sensor good.toml" + kMiddle + out);
+    refused(2, "good.toml: says not where the scanner is; --pose or --trajectory do", good + out);
+    refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL", good + "--pose 1,2" + out);
+    refused(2, "--pose: must be three or six finite numbers, X,Y,Z or X,Y,Z,YAW,PITCH,ROLL",
+            good + "--pose 1,2,nan" + out);
+    refused(2, "duration_s must be above 0 and finite", good + kMiddle + "--duration 0" + out);
+    refused(2, "out.txt: points are written as .ply, .las, .laz and .csv", good + kMiddle + "-o out.txt");
+    refused(2, "-o -: how many points there are is known at their end; let a file take them", good + kMiddle + "-o -");
+    refused(2, "good.toml: is an input", good + kMiddle + "-o good.toml");
+    refused(2, "--attributes: there is no gloss, but none at all", good + kMiddle + "--attributes gloss" + out);
+    refused(2, "--attributes: ring is there already", good + kMiddle + "--attributes ring" + out);
+    refused(2, "--sensor is required", "plane.pro" + kMiddle + out);
+    refused(4, "nowhere/out.ply: the folder does not exist", good + kMiddle + "-o nowhere/out.ply");
+}
+
+} // namespace
+} // namespace pointrt::test

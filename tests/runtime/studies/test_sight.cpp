@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who sees what over a wall on level ground, against the formula.
+#include "tests/runtime/studies/study_scenes.h"
+
+namespace pointrt::test {
+namespace {
+
+constexpr double kGround = 0.25, kSpacing = 0.8 / 120, kWall = 0.55, kHeight = 0.05;
+
+class Sight : public Study {
+protected:
+    Sight() {
+        std::vector<pro_splat> splats;
+        addSheet(splats, {{0.1, 0.1, kGround}, {0.8, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing, 0.8 * kSpacing);
+        // a wall across all of the ground, two sheets that are 4 spacings apart
+        for (const double x : {kWall, kWall + 4 * kSpacing})
+            addSheet(splats, {{x, 0.1, kGround}, {0, 0.8, 0}, {0, 0, kHeight}, {x > kWall ? 1.0f : -1.0f, 0, 0}},
+                     kSpacing / 2, 0.36 * kSpacing);
+        addSheet(splats, {{kWall, 0.1, kGround + kHeight}, {4 * kSpacing, 0, 0}, {0, 0.8, 0}, {0, 0, 1}}, kSpacing / 2,
+                 0.36 * kSpacing);
+        path = scan("wall.pro", splats);
+        points = scanPoints(path);
+    }
+
+    double cube(std::size_t point, std::size_t axis) const {
+        return (points.positions[3 * point + axis] - place.origin[axis]) / place.edge;
+    }
+    std::array<double, 3> eyeAt(double x, double y, double z) const {
+        return {place.origin[0] + place.edge * x, place.origin[1] + place.edge * y, place.origin[2] + place.edge * z};
+    }
+    std::vector<std::uint8_t> seenFrom(const Observer& observer, Sides sides = Sides::kFront) {
+        const TraceScene scene(device, {path});
+        std::vector<std::uint8_t> visible(points.radii.size());
+        testSight(scene, points.rows(), observer, {.sides = sides}, visible);
+        return visible;
+    }
+
+    const GridPlace place;
+    std::string path;
+    ScanPoints points;
+};
+
+TEST_F(Sight, EndsBehindTheWallAsTheFormulaSays) {
+    const double up = 0.1;
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
+    // the line over the wall's far edge comes down again there
+    const double far_edge = kWall + 4 * kSpacing;
+    const double hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
+    std::size_t before = 0, behind = 0, beyond = 0;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        if (cube(i, 2) > kGround + 1e-4) continue;
+        const double x = cube(i, 0);
+        if (x < kWall - kSpacing) {
+            ASSERT_EQ(visible[i], 1) << x << " " << cube(i, 1);
+            ++before;
+        } else if (x > far_edge + kSpacing && x < hidden_to - kSpacing) {
+            ASSERT_EQ(visible[i], 0) << x << " " << cube(i, 1);
+            ++behind;
+        } else if (x > hidden_to + kSpacing) {
+            ASSERT_EQ(visible[i], 1) << x << " " << cube(i, 1);
+            ++beyond;
+        }
+    }
+    EXPECT_GT(before, 5000u);
+    EXPECT_GT(behind, 1000u);
+    ASSERT_GT(hidden_to, 0.9) << "all of the ground behind the wall is hidden";
+    EXPECT_EQ(beyond, 0u);
+}
+
+TEST_F(Sight, FromHighUpTheGroundBeyondIsSeenAgain) {
+    const double up = 0.5;
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + up)});
+    const double far_edge = kWall + 4 * kSpacing, hidden_to = 0.2 + (far_edge - 0.2) * up / (up - kHeight);
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        if (cube(i, 2) > kGround + 1e-4 || cube(i, 0) < far_edge + kSpacing) continue;
+        if (std::abs(cube(i, 0) - hidden_to) < kSpacing) continue;
+        ASSERT_EQ(visible[i], cube(i, 0) > hidden_to) << cube(i, 0) << " " << cube(i, 1);
+        beyond += visible[i];
+    }
+    EXPECT_GT(beyond, 3000u);
+}
+
+TEST_F(Sight, OneSideOfAWallIsSeen) {
+    const auto visible = seenFrom({eyeAt(0.2, 0.5, kGround + 0.02)});
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        const float nx = points.normals[3 * i];
+        if (std::abs(nx) < 0.5f) continue;
+        ASSERT_EQ(visible[i], nx < 0) << cube(i, 1) << " " << cube(i, 2);
+    }
+}
+
+TEST_F(Sight, WhatIsFarOrWithinSeesLittle) {
+    const auto near = seenFrom({eyeAt(0.2, 0.5, kGround + 0.1), 0.15 * place.edge});
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const double distance = std::hypot(cube(i, 0) - 0.2, cube(i, 1) - 0.5, cube(i, 2) - kGround - 0.1);
+        if (std::abs(distance - 0.15) < 0.001) continue;
+        ASSERT_EQ(near[i], distance < 0.15) << distance;
+    }
+    const auto within = seenFrom({eyeAt(kWall + 2 * kSpacing, 0.5, kGround + kHeight / 2)});
+    const auto below = seenFrom({eyeAt(0.3, 0.5, kGround - 0.01)});
+    for (std::size_t i = 0; i < within.size(); ++i) {
+        const bool is_wall = std::abs(cube(i, 0) - kWall - 2 * kSpacing) < 4 * kSpacing;
+        ASSERT_EQ(within[i] != 0 && !is_wall, false) << cube(i, 0) << " " << cube(i, 1);
+        ASSERT_EQ(below[i], 0) << cube(i, 0) << " " << cube(i, 1);
+    }
+}
+
+TEST_F(Sight, AnEyeOnAPointSeesIt) {
+    const std::array<double, 3> eye{points.positions[0], points.positions[1], points.positions[2]};
+    EXPECT_EQ(seenFrom({eye})[0], 1);
+}
+
+TEST_F(Sight, ObserversThatAreNoneAreRefused) {
+    EXPECT_THROW(seenFrom({{0, std::nan(""), 0}}), TraceError);
+    EXPECT_THROW(seenFrom({{0, 0, 0}, 0}), TraceError);
+    EXPECT_THROW(seenFrom({{0, 0, 0}, std::nan("")}), TraceError);
+}
+
+} // namespace
+} // namespace pointrt::test
